@@ -1,0 +1,23 @@
+//! The one place that turns linear light into integers.
+//!
+//! A channel is clamped to 0..1 and rounded to the nearest of 256 (or 65,536) levels, without gamma: as the courses do,
+//! so that a level is the same amount of light everywhere. NaN becomes 0.
+
+/// Linear light to one of 256 levels.
+pub fn byte(light: f64) -> u8 {
+    (clamped(light) * 255.0).round() as u8
+}
+
+/// Linear light to one of 65,536 levels.
+pub fn word(light: f64) -> u16 {
+    (clamped(light) * 65535.0).round() as u16
+}
+
+/// Linear light in 8-bit levels, 0..255, not rounded: the scale on which images are compared. NaN stays NaN.
+pub fn level(light: f64) -> f64 {
+    light.clamp(0.0, 1.0) * 255.0
+}
+
+fn clamped(light: f64) -> f64 {
+    if light.is_nan() { 0.0 } else { light.clamp(0.0, 1.0) }
+}

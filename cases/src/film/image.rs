@@ -1,0 +1,48 @@
+//! A picture in memory.
+
+use glam::DVec3;
+
+/// Linear RGB, row by row from the top, each row from the left.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Image {
+    width: u32,
+    height: u32,
+    pixels: Vec<DVec3>,
+}
+
+impl Image {
+    /// The picture whose pixel (i, j) is `colour(i, j)`; i counts from the left, j from the top. [rule 1]
+    pub fn from_fn(width: u32, height: u32, mut colour: impl FnMut(u32, u32) -> DVec3) -> Self {
+        let pixels = (0..height).flat_map(|j| (0..width).map(move |i| (i, j))).map(|(i, j)| colour(i, j)).collect();
+        Self { width, height, pixels }
+    }
+
+    /// The picture of the given pixels, or `None` where their count is not width · height.
+    pub fn from_pixels(width: u32, height: u32, pixels: Vec<DVec3>) -> Option<Self> {
+        (pixels.len() as u64 == u64::from(width) * u64::from(height)).then_some(Self { width, height, pixels })
+    }
+
+    /// Pixels in a row.
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Rows.
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// All pixels, row by row from the top.
+    pub fn pixels(&self) -> &[DVec3] {
+        &self.pixels
+    }
+
+    /// The pixel in column `i` of row `j`.
+    ///
+    /// # Panics
+    /// Outside the picture.
+    pub fn pixel(&self, i: u32, j: u32) -> DVec3 {
+        assert!(i < self.width && j < self.height, "pixel ({i}, {j}) lies outside {}×{}", self.width, self.height);
+        self.pixels[j as usize * self.width as usize + i as usize]
+    }
+}

@@ -1,0 +1,481 @@
+//! The wire protocol of the unit checks: a question a line, an answer a line, JSON. `docs/protocol.md` explains each.
+
+use glam::{DAffine3, DVec3};
+use serde::{Deserialize, Serialize};
+
+use crate::ray::{Ray, SurfaceHit};
+use crate::scene::{Camera, Light, Material, Scene, json::affine};
+
+/// One line to a submission.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Question {
+    /// Comes back with the answer.
+    pub id: String,
+    /// Which function is asked, and its arguments.
+    #[serde(flatten)]
+    pub ask: Ask,
+}
+
+/// One line from a submission.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Reply {
+    /// The question's.
+    pub id: String,
+    /// What the function returned.
+    #[serde(flatten)]
+    pub answer: Answer,
+}
+
+/// A question to one function; the variant's name in snake case is the key `fn`.
+///
+/// Directions and normals are unit vectors unless a variant says otherwise.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "fn", rename_all = "snake_case")]
+pub enum Ask {
+    /// The ray through the centre of a pixel. Answer: `ray`. [rule 1]
+    EyeRay {
+        /// The camera.
+        camera: Camera,
+        /// Pixels in a row.
+        width: u32,
+        /// Rows.
+        height: u32,
+        /// Column from the left, row from the top.
+        pixel: [u32; 2],
+    },
+    /// Answer: `hit` or `miss`. [rule 14]
+    Sphere {
+        /// Direction of any length but zero.
+        ray: Ray,
+        /// Center.
+        center: DVec3,
+        /// Radius.
+        radius: f64,
+    },
+    /// Answer: `hit` or `miss`. [rule 15]
+    Plane {
+        /// Direction of any length but zero.
+        ray: Ray,
+        /// N.
+        normal: DVec3,
+        /// k in N·X = k.
+        k: f64,
+    },
+    /// The unit square of z = 0. Answer: `hit` or `miss`. [rule 15]
+    Square {
+        /// Direction of any length but zero.
+        ray: Ray,
+    },
+    /// Answer: `hit` or `miss`. [rule 15]
+    Box {
+        /// Direction of any length but zero.
+        ray: Ray,
+        /// Least corner.
+        min: DVec3,
+        /// Greatest corner.
+        max: DVec3,
+    },
+    /// Answer: `hit`, its normal along (b − a) × (c − a), or `miss`. [rule 16]
+    Triangle {
+        /// Direction of any length but zero.
+        ray: Ray,
+        /// A.
+        a: DVec3,
+        /// B.
+        b: DVec3,
+        /// C.
+        c: DVec3,
+    },
+    /// The nearest hit in a scene. Answer: `found` or `miss`. [rule 2]
+    Nearest {
+        /// The scene.
+        scene: Box<Scene>,
+        /// A ray in world space.
+        ray: Ray,
+    },
+    /// A_j at distance `r`. Answer: `value`. [rule 4]
+    Attenuation {
+        /// The light.
+        light: Light,
+        /// Distance to it; infinite for a directional light.
+        #[serde(with = "number")]
+        r: f64,
+    },
+    /// The normal turned against the ray, and whether the ray is inside. Answer: `facing`. [rule 11]
+    FacingNormal {
+        /// Direction of the ray.
+        direction: DVec3,
+        /// Outward normal.
+        normal: DVec3,
+    },
+    /// ka Ia_j, times kt from inside. Answer: `colour`. [rule 3] [rule 12]
+    Ambient {
+        /// The material.
+        material: Material,
+        /// The light.
+        light: Light,
+        /// Whether the point is seen from inside its object.
+        inside: bool,
+    },
+    /// S_j A_j I_j B_j [kd (N·L_j) + ks (N·H_j)₊^ns]: one light without its ambient part. Answer: `colour`. [rule 3]
+    LightTerm {
+        /// The material.
+        material: Material,
+        /// S_j A_j I_j: the light that arrives.
+        arriving: DVec3,
+        /// N, turned against the ray.
+        normal: DVec3,
+        /// −d.
+        to_viewer: DVec3,
+        /// L_j.
+        to_light: DVec3,
+    },
+    /// ke and all lights at a point. Answer: `colour`. [rule 3]
+    Shade {
+        /// The scene.
+        scene: Box<Scene>,
+        /// Index of the object that is shaded.
+        object: usize,
+        /// The point.
+        point: DVec3,
+        /// N, turned against the ray.
+        normal: DVec3,
+        /// −d.
+        to_viewer: DVec3,
+        /// Whether the point is seen from inside its object.
+        inside: bool,
+    },
+    /// The unit vector to a light, and t_light. Answer: `to_light`. [rule 5]
+    ToLight {
+        /// The light.
+        light: Light,
+        /// The point.
+        point: DVec3,
+    },
+    /// S_j at a point. Answer: `colour`. [rule 5] [rule 6]
+    Shadow {
+        /// The scene.
+        scene: Box<Scene>,
+        /// Index of the light.
+        light: usize,
+        /// The point.
+        point: DVec3,
+    },
+    /// R. Answer: `vector`. [rule 7]
+    Reflect {
+        /// d.
+        direction: DVec3,
+        /// N.
+        normal: DVec3,
+    },
+    /// Whether a ray of this depth and weight spawns more. Answer: `goes_on`. [rule 13]
+    GoesOn {
+        /// Depth of the ray; the eye ray's is 0.
+        depth: u32,
+        /// The scene's limit.
+        max_depth: u32,
+        /// Product of the ks and kt along the path.
+        weight: DVec3,
+        /// The scene's threshold; 0 switches the test off.
+        threshold: f64,
+    },
+    /// η_i and η_t. Answer: `indices`. [rule 9]
+    Indices {
+        /// Whether the ray is inside, about to leave.
+        inside: bool,
+        /// The material's index.
+        index: f64,
+    },
+    /// T. Answer: `vector`, or `miss` for total internal reflection. [rule 8] [rule 10]
+    Refract {
+        /// d.
+        direction: DVec3,
+        /// N, turned against the ray.
+        normal: DVec3,
+        /// Index on the side of the ray.
+        eta_i: f64,
+        /// Index on the other side.
+        eta_t: f64,
+    },
+    /// The colour along a ray. Answer: `colour`. [rule 7] [rule 8] [rule 13]
+    Trace {
+        /// The scene.
+        scene: Box<Scene>,
+        /// A ray in world space.
+        ray: Ray,
+        /// Its depth.
+        depth: u32,
+    },
+    /// The ray in object space, its direction not normalised. Answer: `ray`. [rule 20]
+    RayToObject {
+        /// A ray in world space.
+        ray: Ray,
+        /// M⁻¹.
+        #[serde(with = "affine")]
+        object_from_world: DAffine3,
+    },
+    /// N = A⁻ᵀ N′, normalised. Answer: `vector`. [rule 20]
+    NormalToWorld {
+        /// N′.
+        normal: DVec3,
+        /// M⁻¹.
+        #[serde(with = "affine")]
+        object_from_world: DAffine3,
+    },
+    /// The sphere of radius 0.5 about the origin under M. Answer: `hit` in world space, or `miss`. [rule 14] [rule 20]
+    TransformedSphere {
+        /// A ray in world space.
+        ray: Ray,
+        /// M.
+        #[serde(with = "affine")]
+        world_from_object: DAffine3,
+        /// M⁻¹.
+        #[serde(with = "affine")]
+        object_from_world: DAffine3,
+    },
+    /// (α, β, γ) of a point in the plane of a triangle. Answer: `vector`. [rule 17]
+    Barycentric {
+        /// A.
+        a: DVec3,
+        /// B.
+        b: DVec3,
+        /// C.
+        c: DVec3,
+        /// Q.
+        q: DVec3,
+    },
+    /// N̂ from three vertex normals. Answer: `vector`, of unit length. [rule 18]
+    Interpolate {
+        /// (α, β, γ).
+        weights: DVec3,
+        /// The normals of A, B, C.
+        normals: [DVec3; 3],
+    },
+    /// R where normals are interpolated. Answer: `vector`. [rule 19]
+    SmoothReflect {
+        /// d.
+        direction: DVec3,
+        /// Geometric normal, turned against the ray.
+        n_geom: DVec3,
+        /// Interpolated normal, turned along with it.
+        n_shading: DVec3,
+    },
+    /// T where normals are interpolated. Answer: `vector`, or `miss` for total internal reflection. [rule 19]
+    SmoothRefract {
+        /// d.
+        direction: DVec3,
+        /// Geometric normal, turned against the ray.
+        n_geom: DVec3,
+        /// Interpolated normal, turned along with it.
+        n_shading: DVec3,
+        /// Index on the side of the ray.
+        eta_i: f64,
+        /// Index on the other side.
+        eta_t: f64,
+    },
+}
+
+/// What a function returned; the variant's name in snake case is the key.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Answer {
+    /// A hit with a bare shape.
+    Hit {
+        /// Along the ray as given.
+        #[serde(with = "number")]
+        t: f64,
+        /// Outward unit normal.
+        #[serde(with = "numbers")]
+        normal: DVec3,
+    },
+    /// A hit in a scene.
+    Found {
+        /// Along the ray as given.
+        #[serde(with = "number")]
+        t: f64,
+        /// Index of the object.
+        object: usize,
+    },
+    /// Nothing: no hit, or no transmitted ray. Always `true`.
+    Miss(bool),
+    /// A ray; the interval does not matter.
+    Ray {
+        /// Where it starts.
+        #[serde(with = "numbers")]
+        origin: DVec3,
+        /// Where it goes.
+        #[serde(with = "numbers")]
+        direction: DVec3,
+    },
+    /// A number.
+    Value(#[serde(with = "number")] f64),
+    /// A direction, a normal, or three weights.
+    Vector(#[serde(with = "numbers")] DVec3),
+    /// Linear RGB.
+    Colour(#[serde(with = "numbers")] DVec3),
+    /// The normal turned against a ray.
+    Facing {
+        /// That normal.
+        #[serde(with = "numbers")]
+        normal: DVec3,
+        /// Whether the ray is inside the object.
+        inside: bool,
+    },
+    /// The way to a light.
+    ToLight {
+        /// L_j.
+        #[serde(with = "numbers")]
+        direction: DVec3,
+        /// t_light; "inf" for a directional light.
+        #[serde(with = "number")]
+        t: f64,
+    },
+    /// Indices on both sides.
+    Indices {
+        /// On the side of the ray.
+        #[serde(with = "number")]
+        eta_i: f64,
+        /// On the other side.
+        #[serde(with = "number")]
+        eta_t: f64,
+    },
+    /// Whether the ray spawns more.
+    GoesOn(bool),
+    /// The function is still to be written. Always `true`.
+    Todo(bool),
+    /// The function panicked, with this message.
+    Panic(String),
+}
+
+impl Answer {
+    /// `hit`, or `miss` for `None`.
+    pub fn from_hit(hit: Option<SurfaceHit>) -> Self {
+        hit.map_or(Self::Miss(true), |hit| Self::Hit { t: hit.t, normal: hit.normal })
+    }
+
+    /// `vector`, or `miss` for `None`.
+    pub fn from_direction(direction: Option<DVec3>) -> Self {
+        direction.map_or(Self::Miss(true), Self::Vector)
+    }
+}
+
+impl Ask {
+    /// The name of the function, as in the key `fn`.
+    pub fn function(&self) -> &'static str {
+        match self {
+            Self::EyeRay { .. } => "eye_ray",
+            Self::Sphere { .. } => "sphere",
+            Self::Plane { .. } => "plane",
+            Self::Square { .. } => "square",
+            Self::Box { .. } => "box",
+            Self::Triangle { .. } => "triangle",
+            Self::Nearest { .. } => "nearest",
+            Self::Attenuation { .. } => "attenuation",
+            Self::FacingNormal { .. } => "facing_normal",
+            Self::Ambient { .. } => "ambient",
+            Self::LightTerm { .. } => "light_term",
+            Self::Shade { .. } => "shade",
+            Self::ToLight { .. } => "to_light",
+            Self::Shadow { .. } => "shadow",
+            Self::Reflect { .. } => "reflect",
+            Self::GoesOn { .. } => "goes_on",
+            Self::Indices { .. } => "indices",
+            Self::Refract { .. } => "refract",
+            Self::Trace { .. } => "trace",
+            Self::RayToObject { .. } => "ray_to_object",
+            Self::NormalToWorld { .. } => "normal_to_world",
+            Self::TransformedSphere { .. } => "transformed_sphere",
+            Self::Barycentric { .. } => "barycentric",
+            Self::Interpolate { .. } => "interpolate",
+            Self::SmoothReflect { .. } => "smooth_reflect",
+            Self::SmoothRefract { .. } => "smooth_refract",
+        }
+    }
+}
+
+/// A number in JSON, where infinities and NaN are the strings "inf", "-inf", "nan".
+pub mod number {
+    use serde::{Deserialize, Deserializer, Serializer, de::Error};
+
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    pub(super) enum Wire {
+        Finite(f64),
+        Word(String),
+    }
+
+    impl Wire {
+        pub(super) fn number<E: Error>(self) -> Result<f64, E> {
+            match self {
+                Self::Finite(number) => Ok(number),
+                Self::Word(word) => match word.as_str() {
+                    "inf" => Ok(f64::INFINITY),
+                    "-inf" => Ok(f64::NEG_INFINITY),
+                    "nan" => Ok(f64::NAN),
+                    _ => Err(E::custom("a number must be a JSON number or one of \"inf\", \"-inf\", \"nan\"")),
+                },
+            }
+        }
+    }
+
+    pub(super) fn word(number: f64) -> Option<&'static str> {
+        match number {
+            n if n.is_nan() => Some("nan"),
+            f64::INFINITY => Some("inf"),
+            f64::NEG_INFINITY => Some("-inf"),
+            _ => None,
+        }
+    }
+
+    /// Writes the number, or the word for it.
+    ///
+    /// # Errors
+    /// Those of the serializer.
+    pub fn serialize<S: Serializer>(number: &f64, out: S) -> Result<S::Ok, S::Error> {
+        match word(*number) {
+            Some(word) => out.serialize_str(word),
+            None => out.serialize_f64(*number),
+        }
+    }
+
+    /// Reads a number or one of the three words.
+    ///
+    /// # Errors
+    /// Anything else.
+    pub fn deserialize<'de, D: Deserializer<'de>>(input: D) -> Result<f64, D::Error> {
+        Wire::deserialize(input)?.number()
+    }
+}
+
+/// Three numbers in JSON, each as in [`number`].
+pub mod numbers {
+    use glam::DVec3;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    use super::number;
+
+    struct Out(f64);
+
+    impl Serialize for Out {
+        fn serialize<S: Serializer>(&self, out: S) -> Result<S::Ok, S::Error> {
+            number::serialize(&self.0, out)
+        }
+    }
+
+    /// Writes a list of three.
+    ///
+    /// # Errors
+    /// Those of the serializer.
+    pub fn serialize<S: Serializer>(v: &DVec3, out: S) -> Result<S::Ok, S::Error> {
+        v.to_array().map(Out).serialize(out)
+    }
+
+    /// Reads a list of three.
+    ///
+    /// # Errors
+    /// Anything else.
+    pub fn deserialize<'de, D: Deserializer<'de>>(input: D) -> Result<DVec3, D::Error> {
+        let [x, y, z] = <[number::Wire; 3]>::deserialize(input)?;
+        Ok(DVec3::new(x.number()?, y.number()?, z.number()?))
+    }
+}

@@ -1,0 +1,166 @@
+//! The tree of rays behind a pixel, recorded while it is traced, and its text.
+//!
+//! The template's `trace` opens a node with [`enter`] and fills it with [`hit`] and [`shaded`]; where nobody records, each of
+//! these does nothing. The text shows six significant digits, so that rounding alone never makes two trees differ.
+
+use std::cell::RefCell;
+use std::fmt;
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use crate::ray::Ray;
+
+/// Why a ray was cast.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RayKind {
+    /// From the eye through a pixel. [rule 1]
+    Eye,
+    /// Along R. [rule 7]
+    Reflected,
+    /// Along T. [rule 8]
+    Refracted,
+}
+
+/// A ray, what it met, and the rays that this called for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RayNode {
+    /// Why it was cast.
+    pub kind: RayKind,
+    /// 0 for the eye ray.
+    pub depth: u32,
+    /// Where it starts.
+    pub origin: DVec3,
+    /// Where it goes.
+    pub direction: DVec3,
+    /// What it met; `None` is the background.
+    pub met: Option<Met>,
+    /// The colour it brought back, spawned rays included.
+    pub colour: DVec3,
+    /// The rays it spawned, in the order in which they were cast.
+    pub children: Vec<RayNode>,
+}
+
+/// What a ray met.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Met {
+    /// The object's name.
+    pub object: String,
+    /// Along the ray.
+    pub t: f64,
+    /// Where.
+    pub point: DVec3,
+    /// The normal used for shading, turned against the ray. [rule 11]
+    pub normal: DVec3,
+    /// Whether the ray was inside the object.
+    pub inside: bool,
+    /// Emission and direct light there. [rule 3]
+    pub direct: DVec3,
+}
+
+thread_local! {
+    static OPEN: RefCell<Option<Vec<RayNode>>> = const { RefCell::new(None) };
+}
+
+/// Runs `trace` and returns the tree of the rays it cast, or `None` where it opened no node.
+pub fn record(trace: impl FnOnce()) -> Option<RayNode> {
+    let root = RayNode {
+        kind: RayKind::Eye,
+        depth: 0,
+        origin: DVec3::ZERO,
+        direction: DVec3::ZERO,
+        met: None,
+        colour: DVec3::ZERO,
+        children: vec![],
+    };
+    OPEN.set(Some(vec![root]));
+    trace();
+    OPEN.take().and_then(|open| open.into_iter().next()).and_then(|root| root.children.into_iter().next())
+}
+
+/// Opens a node for a ray that is about to be traced; [`leave`] closes it.
+pub fn enter(kind: RayKind, depth: u32, ray: &Ray) {
+    with_open(|open| {
+        open.push(RayNode {
+            kind,
+            depth,
+            origin: ray.origin,
+            direction: ray.direction,
+            met: None,
+            colour: DVec3::ZERO,
+            children: vec![],
+        });
+    });
+}
+
+/// Says what the ray of the open node met; `met` is called only while somebody records.
+pub fn hit(met: impl FnOnce() -> Met) {
+    with_open(|open| {
+        if let Some(node) = open.last_mut() {
+            node.met = Some(met());
+        }
+    });
+}
+
+/// Closes the open node with the colour that its ray brought back, and returns that colour.
+pub fn leave(colour: DVec3) -> DVec3 {
+    with_open(|open| {
+        if open.len() > 1
+            && let (Some(mut node), Some(parent)) = (open.pop(), open.last_mut())
+        {
+            node.colour = colour;
+            parent.children.push(node);
+        }
+    });
+    colour
+}
+
+fn with_open(change: impl FnOnce(&mut Vec<RayNode>)) {
+    OPEN.with_borrow_mut(|open| {
+        if let Some(open) = open {
+            change(open);
+        }
+    });
+}
+
+impl fmt::Display for RayNode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write(f, 0)
+    }
+}
+
+impl RayNode {
+    fn write(&self, f: &mut fmt::Formatter<'_>, indent: usize) -> fmt::Result {
+        let pad = "  ".repeat(indent);
+        let kind = match self.kind {
+            RayKind::Eye => "eye",
+            RayKind::Reflected => "reflected",
+            RayKind::Refracted => "refracted",
+        };
+        writeln!(f, "{pad}{kind} ray, depth {}", self.depth)?;
+        writeln!(f, "{pad}  origin {} direction {}", triple(self.origin), triple(self.direction))?;
+        match &self.met {
+            None => writeln!(f, "{pad}  meets nothing")?,
+            Some(met) => {
+                let side = if met.inside { "inside" } else { "outside" };
+                writeln!(f, "{pad}  meets {} from {side} at t {}", met.object, digits(met.t))?;
+                writeln!(f, "{pad}  point {} normal {}", triple(met.point), triple(met.normal))?;
+                writeln!(f, "{pad}  direct light {}", triple(met.direct))?;
+            }
+        }
+        writeln!(f, "{pad}  colour {}", triple(self.colour))?;
+        self.children.iter().try_for_each(|child| child.write(f, indent + 1))
+    }
+}
+
+fn triple(v: DVec3) -> String {
+    format!("({}, {}, {})", digits(v.x), digits(v.y), digits(v.z))
+}
+
+/// Six digits after the point, trailing zeros cut, no minus before zero.
+fn digits(x: f64) -> String {
+    let text = format!("{x:.6}");
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}

@@ -1,0 +1,58 @@
+//! What the folder `cases/stages` holds, resolved: stages, their image cases and their unit checks.
+
+use crate::effects::Effects;
+use crate::probe::Ask;
+use crate::scene::Scene;
+
+/// A stage of the assignment, `stages/NN_name`.
+#[derive(Clone, Debug)]
+pub struct Stage {
+    /// The folder's name, such as `02_shadows`; stages are graded in the order of their names.
+    pub id: String,
+    /// One line for people.
+    pub title: String,
+    /// What the stage is about, in a few sentences.
+    pub about: String,
+    /// The effects its cases may show; a case renders what its scene calls for and this allows.
+    pub allows: Effects,
+    /// Ids of the stages that a student needs first.
+    pub needs: Vec<String>,
+    /// Points for all unit checks together, in thousandths.
+    pub unit_points: u64,
+    /// Image cases, ordered by id.
+    pub cases: Vec<Case>,
+    /// Unit checks, in file order.
+    pub checks: Vec<Check>,
+}
+
+/// An image case, `stages/NN_name/CASE.toml`.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// `02_shadows/two_balls`: the file's path below `stages`, without its ending.
+    pub id: String,
+    /// One line for people.
+    pub title: String,
+    /// What it tests, and what a wrong answer looks like.
+    pub about: String,
+    /// The rules of light it tests, each 1 to 21.
+    pub rules: Vec<u8>,
+    /// Points in thousandths.
+    pub points: u64,
+    /// What to render; its effects are those the stage allows.
+    pub scene: Scene,
+}
+
+/// A unit check: one question to one function, from `stages/NN_name/checks/FILE.toml`.
+#[derive(Clone, Debug)]
+pub struct Check {
+    /// `01_ray_casting/sphere/tangent`: stage, file, and the name in the file.
+    pub id: String,
+    /// What it tests.
+    pub about: String,
+    /// The rules of light it tests, each 1 to 21.
+    pub rules: Vec<u8>,
+    /// The question.
+    pub ask: Ask,
+    /// The answer where the author worked it out on paper.
+    pub paper: Option<crate::probe::Answer>,
+}

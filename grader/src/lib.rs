@@ -1,0 +1,3 @@
+//! The judge: builds and runs submissions case by case, and scores them.
+
+pub mod record;

@@ -1,0 +1,2 @@
+//! reference
+fn main() {}
