@@ -1,3 +1,4 @@
 //! The judge: builds and runs submissions case by case, and scores them.
 
+pub mod grade;
 pub mod record;
