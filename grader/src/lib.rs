@@ -1,4 +1,6 @@
 //! The judge: builds and runs submissions case by case, and scores them.
 
 pub mod grade;
+pub mod plain;
 pub mod record;
+pub mod submission;

@@ -1,0 +1,3 @@
+//! What is handed in: a folder or an archive.
+
+pub mod archive;
