@@ -3,4 +3,5 @@
 pub mod grade;
 pub mod plain;
 pub mod record;
+pub mod sandbox;
 pub mod submission;

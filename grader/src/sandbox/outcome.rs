@@ -1,0 +1,137 @@
+//! How a program ended.
+
+use std::fmt;
+use std::io;
+use std::time::Duration;
+
+use super::pump::Pump;
+use super::sys::Reaped;
+use super::watch::Watch;
+
+/// The ways in which a run ends.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// By itself, with this code.
+    Exited(i32),
+    /// By this signal, which we did not send.
+    Signalled(i32),
+    /// It was killed, its time being over.
+    TimedOut(Clock),
+    /// It asked for more memory than it may have.
+    OutOfMemory,
+    /// It was killed for what it wrote.
+    TooMuchOutput(Stream),
+    /// It was killed for starting too many processes.
+    TooManyProcesses,
+    /// It never ran; says why.
+    CouldNotStart(String),
+    /// The user stopped the grader.
+    Interrupted,
+}
+
+/// The clocks that limit a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Clock {
+    /// The one on the wall.
+    Wall,
+    /// CPU time.
+    Cpu,
+}
+
+/// Where a program may write too much.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stream {
+    /// Standard output.
+    Stdout,
+    /// Standard error.
+    Stderr,
+    /// A file.
+    File,
+}
+
+impl fmt::Display for Stream {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Stdout => "standard output",
+            Self::Stderr => "standard error",
+            Self::File => "a file",
+        })
+    }
+}
+
+/// All that is known of a run.
+#[derive(Clone, Debug)]
+pub struct Finished {
+    /// How it ended.
+    pub outcome: Outcome,
+    /// What it wrote, cut at the limit.
+    pub stdout: Vec<u8>,
+    /// The end of what it wrote there, cut at a limit.
+    pub stderr: Vec<u8>,
+    /// Time by the clock.
+    pub wall: Duration,
+    /// CPU time of it and of what it waited for.
+    pub cpu: Duration,
+    /// Largest resident bytes; for a run too short to be looked at an upper bound.
+    pub peak_bytes: u64,
+    /// Processes that it left running; they were killed.
+    pub left_behind: u32,
+}
+
+impl Finished {
+    pub(super) fn not_started(why: &io::Error) -> Self {
+        Self {
+            outcome: Outcome::CouldNotStart(why.to_string()),
+            stdout: vec![],
+            stderr: vec![],
+            wall: Duration::ZERO,
+            cpu: Duration::ZERO,
+            peak_bytes: 0,
+            left_behind: 0,
+        }
+    }
+
+    /// The end of standard error as text; what is no UTF-8 becomes a replacement sign.
+    pub fn stderr_text(&self) -> String {
+        String::from_utf8_lossy(&self.stderr).trim_end().to_owned()
+    }
+}
+
+/// Puts together what the kernel, the streams and the watch have to say.
+pub(super) fn finish(
+    reaped: io::Result<Reaped>,
+    stopped: Option<Outcome>,
+    pump: Pump,
+    watch: &Watch,
+    wall: Duration,
+    left_behind: u32,
+) -> Finished {
+    let reaped = match reaped {
+        Ok(reaped) => reaped,
+        Err(why) => return Finished::not_started(&why),
+    };
+    let peak_bytes = if watch.peak == 0 { reaped.max_resident } else { watch.peak };
+    let outcome = stopped.unwrap_or_else(|| classify(&reaped, watch, &pump.stderr));
+    Finished { outcome, stdout: pump.stdout, stderr: pump.stderr, wall, cpu: reaped.cpu, peak_bytes, left_behind }
+}
+
+/// The outcome of a process that ended before we ended it; the kernel may have done so for us.
+fn classify(reaped: &Reaped, watch: &Watch, stderr: &[u8]) -> Outcome {
+    match reaped.end {
+        Ok(0) => Outcome::Exited(0),
+        _ if says_out_of_memory(stderr) => Outcome::OutOfMemory,
+        Ok(code) => Outcome::Exited(code),
+        Err(libc::SIGXCPU) => Outcome::TimedOut(Clock::Cpu),
+        Err(libc::SIGKILL) if reaped.cpu >= watch.cpu_limit() => Outcome::TimedOut(Clock::Cpu),
+        Err(libc::SIGXFSZ) => Outcome::TooMuchOutput(Stream::File),
+        Err(signal) => Outcome::Signalled(signal),
+    }
+}
+
+/// Whether the allocator of a known language gave up: what the limit on address space looks like from outside.
+fn says_out_of_memory(stderr: &[u8]) -> bool {
+    let text = String::from_utf8_lossy(stderr);
+    ["memory allocation of ", "std::bad_alloc", "MemoryError", "OutOfMemoryError", "out of memory"]
+        .iter()
+        .any(|sign| text.contains(sign))
+}

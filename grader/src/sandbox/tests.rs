@@ -1,0 +1,124 @@
+//! Small programs that behave in every way a submission might.
+
+use super::*;
+
+const SMALL: Limits = Limits {
+    wall: Duration::from_secs(60),
+    cpu: Duration::from_secs(60),
+    memory: 200 << 20,
+    file_size: 1 << 20,
+    output: 1 << 20,
+    processes: 40,
+};
+
+/// Runs a line of shell in a fresh folder.
+fn shell(script: &str, stdin: &[u8], limits: Limits) -> (Finished, tempfile::TempDir) {
+    let folder = tempfile::tempdir().unwrap();
+    let finished = run(&Call {
+        program: "/bin/sh".into(),
+        args: vec!["-c".into(), script.into()],
+        folder: folder.path().to_owned(),
+        environment: vec![("PATH".into(), "/usr/bin:/bin".into())],
+        stdin: stdin.to_vec(),
+        limits,
+    });
+    (finished, folder)
+}
+
+/// The script ends as told.
+fn check(script: &str, limits: Limits, expected: &Outcome) {
+    let (finished, _folder) = shell(script, b"", limits);
+    assert_eq!(&finished.outcome, expected, "{script}\n{}", finished.stderr_text());
+}
+
+#[test]
+fn ends_by_itself() {
+    check("exit 0", SMALL, &Outcome::Exited(0));
+    check("exit 75", SMALL, &Outcome::Exited(75));
+    check("kill -SEGV $$", SMALL, &Outcome::Signalled(libc::SIGSEGV));
+}
+
+#[test]
+fn time_is_limited_by_both_clocks() {
+    let wall = Limits { wall: Duration::from_millis(300), ..SMALL };
+    check("sleep 100", wall, &Outcome::TimedOut(Clock::Wall));
+    let cpu = Limits { cpu: Duration::from_secs(1), ..SMALL };
+    check("while :; do :; done", cpu, &Outcome::TimedOut(Clock::Cpu));
+}
+
+#[test]
+fn floods_are_cut_and_told_apart() {
+    check("yes", SMALL, &Outcome::TooMuchOutput(Stream::Stdout));
+    check("yes >&2", SMALL, &Outcome::TooMuchOutput(Stream::Stderr));
+    check("exec dd if=/dev/zero of=big bs=65536", SMALL, &Outcome::TooMuchOutput(Stream::File));
+    let (finished, _folder) = shell("yes", b"", SMALL);
+    assert_eq!(finished.stdout.len() as u64, SMALL.output);
+}
+
+#[test]
+fn memory_is_limited_for_one_process_and_for_a_group() {
+    let hoard =
+        |mib: usize| format!("dd if=/dev/zero bs={mib}M count=1 2>/dev/null | (sleep 0; tail -c {mib}M) | sleep 30");
+    check(&hoard(300), SMALL, &Outcome::OutOfMemory);
+    let several = "for i in 1 2 3 4; do (x=$(head -c 60000000 /dev/zero | tr '\\0' a); sleep 30) & done; wait";
+    check(several, SMALL, &Outcome::OutOfMemory);
+    check("echo 'memory allocation of 99 bytes failed' >&2; kill -ABRT $$", SMALL, &Outcome::OutOfMemory);
+}
+
+#[test]
+fn too_many_processes_are_ended() {
+    check("for i in $(seq 100); do sleep 30 & done; wait", SMALL, &Outcome::TooManyProcesses);
+}
+
+#[test]
+fn a_program_that_is_not_there_could_not_start() {
+    let folder = tempfile::tempdir().unwrap();
+    let program = folder.path().join("nothing");
+    let call = Call {
+        program,
+        args: vec![],
+        folder: folder.path().to_owned(),
+        environment: vec![],
+        stdin: vec![],
+        limits: SMALL,
+    };
+    assert!(matches!(run(&call).outcome, Outcome::CouldNotStart(_)));
+}
+
+#[test]
+fn streams_cannot_lock_each_other() {
+    let text = vec![b'x'; 500_000];
+    let (finished, _folder) = shell("cat; cat /dev/zero | head -c 300000 >&2", &text, SMALL);
+    assert_eq!(finished.outcome, Outcome::Exited(0));
+    assert_eq!(finished.stdout, text);
+    let (finished, _folder) = shell("exec <&-; echo done", &text, SMALL);
+    assert_eq!((finished.outcome, finished.stdout), (Outcome::Exited(0), b"done\n".to_vec()));
+}
+
+#[test]
+fn children_left_behind_are_killed_and_counted() {
+    let (finished, folder) = shell("(while :; do date > alive; sleep 0.01; done) & sleep 0.2; exit 3", b"", SMALL);
+    assert_eq!(finished.outcome, Outcome::Exited(3));
+    assert!(finished.left_behind >= 1);
+    let alive = folder.path().join("alive");
+    std::fs::remove_file(&alive).unwrap();
+    std::thread::sleep(Duration::from_millis(200));
+    assert!(!alive.exists(), "a child went on writing");
+}
+
+#[test]
+fn environment_and_folder_are_those_given() {
+    let (finished, folder) = shell("env; pwd", b"", SMALL);
+    let text = String::from_utf8(finished.stdout).unwrap();
+    let names: Vec<&str> = text.lines().filter_map(|line| line.split_once('=')).map(|(name, _)| name).collect();
+    assert!(names.iter().all(|name| ["PATH", "PWD", "OLDPWD", "SHLVL", "_"].contains(name)), "{names:?}");
+    assert!(text.ends_with(&format!("{}\n", folder.path().canonicalize().unwrap().display())));
+}
+
+#[test]
+fn time_and_memory_are_measured() {
+    let (finished, _folder) = shell("x=$(head -c 20000000 /dev/zero | tr '\\0' a); sleep 0.3", b"", SMALL);
+    assert_eq!(finished.outcome, Outcome::Exited(0));
+    assert!(finished.wall >= Duration::from_millis(300) && finished.cpu > Duration::ZERO);
+    assert!(finished.peak_bytes > 20_000_000, "{} bytes", finished.peak_bytes);
+}
