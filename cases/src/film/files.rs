@@ -57,15 +57,25 @@ pub enum PictureError {
 /// An extension other than those of [`Kind`], or what the file system says.
 pub fn write(path: &Path, image: &Image) -> Result<(), PictureError> {
     let kind = Kind::of(path).ok_or_else(|| PictureError::Foreign("the name must end in .png or .pfm".to_owned()))?;
-    let bytes = match kind {
-        Kind::Png => encode_png(image)?,
-        Kind::Pfm => encode_pfm(image),
-    };
-    Ok(replace(path, &bytes)?)
+    Ok(replace(path, &encode(kind, image)?)?)
+}
+
+/// The bytes of a file of that kind.
+///
+/// # Errors
+/// What the encoder says.
+pub fn encode(kind: Kind, image: &Image) -> Result<Vec<u8>, PictureError> {
+    match kind {
+        Kind::Png => encode_png(image),
+        Kind::Pfm => Ok(encode_pfm(image)),
+    }
 }
 
 /// Puts `bytes` at `path` by way of a neighbour, so that a reader sees the old file or the new one, never a part.
-fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+///
+/// # Errors
+/// What the file system says; `path` is then as it was.
+pub fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(format!(".{}.part", std::process::id()));
     let part = path.with_file_name(name);

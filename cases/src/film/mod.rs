@@ -1,11 +1,13 @@
 //! Pictures: linear RGB in memory, the one way to bytes, and files.
 
 mod encode;
+#[cfg(feature = "authoring")]
+pub mod exr;
 mod image;
 
-pub use encode::{byte, level, word};
+pub use self::encode::{byte, level, word};
 pub use image::Image;
 
 mod files;
 
-pub use files::{Kind, PictureError, read_exact, write};
+pub use files::{Kind, PictureError, encode, read_exact, replace, write};
