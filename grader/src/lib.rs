@@ -1,5 +1,7 @@
 //! The judge: builds and runs submissions case by case, and scores them.
 
+pub mod build;
+pub mod files;
 pub mod grade;
 pub mod plain;
 pub mod record;

@@ -66,7 +66,7 @@ pub struct Finished {
     pub outcome: Outcome,
     /// What it wrote, cut at the limit.
     pub stdout: Vec<u8>,
-    /// The end of what it wrote there, cut at a limit.
+    /// What it wrote there, cut at the limit.
     pub stderr: Vec<u8>,
     /// Time by the clock.
     pub wall: Duration,
@@ -91,9 +91,12 @@ impl Finished {
         }
     }
 
-    /// The end of standard error as text; what is no UTF-8 becomes a replacement sign.
-    pub fn stderr_text(&self) -> String {
-        String::from_utf8_lossy(&self.stderr).trim_end().to_owned()
+    /// The end of standard error as text that is safe to show, at most some 4 KiB; `None` where nothing was written.
+    pub fn stderr_text(&self) -> Option<String> {
+        let end = self.stderr.len().saturating_sub(4096);
+        let text = crate::plain::shown(String::from_utf8_lossy(&self.stderr[end..]).trim());
+        let cut = if end > 0 { "[…] " } else { "" };
+        (!text.is_empty()).then(|| format!("{cut}{text}"))
     }
 }
 

@@ -7,9 +7,6 @@ use std::time::Duration;
 
 use super::{Outcome, Stream, sys};
 
-/// Bytes of standard error that are kept: the last ones.
-const STDERR_KEPT: usize = 16 << 10;
-
 /// The streams and what went through them.
 pub(super) struct Pump {
     stdin: Option<ChildStdin>,
@@ -17,10 +14,9 @@ pub(super) struct Pump {
     out: Option<ChildStdout>,
     err: Option<ChildStderr>,
     limit: u64,
-    n_err: u64,
     /// All of standard output, up to the limit.
     pub(super) stdout: Vec<u8>,
-    /// The end of standard error.
+    /// All of standard error, up to the limit.
     pub(super) stderr: Vec<u8>,
 }
 
@@ -31,7 +27,7 @@ impl Pump {
         out.iter().try_for_each(sys::set_nonblocking)?;
         err.iter().try_for_each(sys::set_nonblocking)?;
         let unsent = std::io::Cursor::new(stdin.to_vec());
-        Ok(Self { stdin: input, unsent, out, err, limit, n_err: 0, stdout: vec![], stderr: vec![] })
+        Ok(Self { stdin: input, unsent, out, err, limit, stdout: vec![], stderr: vec![] })
     }
 
     /// Waits at most `pause` for a stream and serves all; an outcome where one was flooded.
@@ -45,10 +41,7 @@ impl Pump {
     /// Reads what is left in the pipes, without waiting for more.
     pub(super) fn drain(&mut self) {
         self.stdin = None;
-        if self.stdout.len() as u64 <= self.limit {
-            self.read();
-        }
-        self.stdout.truncate(usize::try_from(self.limit).unwrap_or(usize::MAX));
+        self.read();
     }
 
     /// Writes what the program takes now. It may close its input early: then the rest is dropped.
@@ -70,41 +63,34 @@ impl Pump {
     }
 
     fn read(&mut self) -> Option<Outcome> {
-        let room = self.limit.saturating_sub(self.stdout.len() as u64);
-        let (n_out, out_ended) = take(self.out.as_mut(), room, &mut self.stdout);
-        let (n_err, err_ended) = take(self.err.as_mut(), self.limit.saturating_sub(self.n_err), &mut self.stderr);
-        self.n_err += n_err;
-        self.stderr.drain(..self.stderr.len().saturating_sub(STDERR_KEPT));
-        if out_ended {
-            self.out = None;
-        }
-        if err_ended {
-            self.err = None;
-        }
-        match () {
-            () if n_out > room => Some(Outcome::TooMuchOutput(Stream::Stdout)),
-            () if self.n_err > self.limit => Some(Outcome::TooMuchOutput(Stream::Stderr)),
-            () => None,
+        let out_is_over = take(&mut self.out, self.limit, &mut self.stdout);
+        let err_is_over = take(&mut self.err, self.limit, &mut self.stderr);
+        match (out_is_over, err_is_over) {
+            (true, _) => Some(Outcome::TooMuchOutput(Stream::Stdout)),
+            (_, true) => Some(Outcome::TooMuchOutput(Stream::Stderr)),
+            _ => None,
         }
     }
 }
 
-/// Moves what can be read now, at most one byte above `room`, behind `kept`; says how much, and whether the stream ended.
-fn take(stream: Option<&mut impl Read>, room: u64, kept: &mut Vec<u8>) -> (u64, bool) {
-    let Some(stream) = stream else { return (0, false) };
-    let mut n = 0;
+/// Moves what can be read now behind `kept`, to its end or `limit`; says whether there is more than that.
+fn take(stream: &mut Option<impl Read>, limit: u64, kept: &mut Vec<u8>) -> bool {
+    let Some(reader) = stream else { return false };
+    let limit = usize::try_from(limit).unwrap_or(usize::MAX);
     let mut block = [0; 16 << 10];
-    while n <= room {
-        match stream.read(&mut block) {
-            Ok(0) => return (n, true),
-            Ok(len) => {
-                n += len as u64;
-                kept.extend(&block[..len]);
+    loop {
+        match reader.read(&mut block) {
+            Ok(len) if kept.len() + len > limit => {
+                kept.extend(&block[..limit.saturating_sub(kept.len())]);
+                return true;
             }
-            Err(why) if why.kind() == ErrorKind::WouldBlock => return (n, false),
+            Ok(0) => break,
+            Ok(len) => kept.extend(&block[..len]),
+            Err(why) if why.kind() == ErrorKind::WouldBlock => return false,
             Err(why) if why.kind() == ErrorKind::Interrupted => {}
-            Err(_) => return (n, true),
+            Err(_) => break,
         }
     }
-    (n, false)
+    *stream = None;
+    false
 }

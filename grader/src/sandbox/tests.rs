@@ -28,7 +28,7 @@ fn shell(script: &str, stdin: &[u8], limits: Limits) -> (Finished, tempfile::Tem
 /// The script ends as told.
 fn check(script: &str, limits: Limits, expected: &Outcome) {
     let (finished, _folder) = shell(script, b"", limits);
-    assert_eq!(&finished.outcome, expected, "{script}\n{}", finished.stderr_text());
+    assert_eq!(&finished.outcome, expected, "{script}\n{:?}", finished.stderr_text());
 }
 
 #[test]

@@ -1,0 +1,131 @@
+//! The crates that student code is linked with, compiled once for one compiler, one lock file and one state of `cases`.
+//!
+//! A folder `sdk-KEY` with the libraries, and `sdk.json` that says which of them the student's code may name. With these a
+//! submission is one call of rustc: no cargo, no lock, and no way for a `build.rs` or a manifest to take part.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde::Deserialize;
+
+use super::{Toolchain, Workshop};
+use crate::files;
+
+/// Compiled crates.
+#[derive(Clone, Debug)]
+pub struct Sdk {
+    /// Where the libraries lie.
+    pub folder: PathBuf,
+    /// File names of the libraries that student code may name, by crate.
+    pub externs: BTreeMap<String, String>,
+    /// Hash of all that went into it.
+    pub key: String,
+}
+
+/// The build; part of the key.
+const ARGS: [&str; 7] = [
+    "build",
+    "--release",
+    "--locked",
+    "-p",
+    "cases",
+    "--no-default-features",
+    "--message-format=json-render-diagnostics",
+];
+const INDEX: &str = "sdk.json";
+
+impl Sdk {
+    /// Takes the stored one, or makes it.
+    pub(super) fn prepare(toolchain: &Toolchain, workshop: &Workshop, tell: &dyn Fn(&str)) -> Result<Self, String> {
+        let root = &workshop.root;
+        let key = key(toolchain, workshop).map_err(|why| format!("the sources of `cases` cannot be read: {why}"))?;
+        let folder = workshop.store().join(format!("sdk-{key}"));
+        if !folder.join(INDEX).is_file() {
+            tell("compiling the crates that submissions use (once, a minute or so)");
+            let artifacts = compile(toolchain, root)?;
+            publish(&artifacts, &workshop.template.dependencies, &folder)?;
+        }
+        let index = std::fs::read(folder.join(INDEX)).map_err(|why| why.to_string());
+        let externs = index.and_then(|bytes| serde_json::from_slice(&bytes).map_err(|why| why.to_string()));
+        let externs = externs.map_err(|why| format!("{} is broken ({why}): delete that folder", folder.display()))?;
+        Ok(Self { folder, externs, key })
+    }
+}
+
+fn key(toolchain: &Toolchain, workshop: &Workshop) -> std::io::Result<String> {
+    let mut hasher = blake3::Hasher::new();
+    hasher.update(toolchain.version.as_bytes());
+    hasher.update(format!("{ARGS:?}{:?}", workshop.template.dependencies).as_bytes());
+    for file in ["Cargo.lock", "Cargo.toml", "cases/Cargo.toml"] {
+        hasher.update(&std::fs::read(workshop.root.join(file))?);
+    }
+    for file in files::below(&workshop.root.join("cases/src"))? {
+        hasher.update(file.as_os_str().as_encoded_bytes()).update(&std::fs::read(&file)?);
+    }
+    Ok(hasher.finalize().to_hex()[..32].to_owned())
+}
+
+/// A library that cargo has made, or found fresh.
+struct Artifact {
+    crate_name: String,
+    file: PathBuf,
+}
+
+#[derive(Deserialize)]
+struct Message {
+    reason: String,
+    target: Option<Target>,
+    #[serde(default)]
+    filenames: Vec<PathBuf>,
+}
+
+#[derive(Deserialize)]
+struct Target {
+    name: String,
+}
+
+/// Builds without the network if it can be done, else with it.
+fn compile(toolchain: &Toolchain, root: &Path) -> Result<Vec<Artifact>, String> {
+    let run = |more: &[&str]| -> Result<Output, String> {
+        let mut cargo = Command::new(toolchain.cargo());
+        cargo.args(ARGS).args(more).current_dir(root).env("RUSTC", toolchain.rustc()).env_remove("RUSTFLAGS");
+        cargo.output().map_err(|why| format!("cargo cannot be run: {why}"))
+    };
+    let mut output = run(&["--offline"])?;
+    if !output.status.success() {
+        output = run(&[])?;
+    }
+    if !output.status.success() {
+        return Err(format!("`cases` does not build:\n{}", String::from_utf8_lossy(&output.stderr).trim()));
+    }
+    let messages = output.stdout.split(|byte| *byte == b'\n').filter_map(|line| serde_json::from_slice(line).ok());
+    Ok(messages.flat_map(libraries).collect())
+}
+
+fn libraries(message: Message) -> Vec<Artifact> {
+    let Some(target) = message.target.filter(|_| message.reason == "compiler-artifact") else { return vec![] };
+    let is_library =
+        |file: &PathBuf| file.extension().is_some_and(|end| end == "rlib" || end == "so" || end == "dylib");
+    let artifact = |file| Artifact { crate_name: target.name.replace('-', "_"), file };
+    message.filenames.into_iter().filter(is_library).map(artifact).collect()
+}
+
+/// Copies the libraries to a fresh neighbour of `folder` and renames it, so that `folder` is whole or not there.
+fn publish(artifacts: &[Artifact], dependencies: &[String], folder: &Path) -> Result<(), String> {
+    let mut externs = BTreeMap::new();
+    for name in dependencies {
+        let name = name.replace('-', "_");
+        let found = artifacts.iter().find(|artifact| artifact.crate_name == name);
+        let found = found.ok_or(format!("the template depends on `{name}`, which `cases` does not bring along"))?;
+        externs.insert(name, found.file.file_name().unwrap_or_default().to_string_lossy().into_owned());
+    }
+    let index = serde_json::to_vec_pretty(&externs).map_err(|why| why.to_string())?;
+    files::publish_folder(folder, |fresh| {
+        for artifact in artifacts {
+            std::fs::copy(&artifact.file, fresh.join(artifact.file.file_name().unwrap_or_default()))?;
+        }
+        std::fs::write(fresh.join(INDEX), &index)
+    })
+    .map_err(|why| format!("{} cannot be written: {why}", folder.display()))
+}

@@ -1,0 +1,78 @@
+//! Files of our own: written whole or not at all, listed in order.
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Puts `bytes` at `path` by way of a neighbour, so that a reader sees the old file or the new one, never a part.
+///
+/// # Errors
+/// What the file system says.
+pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    std::fs::create_dir_all(folder)?;
+    let mut file = tempfile::Builder::new().permissions(permissions(0o644)).tempfile_in(folder)?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    file.persist(path)?;
+    Ok(())
+}
+
+fn permissions(mode: u32) -> std::fs::Permissions {
+    std::os::unix::fs::PermissionsExt::from_mode(mode)
+}
+
+/// Makes `folder` by filling a fresh neighbour and renaming it. Where another process was first, its work is kept.
+///
+/// # Errors
+/// What `fill` or the file system says.
+pub fn publish_folder(folder: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
+    let parent = folder.parent().unwrap_or(Path::new("."));
+    std::fs::create_dir_all(parent)?;
+    let fresh = tempfile::Builder::new().prefix(".part-").permissions(permissions(0o755)).tempdir_in(parent)?;
+    fill(fresh.path())?;
+    match std::fs::rename(fresh.path(), folder) {
+        Err(why) if !folder.is_dir() => Err(why),
+        _ => Ok(()),
+    }
+}
+
+/// All files below `folder`, in order.
+///
+/// # Errors
+/// What the file system says.
+pub fn below(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let mut found = vec![];
+    for entry in std::fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() { found.extend(below(&path)?) } else { found.push(path) }
+    }
+    found.sort();
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_is_published_once_and_whole() {
+        let home = tempfile::tempdir().unwrap();
+        let folder = home.path().join("a/b");
+        publish_folder(&folder, |fresh| std::fs::write(fresh.join("x"), "first")).unwrap();
+        publish_folder(&folder, |fresh| std::fs::write(fresh.join("x"), "second")).unwrap();
+        assert_eq!(std::fs::read_to_string(folder.join("x")).unwrap(), "first");
+        let failed = publish_folder(&home.path().join("c"), |_| Err(io::Error::other("no")));
+        assert!(failed.is_err());
+        assert_eq!(below(home.path()).unwrap(), [folder.join("x")]);
+    }
+
+    #[test]
+    fn a_file_replaces_another() {
+        let home = tempfile::tempdir().unwrap();
+        let path = home.path().join("new/x.json");
+        write(&path, b"old").unwrap();
+        write(&path, b"new").unwrap();
+        assert_eq!(std::fs::read(&path).unwrap(), b"new");
+        assert_eq!(below(home.path()).unwrap(), [path]);
+    }
+}
