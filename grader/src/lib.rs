@@ -5,5 +5,6 @@ pub mod files;
 pub mod grade;
 pub mod plain;
 pub mod record;
+pub mod report;
 pub mod sandbox;
 pub mod submission;

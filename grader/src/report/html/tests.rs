@@ -1,0 +1,125 @@
+//! The page holds everything, needs nothing, and lets no student's text be more than text.
+
+use super::*;
+use crate::report::sample::{self, HOSTILE};
+
+fn page() -> String {
+    render(&sample::graded(HOSTILE))
+}
+
+fn has(page: &str, text: &str) {
+    assert!(page.contains(text), "the page should contain {text}");
+}
+
+#[test]
+fn the_page_says_what_the_record_says() {
+    let page = page();
+    for text in
+        ["<title>4.75 / 14 ", "Ray casting", "timeouts+rlimits", "epoch-1", "d1935e57", "1200 pixels out of tolerance"]
+    {
+        has(&page, text);
+    }
+    has(&page, "worst at column 61, row 60");
+    has(&page, "at most 96 pixels may be");
+    has(&page, "no picture of yours to show");
+    has(&page, "<td class=\"number\">1 of 4</td>");
+    has(&page, "<td class=\"number\">1 of 3</td>");
+}
+
+#[test]
+fn only_what_is_not_right_stands_open() {
+    let page = page();
+    has(&page, "<details class=\"check pass\" id=\"01_ray_casting&#x2f;ball\">");
+    has(&page, "<details class=\"check fail\" id=\"01_ray_casting&#x2f;shifted\" open>");
+}
+
+#[test]
+fn no_text_of_a_student_becomes_markup() {
+    let page = page();
+    let scripts = page.matches("<script").count();
+    assert_eq!(scripts, 1, "only our own script");
+    assert!(!page.contains("<img src=x"), "an element of the student's");
+    has(&page, "{{ 7*7 }}");
+    has(&page, "&lt;script&gt;document.title=&#x27;owned&#x27;");
+    has(&page, "\\u{202e}\\u{1b}[2J\\u{0}&amp;lt;");
+    let hidden: Vec<char> = page.chars().filter(|c| crate::plain::is_hidden(*c) && *c != '\n').collect();
+    assert!(hidden.is_empty(), "{hidden:?}");
+}
+
+#[test]
+fn the_page_needs_nothing_from_elsewhere() {
+    let page = page();
+    for (at, _) in page.match_indices("src=\"") {
+        assert!(page[at..].starts_with("src=\"data:image/png;base64,"), "{}", &page[at..at + 60]);
+    }
+    assert!(!page.contains("http:") && !page.contains("https:") && !page.contains("url("), "a reference to elsewhere");
+}
+
+#[test]
+fn the_policy_names_the_hashes_of_what_is_inline() {
+    use base64::Engine;
+    use sha2::Digest;
+    let page = page();
+    let between = |from: &str, to: &str| page.split(from).nth(1).unwrap().split(to).next().unwrap().to_owned();
+    let policy = between("http-equiv=\"Content-Security-Policy\" content=\"", "\">");
+    let hash = |text: String| base64::prelude::BASE64_STANDARD.encode(sha2::Sha256::digest(text));
+    let inline =
+        [("style-src", hash(between("<style>", "</style>"))), ("script-src", hash(between("<script>", "</script>")))];
+    for (what, hash) in inline {
+        let escaped = hash.replace('/', "&#x2f;");
+        has(&policy, what);
+        assert!(policy.contains(&hash) || policy.contains(&escaped), "{what} {hash} is not in {policy}");
+    }
+    has(&policy, "default-src &#x27;none&#x27;");
+    assert!(!policy.contains("unsafe"));
+}
+
+#[test]
+fn answers_differ_by_the_part_of_the_line_that_differs() {
+    let lines = diff::lines("hit\n  t 0.5\n", "hit\n  t -0.5\n");
+    let text = |line: &diff::Line| line.parts.iter().map(|part| part.text.as_str()).collect::<String>();
+    let shown: Vec<String> = lines.iter().map(|line| format!("{}{}", line.sign, text(line))).collect();
+    assert_eq!(shown, [" hit", "-  t 0.5", "+  t -0.5"]);
+    let marked: Vec<&str> =
+        lines.iter().flat_map(|line| &line.parts).filter(|part| part.differs).map(|part| &*part.text).collect();
+    assert!(marked.iter().all(|text| !text.contains('t')), "{marked:?}");
+    assert!(!marked.is_empty());
+}
+
+#[test]
+fn a_flood_of_lines_is_cut() {
+    let lines = diff::lines("a\n", &"b\n".repeat(10_000));
+    assert!(lines.len() < 210, "{}", lines.len());
+    assert!(lines.iter().any(|line| line.parts.iter().any(|part| part.text.contains("9800 more lines"))));
+}
+
+#[test]
+fn pictures_are_png_of_the_levels_that_are_judged() {
+    let both = sample::pictures(true, |i| cases::glam::DVec3::splat(if i == 3 { 0.1 } else { 0.0 }));
+    let actual = both.actual.clone().unwrap();
+    let wrong = decoded(&picture::wrong(&both, &actual)).into_luma8();
+    let column = |i| (0..120).filter(|j| wrong.get_pixel(i, *j).0 == [255]).count();
+    assert_eq!((column(2), column(3), column(4)), (0, 120, 0));
+    let shown = decoded(&picture::colours(&actual)).into_rgb8();
+    let pixel = actual.pixel(80, 60).to_array().map(cases::film::byte);
+    assert_eq!(shown.get_pixel(80, 60).0, pixel);
+    let difference = decoded(&picture::difference(&both.expected, &actual)).into_rgb8();
+    assert_eq!(difference.get_pixel(2, 110).0, [0, 0, 0]);
+    assert!(difference.get_pixel(3, 110).0.iter().all(|level| (96..=108).contains(level)), "26 levels or so, times 4");
+}
+
+fn decoded(uri: &str) -> image::DynamicImage {
+    use base64::Engine;
+    let bytes = base64::prelude::BASE64_STANDARD.decode(uri.strip_prefix("data:image/png;base64,").unwrap()).unwrap();
+    image::load_from_memory(&bytes).unwrap()
+}
+
+#[test]
+fn the_page_is_written_whole() {
+    let place = tempfile::tempdir().unwrap();
+    let path = place.path().join("report.html");
+    write(&path, &sample::graded("alice")).unwrap();
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), render(&sample::graded("alice")));
+    assert_eq!(std::fs::read_dir(place.path()).unwrap().count(), 1, "no part is left beside it");
+    assert!(write(&path.join("below a file.html"), &sample::graded("alice")).is_err());
+}

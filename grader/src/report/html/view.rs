@@ -1,0 +1,209 @@
+//! The record turned into what the template shows: texts made harmless, numbers in words, nothing decided.
+
+use serde::Serialize;
+
+use super::{diff, picture};
+use crate::grade::{Graded, Pictures};
+use crate::plain::shown;
+use crate::record::{Build, CheckKind, CheckRecord, Finding, Score, StageRecord, Verdict};
+use crate::report::words;
+
+#[derive(Serialize)]
+pub(super) struct Submission {
+    name: String,
+    digest: String,
+    epoch: String,
+    grader: String,
+    sandbox: String,
+    score: Points,
+    build: BuildView,
+    stages: Vec<Stage>,
+}
+
+#[derive(Serialize)]
+struct Points {
+    earned: String,
+    possible: String,
+    /// The same in thousandths, for a bar.
+    earned_n: u64,
+    possible_n: u64,
+}
+
+#[derive(Serialize)]
+struct BuildView {
+    verdict: &'static str,
+    words: &'static str,
+    seconds: String,
+    finding: Option<FindingView>,
+    warnings: Vec<String>,
+    ignored: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Stage {
+    id: String,
+    title: String,
+    score: Points,
+    cases: Vec<Check>,
+    /// Unit checks that are not right.
+    unit_failed: Vec<Check>,
+    unit_passed: Vec<Check>,
+    n_cases_right: usize,
+}
+
+#[derive(Serialize)]
+struct Check {
+    id: String,
+    /// The id without its stage.
+    name: String,
+    about: String,
+    rules: Vec<u8>,
+    verdict: &'static str,
+    words: &'static str,
+    is_right: bool,
+    score: Points,
+    seconds: String,
+    megabytes: Option<String>,
+    finding: Option<FindingView>,
+    pictures: Option<PicturesView>,
+}
+
+#[derive(Serialize)]
+struct FindingView {
+    kind: &'static str,
+    message: String,
+    wrong_pixels: Option<u64>,
+    worst: Option<[u32; 2]>,
+    asked: Option<String>,
+    diff: Vec<diff::Line>,
+    stderr: Option<String>,
+}
+
+#[derive(Serialize)]
+struct PicturesView {
+    width: u32,
+    height: u32,
+    levels: f64,
+    gain: u8,
+    out_pixels: u32,
+    expected: String,
+    actual: Option<Actual>,
+}
+
+#[derive(Serialize)]
+struct Actual {
+    picture: String,
+    difference: String,
+    wrong: String,
+}
+
+pub(super) fn submission(graded: &Graded) -> Submission {
+    let record = &graded.record;
+    Submission {
+        name: shown(&record.submission.path),
+        digest: shown(&record.submission.digest),
+        epoch: shown(&record.epoch),
+        grader: shown(&record.grader),
+        sandbox: shown(&record.sandbox),
+        score: points(record.score),
+        build: build(&record.build),
+        stages: record.stages.iter().map(|one| stage(one, graded)).collect(),
+    }
+}
+
+fn points(score: Score) -> Points {
+    let Score { earned, possible } = score;
+    Points { earned: words::points(earned), possible: words::points(possible), earned_n: earned, possible_n: possible }
+}
+
+fn build(build: &Build) -> BuildView {
+    BuildView {
+        verdict: class(build.verdict),
+        words: words::verdict(build.verdict),
+        seconds: seconds(build.time_s),
+        finding: build.finding.as_ref().map(finding),
+        warnings: build.warnings.iter().map(|text| shown(text)).collect(),
+        ignored: build.ignored.iter().map(|text| shown(text)).collect(),
+    }
+}
+
+fn stage(stage: &StageRecord, graded: &Graded) -> Stage {
+    let of_kind = |kind: CheckKind| stage.checks.iter().filter(move |one| one.kind == kind);
+    let cases: Vec<Check> = of_kind(CheckKind::Image).map(|one| check(one, graded.pictures.get(&one.id))).collect();
+    let (unit_passed, unit_failed) = of_kind(CheckKind::Unit).map(|one| check(one, None)).partition(|one| one.is_right);
+    Stage {
+        id: shown(&stage.id),
+        title: shown(&stage.title),
+        score: points(Score { earned: stage.earned, possible: stage.possible }),
+        n_cases_right: cases.iter().filter(|one| one.is_right).count(),
+        cases,
+        unit_failed,
+        unit_passed,
+    }
+}
+
+fn check(check: &CheckRecord, pictures: Option<&Pictures>) -> Check {
+    Check {
+        id: shown(&check.id),
+        name: shown(check.id.split_once('/').map_or(&*check.id, |(_, name)| name)),
+        about: shown(check.about.trim()),
+        rules: check.rules.clone(),
+        verdict: class(check.verdict),
+        words: words::verdict(check.verdict),
+        is_right: check.verdict == Verdict::Pass,
+        score: points(Score { earned: check.earned, possible: check.possible }),
+        seconds: seconds(check.time_s),
+        megabytes: (check.peak_bytes > 0).then(|| format!("{:.0} MB", check.peak_bytes as f64 / 1e6)),
+        finding: check.finding.as_ref().map(finding),
+        pictures: pictures.map(both),
+    }
+}
+
+fn finding(finding: &Finding) -> FindingView {
+    let text = |text: &Option<String>| text.as_deref().unwrap_or_default().to_owned();
+    let is_compared = finding.expected.is_some() || finding.actual.is_some();
+    let asked = finding.asked.as_ref().map(|asked| format!("{asked:#}"));
+    FindingView {
+        kind: words::finding(finding.kind),
+        message: shown(finding.message.trim()),
+        wrong_pixels: finding.wrong_pixels,
+        worst: finding.worst,
+        asked: asked.map(|asked| shown(&asked)),
+        diff: if is_compared { diff::lines(&text(&finding.expected), &text(&finding.actual)) } else { Vec::new() },
+        stderr: finding.stderr.as_deref().map(shown).filter(|text| !text.trim().is_empty()),
+    }
+}
+
+fn both(pictures: &Pictures) -> PicturesView {
+    let expected = &pictures.expected;
+    let same_size = |one: &&cases::film::Image| (one.width(), one.height()) == (expected.width(), expected.height());
+    let actual = pictures.actual.as_ref().filter(same_size).map(|actual| Actual {
+        picture: picture::colours(actual),
+        difference: picture::difference(expected, actual),
+        wrong: picture::wrong(pictures, actual),
+    });
+    PicturesView {
+        width: expected.width(),
+        height: expected.height(),
+        levels: pictures.tolerance.levels,
+        gain: picture::GAIN,
+        out_pixels: pictures.tolerance.out_pixels,
+        expected: picture::colours(expected),
+        actual,
+    }
+}
+
+/// The class that colours it.
+fn class(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Pass => "pass",
+        Verdict::Partial => "partial",
+        Verdict::Fail => "fail",
+        Verdict::NotRun => "not-run",
+        Verdict::Ours => "ours",
+    }
+}
+
+fn seconds(time_s: f64) -> String {
+    if time_s < 0.0995 { format!("{:.0} ms", time_s * 1e3) } else { format!("{time_s:.1} s") }
+}

@@ -1,0 +1,6 @@
+//! Reports: functions of the record and the pictures behind it. They decide nothing.
+
+pub mod html;
+#[cfg(test)]
+mod sample;
+pub mod words;
