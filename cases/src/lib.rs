@@ -24,6 +24,8 @@ pub mod effects;
 pub mod film;
 pub mod maths;
 pub mod probe;
+#[cfg(feature = "authoring")]
+pub mod problem;
 pub mod program;
 pub mod ray;
 pub mod ray_tree;

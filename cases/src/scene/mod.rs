@@ -4,7 +4,27 @@
 //! points at something; every matrix has an inverse, stored beside it; nothing is relative to anything else. Code below
 //! this line never asks "is it there?".
 
+#[cfg(feature = "authoring")]
+mod file;
 pub mod json;
+#[cfg(feature = "authoring")]
+mod mesh_file;
 mod model;
+#[cfg(feature = "authoring")]
+pub(crate) mod raw;
+#[cfg(feature = "authoring")]
+pub(crate) mod resolve;
+#[cfg(feature = "authoring")]
+mod shapes;
+#[cfg(feature = "authoring")]
+pub(crate) mod text_file;
+#[cfg(feature = "authoring")]
+pub(crate) mod transform;
+#[cfg(feature = "authoring")]
+mod validate;
 
+#[cfg(feature = "authoring")]
+pub use file::{MAX_SCENE_BYTES, load, parse, parse_json};
+#[cfg(feature = "authoring")]
+pub(crate) use file::{body, document, read};
 pub use model::*;

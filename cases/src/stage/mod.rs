@@ -1,5 +1,10 @@
 //! What the folder `cases/stages` holds, resolved: stages, their image cases and their unit checks.
 
+mod load;
+mod raw;
+
+pub use load::{is_case, load_all, load_case};
+
 use crate::effects::Effects;
 use crate::probe::Ask;
 use crate::scene::Scene;

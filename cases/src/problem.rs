@@ -1,0 +1,216 @@
+//! What is wrong with files that people write: every problem at once, each with its place, the reason and a way out.
+
+use std::fmt;
+use std::ops::Range;
+use std::sync::Arc;
+
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
+
+/// As many problems of one file are kept; a file with more is not worth reading to its end.
+pub const MAX_PROBLEMS: usize = 100;
+
+/// A file as it was read.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Source {
+    /// What it is called in messages.
+    pub name: String,
+    /// Its text; empty where it could not be read.
+    pub text: String,
+}
+
+impl Source {
+    /// The text under that name.
+    pub fn new(name: impl Into<String>, text: impl Into<String>) -> Arc<Self> {
+        Arc::new(Self { name: name.into(), text: text.into() })
+    }
+}
+
+/// Something wrong in a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// The file.
+    pub source: Arc<Source>,
+    /// The bytes of the file that are wrong; `None` where the file as a whole is.
+    pub span: Option<Range<usize>>,
+    /// What is wrong, such as ``unknown material `brik` ``.
+    pub message: String,
+    /// Why, in a few words to stand under the underlined place; may be empty.
+    pub label: String,
+    /// The way out.
+    pub help: Option<String>,
+}
+
+impl Problem {
+    /// Line and column, both from 1, the column in characters; `None` where the file as a whole is wrong.
+    pub fn line_column(&self) -> Option<(usize, usize)> {
+        let before = self.source.text.get(..self.span.as_ref()?.start)?;
+        let line_start = before.rfind('\n').map_or(0, |at| at + 1);
+        Some((before.matches('\n').count() + 1, before[line_start..].chars().count() + 1))
+    }
+
+    /// Adds the way out.
+    pub fn help(&mut self, help: impl Into<String>) {
+        self.help = Some(help.into());
+    }
+
+    /// What problems are ordered by.
+    fn place(&self) -> (&str, Option<(usize, usize)>) {
+        (&self.source.name, self.span.as_ref().map(|span| (span.start, span.end)))
+    }
+
+    fn group(&self) -> Group<'_> {
+        let title = Level::ERROR.primary_title(self.message.as_str());
+        let group = match &self.span {
+            Some(span) => {
+                let label = (!self.label.is_empty()).then_some(self.label.as_str());
+                let here = AnnotationKind::Primary.span(first_line(&self.source.text, span)).label(label);
+                title.element(
+                    Snippet::source(self.source.text.as_str()).path(self.source.name.as_str()).annotation(here),
+                )
+            }
+            None => title.element(Origin::path(self.source.name.as_str())),
+        };
+        let reason = (self.span.is_none() && !self.label.is_empty()).then_some(self.label.as_str());
+        group
+            .elements(reason.map(|reason| Level::NOTE.message(reason)))
+            .elements(self.help.as_deref().map(|help| Level::HELP.message(help)))
+    }
+}
+
+/// The part of `span` that stands on its first line, at least one character where there is one.
+fn first_line(text: &str, span: &Range<usize>) -> Range<usize> {
+    let start = span.start.min(text.len());
+    let rest = text.get(start..span.end.clamp(start, text.len())).unwrap_or_default();
+    start..start + rest.find(['\n', '\r']).unwrap_or(rest.len())
+}
+
+/// The problems of one file or several, in order of file and place; at least one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problems(Vec<Problem>);
+
+impl Problems {
+    /// The problems in order, or `None` where there are none.
+    pub fn new(mut problems: Vec<Problem>) -> Option<Self> {
+        problems.sort_by(|a, b| a.place().cmp(&b.place()));
+        (!problems.is_empty()).then_some(Self(problems))
+    }
+
+    /// A single problem with the file of that name as a whole.
+    pub fn of_file(name: impl Into<String>, message: impl Into<String>, help: Option<String>) -> Self {
+        let source = Source::new(name, "");
+        Self(vec![Problem { source, span: None, message: message.into(), label: String::new(), help }])
+    }
+
+    /// The problems, in order.
+    pub fn iter(&self) -> impl Iterator<Item = &Problem> {
+        self.0.iter()
+    }
+
+    /// The problems as a list.
+    pub fn into_vec(self) -> Vec<Problem> {
+        self.0
+    }
+
+    /// These problems and those of `other`.
+    #[must_use]
+    pub fn and(mut self, other: Self) -> Self {
+        self.0.extend(other.0);
+        self.0.sort_by(|a, b| a.place().cmp(&b.place()));
+        self
+    }
+
+    /// The text for people: each problem with its place underlined, then how many there are. Escape codes only if `colour`.
+    pub fn render(&self, colour: bool) -> String {
+        let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
+        let mut text = String::new();
+        for problem in &self.0 {
+            text += &renderer.render(&[problem.group()]);
+            text.push('\n');
+        }
+        let mut files: Vec<&str> = self.0.iter().map(|problem| problem.source.name.as_str()).collect();
+        files.dedup();
+        text + &format!("{} in {}", count(self.0.len(), "problem"), count(files.len(), "file"))
+    }
+}
+
+impl fmt::Display for Problems {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.render(false))
+    }
+}
+
+impl std::error::Error for Problems {}
+
+fn count(n: usize, what: &str) -> String {
+    if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
+}
+
+/// The one of `known` that `word` most likely was meant to be, if one is near enough.
+pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let far = |candidate: &str| edits(&word.to_lowercase(), &candidate.to_lowercase());
+    let near_enough = |candidate: &str, n: usize| n * 3 <= candidate.chars().count().max(word.chars().count()) + 1;
+    let nearest = known.into_iter().map(|candidate| (far(candidate), candidate)).min_by_key(|(n, _)| *n);
+    nearest.filter(|(n, candidate)| near_enough(candidate, *n)).map(|(_, candidate)| candidate)
+}
+
+/// Edit distance, a swap of neighbours counting once; words are cut at 64 characters.
+fn edits(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().take(64).collect(), b.chars().take(64).collect());
+    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
+    for i in 0..=a.len() {
+        for j in 0..=b.len() {
+            rows[i][j] = match (i, j) {
+                (0, n) | (n, 0) => n,
+                _ => {
+                    let change = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+                    let swap = if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                        rows[i - 2][j - 2] + 1
+                    } else {
+                        usize::MAX
+                    };
+                    change.min(swap).min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1)
+                }
+            };
+        }
+    }
+    rows[a.len()][b.len()]
+}
+
+/// A list of names for a message: `` `a`, `b` and `c` ``.
+pub(crate) fn quoted<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
+    let names: Vec<String> = names.into_iter().map(|name| format!("`{name}`")).collect();
+    match names.split_last() {
+        None => "none".to_owned(),
+        Some((last, [])) => last.clone(),
+        Some((last, rest)) => format!("{} and {last}", rest.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn suggests_only_what_is_near() {
+        let known = ["fov_y_deg", "eye", "up", "look_at"];
+        let table = [
+            ("fov_deg", Some("fov_y_deg")),
+            ("eey", Some("eye")),
+            ("lookat", Some("look_at")),
+            ("UP", Some("up")),
+            ("banana", None),
+            ("", None),
+        ];
+        for (word, meant) in table {
+            assert_eq!(did_you_mean(word, known), meant, "{word}");
+        }
+    }
+
+    #[test]
+    fn counts_lines_and_characters() {
+        let source = Source::new("a.toml", "é = 1\nñü = 2\n");
+        let at = source.text.find('2').map(|at| at..at + 1);
+        let problem = Problem { source, span: at, message: String::new(), label: String::new(), help: None };
+        assert_eq!(problem.line_column(), Some((2, 6)));
+    }
+}

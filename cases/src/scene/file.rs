@@ -1,0 +1,109 @@
+//! Scene files: from a path or a text to the resolved scene, or to everything that is wrong with it.
+
+use std::path::Path;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::model::Scene;
+use super::raw::read::{Notes, Read};
+use super::raw::{RawRender, RawScene, RawSceneFile};
+use super::{json, resolve, text_file, validate};
+use crate::problem::{Problems, Source};
+
+/// Bytes of a scene or case file.
+pub const MAX_SCENE_BYTES: u64 = 16 << 20;
+
+/// The scene of the file at `path`: a scene or case in TOML, or a resolved scene in JSON where the name ends in `.json`.
+///
+/// A case whose folder holds a `stage.toml` has the effects that its stage allows; any other scene those it calls for.
+/// Meshes are sought relative to the file's folder.
+///
+/// # Errors
+/// Everything that is wrong with the file.
+pub fn load(path: &Path) -> Result<Scene, Problems> {
+    if crate::stage::is_case(path) {
+        return crate::stage::load_case(path).map(|case| case.scene);
+    }
+    let (name, text) = (path.display().to_string(), read(path)?);
+    if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("json")) {
+        return parse_json(&name, &text);
+    }
+    parse(&name, &text, path.parent().unwrap_or(Path::new("")))
+}
+
+/// The scene of a TOML text, called `name` in messages; meshes are sought relative to `base_dir`.
+///
+/// # Errors
+/// Everything that is wrong with the text.
+pub fn parse(name: &str, text: &str, base_dir: &Path) -> Result<Scene, Problems> {
+    let (raw, mut notes) = document::<RawSceneFile>(name, text);
+    let scene = raw.and_then(|raw| body(&raw.render.0, &raw.scene.0, base_dir, &mut notes));
+    notes.finish(scene)
+}
+
+/// The resolved scene of a JSON text, called `name` in messages.
+///
+/// # Errors
+/// What does not have the form of a scene, or everything that breaks what holds for one.
+pub fn parse_json(name: &str, text: &str) -> Result<Scene, Problems> {
+    let source = Source::new(name, text);
+    let mut notes = Notes::new(source);
+    let scene = json::from_str(text).map_err(|why| {
+        let at = offset(text, why.line(), why.column());
+        notes
+            .add(at..at + 1, "this is no resolved scene", why.to_string())
+            .help("`reference schema` prints its JSON Schema");
+    });
+    for broken in scene.iter().flat_map(validate::broken) {
+        notes.add(0..0, broken, "");
+    }
+    notes.finish(scene.ok())
+}
+
+/// The byte at which serde's line and column (in bytes, from 1) point.
+fn offset(text: &str, line: usize, column: usize) -> usize {
+    let start: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
+    let mut at = (start + column.saturating_sub(1)).min(text.len().saturating_sub(1));
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}
+
+/// The text of the file at `path`.
+pub(crate) fn read(path: &Path) -> Result<String, Problems> {
+    text_file::text(path, MAX_SCENE_BYTES)
+        .map_err(|why| Problems::of_file(path.display().to_string(), format!("the file cannot be used: {why}"), None))
+}
+
+/// A document as the table `T`, as far as it can be read, with the problems so far.
+pub(crate) fn document<T: Read>(name: &str, text: &str) -> (Option<T>, Notes) {
+    let mut notes = Notes::new(Source::new(name, text));
+    if text.trim().is_empty() {
+        notes.add(0..0, "the file is empty", "");
+        return (None, notes);
+    }
+    let (table, errors) = DeTable::parse_recoverable(text);
+    for error in &errors {
+        let span = error.span().filter(|span| text.is_char_boundary(span.start) && text.is_char_boundary(span.end));
+        notes.add(span.unwrap_or_default(), format!("this is not TOML: {}", error.message()), "");
+    }
+    // What the parser could not make sense of leaves holes that would be reported as missing keys.
+    if !errors.is_empty() {
+        return (None, notes);
+    }
+    let root = Spanned::new(0..0, DeValue::Table(table.into_inner()));
+    (T::read(&root, &mut notes), notes)
+}
+
+/// Settings and scene, each looked at even where the other is missing.
+pub(crate) fn body(
+    render: &Option<RawRender>,
+    scene: &Option<RawScene>,
+    base_dir: &Path,
+    notes: &mut Notes,
+) -> Option<Scene> {
+    let render = render.as_ref().and_then(|raw| resolve::render(raw, notes));
+    scene.as_ref().and_then(|raw| resolve::scene(raw, render, base_dir, notes))
+}

@@ -1,0 +1,215 @@
+//! Objects as they are written: shapes, transforms, groups.
+
+use schemars::{JsonSchema, Schema};
+use serde_json::json;
+
+use super::numbers::{Direction, Factor, Factors, Index, NonNegative, Number, Point, Size, Travel};
+use super::read::{At, Each, Notes, Read, Value, choice, table};
+
+/// The keys of an object of which it has exactly one.
+pub(crate) const SHAPES: [&str; 8] = ["sphere", "square", "box", "plane", "cylinder", "cone", "mesh", "group"];
+
+table! {
+    /// A thing in the scene: exactly one shape, or a group of objects.
+    #[schemars(transform = exactly_one_shape)]
+    "an object" RawObject {
+        /// Its name in messages and ray trees, once in the scene. Left out: its place, such as `objects[3]`.
+        name: Option<At<String>>,
+        /// The name of its material. In a group: the material of those of its objects that have none themselves.
+        material: Option<At<String>>,
+        /// What takes it from object space to world space: applied in order, the first listed acts first. [rule 20]
+        transforms: Each<At<RawTransform>> = "[]",
+        /// A sphere. [rule 14]
+        sphere: Option<RawSphere>,
+        /// The unit square |x| ≤ 0.5, |y| ≤ 0.5 of z = 0, normal +z; without keys: `square = {}`. [rule 15]
+        square: Option<RawSquare>,
+        /// A box along the axes. [rule 15]
+        r#box: Option<RawBox>,
+        /// An infinite plane. [rule 15]
+        plane: Option<RawPlane>,
+        /// A cylinder about the z axis.
+        cylinder: Option<RawCylinder>,
+        /// A cone about the z axis, or a piece of one.
+        cone: Option<RawCone>,
+        /// Triangles: inline, or from a file. [rule 16]
+        mesh: Option<At<RawMesh>>,
+        /// Objects that are moved together: each one's own transforms act first, then the group's.
+        group: Option<Each<At<RawObject>>>,
+    } exactly one of SHAPES
+}
+
+/// Says in the schema that an object has exactly one shape.
+fn exactly_one_shape(schema: &mut Schema) {
+    schema.insert("oneOf".to_owned(), SHAPES.iter().map(|shape| json!({ "required": [shape] })).collect());
+}
+
+table! {
+    /// ‖X − center‖ = radius. [rule 14]
+    "a sphere" RawSphere {
+        /// Center.
+        center: Point = "[0, 0, 0]",
+        /// Radius.
+        radius: Size = "0.5",
+    }
+}
+
+table! {
+    /// The unit square of z = 0 about the origin; it has no keys. [rule 15]
+    "a square" RawSquare {}
+}
+
+table! {
+    /// min ≤ X ≤ max. [rule 15]
+    "a box" RawBox {
+        /// Least corner.
+        min: Point = "[-0.5, -0.5, -0.5]",
+        /// Greatest corner; above `min` on every axis.
+        max: At<Point> = "[0.5, 0.5, 0.5]",
+    }
+}
+
+table! {
+    /// N·X = k. [rule 15]
+    "a plane" RawPlane {
+        /// N, of any length: normal and k are divided by it.
+        normal: Travel,
+        /// k.
+        k: Number,
+    }
+}
+
+table! {
+    /// x² + y² = radius², z_min ≤ z ≤ z_max.
+    "a cylinder" RawCylinder {
+        /// Radius.
+        radius: Size = "0.5",
+        /// Lower end.
+        z_min: Number = "-0.5",
+        /// Upper end; above `z_min`.
+        z_max: At<Number> = "0.5",
+        /// Whether discs close both ends.
+        capped: bool = "true",
+    }
+}
+
+table! {
+    /// A cylinder whose radius goes linearly from one end to the other.
+    "a cone" RawCone {
+        /// Radius at `z_min`; may be 0.
+        bottom_radius: NonNegative = "0.5",
+        /// Radius at `z_max`; may be 0, but differs from `bottom_radius`.
+        top_radius: At<NonNegative> = "0",
+        /// Lower end.
+        z_min: Number = "-0.5",
+        /// Upper end; above `z_min`.
+        z_max: At<Number> = "0.5",
+        /// Whether discs close the ends.
+        capped: bool = "true",
+    }
+}
+
+/// Triangles: inline, or from a file. [rule 16]
+#[derive(Clone, Debug, JsonSchema)]
+#[schemars(untagged)]
+pub(crate) enum RawMesh {
+    /// From a file.
+    File(RawMeshFile),
+    /// Inline.
+    Inline(RawMeshInline),
+}
+
+impl Read for RawMesh {
+    fn read(value: &Value<'_>, notes: &mut Notes) -> Option<Self> {
+        if value.get_ref().as_table().is_some_and(|table| table.contains_key("file")) {
+            RawMeshFile::read(value, notes).map(Self::File)
+        } else {
+            RawMeshInline::read(value, notes).map(Self::Inline)
+        }
+    }
+}
+
+table! {
+    /// A mesh from a file.
+    "a mesh from a file" RawMeshFile {
+        /// Path to a Wavefront `.obj` or a `.ply` of triangles, relative to the folder of this file.
+        file: At<String>,
+        /// `false` leaves the vertex normals of the file aside; `true` demands that it has some. Left out: they are used if the
+        /// file has them. [rule 18]
+        smooth: Option<bool>,
+    }
+}
+
+table! {
+    /// A mesh written out; the normal of a triangle (A, B, C) is along (B − A) × (C − A).
+    "a mesh" RawMeshInline {
+        /// Corners.
+        vertices: Vec<Point>,
+        /// Three indices into `vertices` each, the first vertex being 0. A triangle without area is never hit.
+        triangles: Vec<At<[Index; 3]>>,
+        /// A normal for every vertex, of any length; with them the mesh is smooth, without them flat. [rule 18]
+        normals: Option<At<Vec<Direction>>>,
+    }
+}
+
+choice! {
+    /// A step from object space to world space: exactly one of these.
+    "a transform" RawTransform {
+        /// Moves by a vector.
+        "translate" Translate(Point),
+        /// Turns about an axis through the origin.
+        "rotate" Rotate(RawRotation),
+        /// Scales about the origin: by one factor, or by one for each axis. Below 0 mirrors; 0 is refused.
+        "scale" Scale(RawScale),
+        /// Slants.
+        "shear" Shear(RawShear),
+        /// Any affine map, as four rows of four numbers that act on a column (x, y, z, 1); the last row is [0, 0, 0, 1].
+        "matrix" Matrix([[Number; 4]; 4]),
+    }
+}
+
+table! {
+    /// A turn about an axis through the origin.
+    "a rotation" RawRotation {
+        /// The axis; any length.
+        axis: Direction,
+        /// Degrees, counter-clockwise as seen from the tip of the axis. Multiples of 90 turn exactly.
+        angle_deg: Number,
+    }
+}
+
+table! {
+    /// A slant: `xy = 0.5` adds 0.5 y to x, and so on; all at once.
+    "a shear" RawShear {
+        /// y added to x.
+        xy: Number = "0",
+        /// z added to x.
+        xz: Number = "0",
+        /// x added to y.
+        yx: Number = "0",
+        /// z added to y.
+        yz: Number = "0",
+        /// x added to z.
+        zx: Number = "0",
+        /// y added to z.
+        zy: Number = "0",
+    }
+}
+
+/// One factor, or one for each axis.
+#[derive(Clone, Debug, JsonSchema)]
+#[schemars(untagged)]
+pub(crate) enum RawScale {
+    /// For all axes.
+    Uniform(Factor),
+    /// For x, y and z.
+    Axes(Factors),
+}
+
+impl Read for RawScale {
+    fn read(value: &Value<'_>, notes: &mut Notes) -> Option<Self> {
+        match value.get_ref().as_array() {
+            Some(_) => Factors::read(value, notes).map(Self::Axes),
+            None => Factor::read(value, notes).map(Self::Uniform),
+        }
+    }
+}

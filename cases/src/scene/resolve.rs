@@ -1,0 +1,323 @@
+//! From what is written to what is rendered: names become indices, lists of transforms matrices, groups dissolve.
+
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::path::{Path, PathBuf};
+
+use glam::{DAffine3, DVec3};
+
+use super::model::{Attenuation, Camera, Light, Material, Mesh, Object, Render, Scene, Shape};
+use super::raw::numbers::{Index, unit};
+use super::raw::objects::{RawMesh, RawMeshInline, RawObject, RawTransform};
+use super::raw::read::{At, Each, Maybe, Notes};
+use super::raw::{RawAttenuation, RawCamera, RawLight, RawMaterial, RawRender, RawScene};
+use super::{mesh_file, transform};
+use crate::effects::{self, Effects};
+use crate::problem::{did_you_mean, quoted};
+
+/// Pixels of a picture: 4096 × 2048.
+pub(crate) const MAX_PIXELS: u64 = 1 << 23;
+/// Objects of a scene once its groups are dissolved.
+pub(crate) const MAX_OBJECTS: usize = 100_000;
+/// Triangles of a scene, and likewise vertices.
+pub(crate) const MAX_TRIANGLES: usize = 2_000_000;
+/// Groups within groups.
+pub(crate) const MAX_NESTING: usize = 16;
+
+/// The index of refraction of air. [rule 9]
+const AIR: f64 = 1.0003;
+
+/// How nearly parallel `up` may be to the view: the sine of the angle between them.
+const LEAST_SINE_OF_UP: f64 = 1e-6;
+
+/// The scene that `raw` describes, with the effects it calls for; what is wrong with it is noted, and the result then only
+/// serves to find more that is wrong.
+pub(crate) fn scene(raw: &RawScene, render: Option<Render>, base: &Path, notes: &mut Notes) -> Option<Scene> {
+    let materials: Vec<Material> = raw.materials.iter().filter_map(|(name, raw)| material(name, raw, notes)).collect();
+    let index_of = raw.materials.keys().enumerate().map(|(index, name)| (name.as_str(), index)).collect();
+    let mut walk = Walk {
+        base,
+        materials: index_of,
+        names: HashSet::new(),
+        files: HashMap::new(),
+        meshes: vec![],
+        objects: vec![],
+    };
+    let root = Context { name: "objects", material: None, world_from_here: DAffine3::IDENTITY, nesting: 0 };
+    walk.list(&raw.objects, &root, notes);
+    let (meshes, objects) = (walk.meshes, walk.objects);
+    let mut scene = Scene {
+        render: render?,
+        effects: Effects::NONE,
+        camera: raw.camera.0.as_ref().and_then(|raw| camera(raw, notes))?,
+        background: raw.background.get(),
+        lights: raw.lights.0.iter().flatten().filter_map(|raw| light(raw, notes)).collect(),
+        materials,
+        meshes,
+        objects,
+    };
+    if notes.is_empty() {
+        scene.effects = effects::called_for(&scene);
+    }
+    Some(scene)
+}
+
+/// The settings that `raw` describes.
+pub(crate) fn render(raw: &RawRender, notes: &mut Notes) -> Option<Render> {
+    let [width, height] = raw.size.map(|side| side.0);
+    if u64::from(width) * u64::from(height) > MAX_PIXELS {
+        let message = format!("a picture has at most {MAX_PIXELS} pixels");
+        notes.add(raw.size.span.clone(), message, format!("{width} × {height} is more"));
+        return None;
+    }
+    Some(Render { width, height, max_depth: raw.max_depth.0, threshold: raw.threshold.get() })
+}
+
+/// The camera that `raw` describes. [rule 1]
+pub(crate) fn camera(raw: &RawCamera, notes: &mut Notes) -> Option<Camera> {
+    let eye = raw.eye.get();
+    let Some(forward) = unit(raw.look_at.get() - eye) else {
+        notes.add(raw.look_at.span.clone(), "the camera looks at its own eye", "the same point as `eye`");
+        return None;
+    };
+    let across = forward.cross(raw.up.get());
+    if across.length() < LEAST_SINE_OF_UP {
+        let problem = notes.add(raw.up.span.clone(), "`up` is parallel to the view", "no way to tell what is right");
+        problem.help("any direction that does not point along `look_at` − `eye` will do");
+        return None;
+    }
+    let right = across.normalize();
+    let up = right.cross(forward).normalize();
+    Some(Camera { eye, right, up, forward, fov_y_deg: raw.fov_y_deg.get() })
+}
+
+/// The light that `raw` describes.
+pub(crate) fn light(raw: &RawLight, notes: &mut Notes) -> Option<Light> {
+    Some(match raw {
+        RawLight::Point(raw) => Light::Point {
+            position: raw.position.get(),
+            colour: raw.colour.get(),
+            ambient: raw.ambient.get(),
+            attenuation: attenuation(&raw.attenuation, notes)?,
+        },
+        RawLight::Directional(raw) => {
+            Light::Directional { direction: raw.direction.get(), colour: raw.colour.get(), ambient: raw.ambient.get() }
+        }
+    })
+}
+
+fn attenuation(raw: &At<RawAttenuation>, notes: &mut Notes) -> Option<Attenuation> {
+    let [quadratic, linear, constant] = [raw.quadratic.get(), raw.linear.get(), raw.constant.get()];
+    if [quadratic, linear, constant] == [0.0; 3] {
+        let problem =
+            notes.add(raw.span.clone(), "an attenuation cannot be all 0", "this divides by 0 at every distance");
+        problem.help("for a light that does not weaken leave `attenuation` out, or write `{ constant = 1 }`");
+        return None;
+    }
+    Some(Attenuation { quadratic, linear, constant })
+}
+
+/// The material that `raw` describes; its place among the others is kept even where it is wrong.
+pub(crate) fn material(name: &str, raw: &Maybe<RawMaterial>, notes: &mut Notes) -> Option<Material> {
+    let raw = raw.0.as_ref()?;
+    let [ks, kt] = [raw.ks.get(), raw.kt.get()];
+    needed(
+        raw.ns.is_none() && ks != DVec3::ZERO,
+        "ns",
+        "ks",
+        &raw.ks,
+        "the specular exponent, such as `ns = 50`",
+        notes,
+    );
+    needed(
+        raw.index.is_none() && kt != DVec3::ZERO,
+        "index",
+        "kt",
+        &raw.kt,
+        "the index of refraction, such as `index = 1.52`",
+        notes,
+    );
+    let kd = raw.kd.get();
+    Some(Material {
+        name: name.to_owned(),
+        ke: raw.ke.get(),
+        ka: raw.ka.map_or(kd, |ka| ka.get()),
+        kd,
+        ks,
+        kt,
+        kr: raw.kr.map_or(ks, |kr| kr.get()),
+        ns: raw.ns.map_or(0.0, |ns| ns.get()),
+        index: raw.index.map_or(AIR, |index| index.get()),
+    })
+}
+
+fn needed<T>(is_missing: bool, key: &str, because: &str, at: &At<T>, help: &str, notes: &mut Notes) {
+    if is_missing {
+        let label = format!("with `{because}`, `{key}` is needed too");
+        notes.add(at.span.clone(), format!("missing key `{key}`"), label).help(format!("give {help}"));
+    }
+}
+
+/// What an object takes from the groups around it.
+struct Context<'a> {
+    name: &'a str,
+    material: Option<&'a At<String>>,
+    world_from_here: DAffine3,
+    nesting: usize,
+}
+
+/// The walk through objects and groups, with what it has gathered.
+struct Walk<'a> {
+    base: &'a Path,
+    materials: BTreeMap<&'a str, usize>,
+    names: HashSet<String>,
+    files: HashMap<(PathBuf, Option<bool>), Option<usize>>,
+    meshes: Vec<Mesh>,
+    objects: Vec<Object>,
+}
+
+impl Walk<'_> {
+    fn list(&mut self, list: &Each<At<RawObject>>, around: &Context<'_>, notes: &mut Notes) {
+        for (index, raw) in list.0.iter().enumerate() {
+            if let Some(raw) = raw {
+                self.object(raw, format!("{}[{index}]", around.name), around, notes);
+            }
+        }
+    }
+
+    fn object(&mut self, raw: &At<RawObject>, place: String, around: &Context<'_>, notes: &mut Notes) {
+        let name = self.name(raw, place, notes);
+        let world_from_object = around.world_from_here * product(&raw.transforms, notes);
+        let material = raw.material.as_ref().or(around.material);
+        if let Some(group) = &raw.group {
+            if around.nesting == MAX_NESTING {
+                let label = format!("more than {MAX_NESTING} groups around each other");
+                notes.add(raw.span.clone(), "groups are nested too deeply", label);
+                return;
+            }
+            let inside =
+                Context { name: &name, material, world_from_here: world_from_object, nesting: around.nesting + 1 };
+            return self.list(group, &inside, notes);
+        }
+        let material = self.material(material, raw, notes);
+        let shape = self.shape(raw, notes);
+        if !transform::is_invertible(&world_from_object) {
+            let problem = notes.add(
+                raw.span.clone(),
+                "this object's matrix is singular, or nearly so",
+                "all its transforms together",
+            );
+            problem.help("together with those of its groups they flatten it, or blow it up beyond all numbers");
+        }
+        if let (Some(material), Some(shape)) = (material, shape) {
+            self.push(
+                Object { name, shape, material, world_from_object, object_from_world: world_from_object.inverse() },
+                raw,
+                notes,
+            );
+        }
+    }
+
+    fn push(&mut self, object: Object, raw: &At<RawObject>, notes: &mut Notes) {
+        if self.objects.len() == MAX_OBJECTS {
+            notes.add(raw.span.clone(), format!("a scene has at most {MAX_OBJECTS} objects"), "too many");
+            return;
+        }
+        self.objects.push(object);
+    }
+
+    /// The name of an object, demanded to be its own, or else its place.
+    fn name(&mut self, raw: &At<RawObject>, place: String, notes: &mut Notes) -> String {
+        let Some(name) = &raw.name else { return place };
+        if !self.names.insert(name.value.clone()) {
+            notes.add(name.span.clone(), format!("two objects are called `{}`", name.value), "this name is taken");
+        }
+        name.value.clone()
+    }
+
+    fn material(&self, name: Option<&At<String>>, raw: &At<RawObject>, notes: &mut Notes) -> Option<usize> {
+        let known = || self.materials.keys().copied();
+        let Some(name) = name else {
+            let problem = notes.add(raw.span.clone(), "missing key `material`", "an object needs this key");
+            problem.help(format!("defined here: {}", quoted(known())));
+            return None;
+        };
+        let found = self.materials.get(name.as_str()).copied();
+        if found.is_none() {
+            let message = format!("unknown material `{}`", name.value);
+            let problem = notes.add(name.span.clone(), message, "not defined in [scene.materials]");
+            let defined = format!("defined here: {}", quoted(known()));
+            problem.help(match did_you_mean(name, known()) {
+                Some(meant) => format!("did you mean `{meant}`? {defined}"),
+                None => defined,
+            });
+        }
+        found
+    }
+
+    fn shape(&mut self, raw: &RawObject, notes: &mut Notes) -> Option<Shape> {
+        let mesh = raw.mesh.as_ref().and_then(|mesh| self.mesh(mesh, notes)).map(|mesh| Shape::Mesh { mesh });
+        mesh.or_else(|| super::shapes::shape(raw, notes))
+    }
+
+    fn mesh(&mut self, raw: &At<RawMesh>, notes: &mut Notes) -> Option<usize> {
+        let read = match &raw.value {
+            RawMesh::Inline(raw) => inline(raw, notes)?,
+            RawMesh::File(raw) => {
+                let path = self.base.join(raw.file.as_str());
+                let key = (path, raw.smooth);
+                if let Some(known) = self.files.get(&key) {
+                    return *known;
+                }
+                let read = mesh_file::read(raw, &key.0, notes);
+                self.files.insert(key, read.is_some().then_some(self.meshes.len()));
+                read?
+            }
+        };
+        self.meshes.push(read);
+        let most = |n: fn(&Mesh) -> usize| self.meshes.iter().map(n).sum::<usize>() > MAX_TRIANGLES;
+        if most(|mesh| mesh.triangles.len()) || most(|mesh| mesh.vertices.len()) {
+            let message = format!("a scene has at most {MAX_TRIANGLES} triangles and as many vertices");
+            notes.add(raw.span.clone(), message, "this mesh exceeds them");
+        }
+        Some(self.meshes.len() - 1)
+    }
+}
+
+/// M = T_n … T_1 of a list of transforms.
+pub(crate) fn product(steps: &Each<At<RawTransform>>, notes: &mut Notes) -> DAffine3 {
+    let mut map = DAffine3::IDENTITY;
+    for step in steps.0.iter().flatten() {
+        match transform::matrix(step) {
+            Ok(next) => map = next * map,
+            Err(why) => {
+                notes.add(step.span.clone(), why, "a transform must have an inverse");
+            }
+        }
+    }
+    map
+}
+
+/// A mesh that is written out.
+fn inline(raw: &RawMeshInline, notes: &mut Notes) -> Option<Mesh> {
+    let n_vertices = raw.vertices.len();
+    let mut is_whole = true;
+    for triangle in &raw.triangles {
+        if let Some(Index(index)) = triangle.iter().find(|index| index.0 as usize >= n_vertices) {
+            let label = format!("there are {n_vertices} vertices, counted from 0");
+            notes.add(triangle.span.clone(), format!("there is no vertex {index}"), label);
+            is_whole = false;
+        }
+    }
+    if let Some(normals) = &raw.normals
+        && normals.len() != n_vertices
+    {
+        let message = format!("{} normals for {n_vertices} vertices", normals.len());
+        notes.add(normals.span.clone(), message, "a smooth mesh has one normal for every vertex");
+        is_whole = false;
+    }
+    is_whole.then(|| Mesh {
+        vertices: raw.vertices.iter().map(|vertex| vertex.get()).collect(),
+        triangles: raw.triangles.iter().map(|triangle| triangle.map(|index| index.0)).collect(),
+        normals: raw.normals.as_ref().map(|normals| normals.iter().map(|normal| normal.get()).collect()),
+    })
+}

@@ -1,0 +1,154 @@
+//! Loading stages: every file of the folder is read, and everything that is wrong in any of them is said at once.
+
+use std::path::{Path, PathBuf};
+
+use super::raw::RawStage;
+use super::{Case, Stage};
+use crate::effects::{self, Effect, Effects};
+use crate::problem::{Problems, quoted};
+use crate::scene::raw::RawCase;
+use crate::scene::raw::read::Notes;
+use crate::scene::{self, Scene};
+
+/// The stages below `stages_dir`, ordered by name, each with its cases and unit checks ordered by file name.
+///
+/// # Errors
+/// Everything that is wrong in any file of any stage.
+pub fn load_all(stages_dir: &Path) -> Result<Vec<Stage>, Problems> {
+    let folders: Vec<PathBuf> = entries(stages_dir)?.into_iter().filter(|path| path.is_dir()).collect();
+    let names: Vec<String> = folders.iter().map(|folder| file_name(folder)).collect();
+    if folders.is_empty() {
+        let help = "stages are folders such as `01_ray_casting` with a `stage.toml`".to_owned();
+        return Err(Problems::of_file(stages_dir.display().to_string(), "there are no stages here", Some(help)));
+    }
+    all(folders.iter().enumerate().map(|(at, folder)| stage(folder, &names[..at])).collect())
+}
+
+/// Whether `path` is an image case of a stage: a TOML file whose folder holds a `stage.toml`.
+pub fn is_case(path: &Path) -> bool {
+    is_toml(path) && file_name(path) != "stage.toml" && path.with_file_name("stage.toml").is_file()
+}
+
+/// The image case at `path`, with the effects that the stage around it allows.
+///
+/// # Errors
+/// Everything that is wrong with the case or its `stage.toml`; a case outside any stage.
+pub fn load_case(path: &Path) -> Result<Case, Problems> {
+    let folder = path.canonicalize().ok().and_then(|path| path.parent().map(Path::to_path_buf));
+    let folder = folder.unwrap_or_else(|| path.parent().unwrap_or(Path::new("")).to_path_buf());
+    let about = path.with_file_name("stage.toml");
+    let raw = raw_stage(&about, None);
+    let case = case(path, &file_name(&folder), raw.as_ref().map_or_else(|_| Effects::all(), allowed));
+    both(raw, case).map(|(_, case)| case)
+}
+
+/// Both values, or the problems of both.
+fn both<A, B>(a: Result<A, Problems>, b: Result<B, Problems>) -> Result<(A, B), Problems> {
+    match (a, b) {
+        (Ok(a), Ok(b)) => Ok((a, b)),
+        (Err(a), Err(b)) => Err(a.and(b)),
+        (Err(problems), _) | (_, Err(problems)) => Err(problems),
+    }
+}
+
+/// All values, or all problems.
+fn all<T>(results: Vec<Result<T, Problems>>) -> Result<Vec<T>, Problems> {
+    let (mut values, mut problems) = (vec![], vec![]);
+    for result in results {
+        match result {
+            Ok(value) => values.push(value),
+            Err(found) => problems.extend(found.into_vec()),
+        }
+    }
+    Problems::new(problems).map_or(Ok(values), Err)
+}
+
+/// The stage in `folder`; `before` names those that come earlier.
+fn stage(folder: &Path, before: &[String]) -> Result<Stage, Problems> {
+    let id = file_name(folder);
+    let raw = raw_stage(&folder.join("stage.toml"), Some(before));
+    let allows = raw.as_ref().map_or_else(|_| Effects::all(), allowed);
+    let files = entries(folder)?;
+    let cases = files.iter().filter(|path| is_case(path)).map(|path| case(path, &id, allows)).collect();
+    let (raw, cases) = both(raw, all(cases))?;
+    Ok(Stage {
+        id,
+        title: raw.title,
+        about: raw.about,
+        allows,
+        needs: raw.needs.into_iter().map(|name| name.value).collect(),
+        unit_points: raw.unit_points.0,
+        cases,
+        checks: vec![],
+    })
+}
+
+fn raw_stage(path: &Path, before: Option<&[String]>) -> Result<RawStage, Problems> {
+    let (raw, mut notes) = scene::document::<RawStage>(&path.display().to_string(), &scene::read(path)?);
+    if let (Some(raw), Some(before)) = (&raw, before) {
+        for name in raw.needs.iter().filter(|name| !before.contains(name)) {
+            let message = format!("no earlier stage is called `{}`", name.value);
+            let problem = notes.add(name.span.clone(), message, "a stage can only need an earlier one");
+            problem.help(format!("earlier stages: {}", quoted(before.iter().map(String::as_str))));
+        }
+    }
+    notes.finish(raw)
+}
+
+fn allowed(raw: &RawStage) -> Effects {
+    raw.allows.iter().map(|name| name.0).collect()
+}
+
+/// The case at `path` in the stage of that id.
+fn case(path: &Path, stage: &str, allows: Effects) -> Result<Case, Problems> {
+    let (name, text) = (path.display().to_string(), scene::read(path)?);
+    let (raw, mut notes) = scene::document::<RawCase>(&name, &text);
+    let found = raw.and_then(|raw| {
+        let base = path.parent().unwrap_or(Path::new(""));
+        let mut scene = scene::body(&raw.render.0, &raw.scene.0, base, &mut notes)?;
+        limit(&mut scene, allows, &mut notes);
+        Some(Case {
+            id: format!("{stage}/{}", stem(path)),
+            title: raw.title,
+            about: raw.about,
+            rules: raw.rules.iter().map(|rule| rule.0).collect(),
+            points: raw.points.0,
+            scene,
+        })
+    });
+    notes.finish(found)
+}
+
+/// Takes out of the scene's effects what the stage does not allow; what cannot be left out of a picture is a problem.
+pub(super) fn limit(scene: &mut Scene, allows: Effects, notes: &mut Notes) {
+    for reason in effects::reasons(scene).iter().filter(|reason| scene.effects.has(reason.effect)) {
+        let must_be_allowed = matches!(reason.effect, Effect::Transforms | Effect::Attenuation);
+        if must_be_allowed && !allows.has(reason.effect) {
+            let message = format!("this stage does not allow {}: {}", reason.effect, reason.because);
+            notes.add(0..0, message, "").help("change the scene, or add the effect to `allows` in stage.toml");
+        }
+    }
+    scene.effects = scene.effects.intersection(allows);
+}
+
+/// What is in `folder`, ordered by name.
+pub(super) fn entries(folder: &Path) -> Result<Vec<PathBuf>, Problems> {
+    let list = || std::fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<std::io::Result<Vec<_>>>();
+    let mut paths = list().map_err(|why| {
+        Problems::of_file(folder.display().to_string(), format!("the folder cannot be read: {why}"), None)
+    })?;
+    paths.sort();
+    Ok(paths)
+}
+
+pub(super) fn is_toml(path: &Path) -> bool {
+    path.extension().is_some_and(|end| end == "toml") && path.is_file()
+}
+
+pub(super) fn file_name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+pub(super) fn stem(path: &Path) -> String {
+    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
