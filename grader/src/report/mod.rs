@@ -1,5 +1,6 @@
 //! Reports: functions of the record and the pictures behind it. They decide nothing.
 
+pub mod class;
 pub mod html;
 #[cfg(test)]
 mod sample;

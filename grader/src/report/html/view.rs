@@ -83,7 +83,7 @@ struct FindingView {
 struct PicturesView {
     width: u32,
     height: u32,
-    levels: f64,
+    levels: String,
     gain: u8,
     out_pixels: u32,
     expected: String,
@@ -119,7 +119,7 @@ fn points(score: Score) -> Points {
 fn build(build: &Build) -> BuildView {
     BuildView {
         verdict: class(build.verdict),
-        words: words::verdict(build.verdict),
+        words: if build.verdict == Verdict::Pass { "worked" } else { words::verdict(build.verdict) },
         seconds: seconds(build.time_s),
         finding: build.finding.as_ref().map(finding),
         warnings: build.warnings.iter().map(|text| shown(text)).collect(),
@@ -185,7 +185,7 @@ fn both(pictures: &Pictures) -> PicturesView {
     PicturesView {
         width: expected.width(),
         height: expected.height(),
-        levels: pictures.tolerance.levels,
+        levels: pictures.tolerance.levels.to_string(),
         gain: picture::GAIN,
         out_pixels: pictures.tolerance.out_pixels,
         expected: picture::colours(expected),

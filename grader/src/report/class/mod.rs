@@ -1,0 +1,81 @@
+//! The table of a class: a row for each submission, as CSV and as a page that sorts, filters and links to the reports.
+//!
+//! Nothing in it depends on time, machine or order of work: the same records give the same bytes.
+
+use std::collections::BTreeMap;
+
+use crate::plain::shown;
+use crate::record::{FindingKind, Record};
+use crate::report::{html, words};
+
+mod histogram;
+mod rows;
+#[cfg(test)]
+mod tests;
+mod view;
+
+/// A submission of the class.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// Names its files; of letters, digits, `.`, `_` and `-` alone.
+    pub id: String,
+    /// How it was handed in.
+    pub name: String,
+    /// `None` where the grader or the machine failed, so that there is no score yet.
+    pub record: Option<Record>,
+}
+
+/// All kinds of finding that a row counts.
+const KINDS: [FindingKind; 13] = [
+    FindingKind::Wrong,
+    FindingKind::Crash,
+    FindingKind::Timeout,
+    FindingKind::Memory,
+    FindingKind::Output,
+    FindingKind::Unreadable,
+    FindingKind::Size,
+    FindingKind::Missing,
+    FindingKind::Todo,
+    FindingKind::Build,
+    FindingKind::Submission,
+    FindingKind::Remark,
+    FindingKind::Internal,
+];
+
+/// The table for a spreadsheet, ordered by name; a text cannot become a formula.
+pub fn csv(entries: &[Entry]) -> String {
+    let (stages, rows) = rows::of(entries);
+    let mut out = csv::Writer::from_writer(Vec::new());
+    let head = ["id", "name", "points", "possible", "build"].map(str::to_owned).into_iter();
+    let head = head
+        .chain(stages.iter().map(|stage| cell(stage.id)))
+        .chain(KINDS.iter().map(|kind| words::finding(*kind).to_owned()));
+    let mut write = |record: Vec<String>| out.write_record(record).expect("a vector takes all rows, all of one length");
+    write(head.collect());
+    for row in &rows {
+        write(cells(row));
+    }
+    let bytes = out.into_inner().expect("a vector takes all bytes");
+    String::from_utf8(bytes).expect("written from strings")
+}
+
+fn cells(row: &rows::Row) -> Vec<String> {
+    let points = |thousandths: &Option<u64>| thousandths.map(words::points).unwrap_or_default();
+    let head = [cell(row.id), cell(&shown(row.name)), points(&row.earned), points(&row.possible), row.build.to_owned()];
+    let counts = KINDS.iter().map(|kind| row.findings.get(kind).copied().unwrap_or(0).to_string());
+    head.into_iter().chain(row.stages.iter().map(points)).chain(counts).collect()
+}
+
+/// A spreadsheet takes a text that begins so for a formula, which could send the class's data elsewhere.
+fn cell(text: &str) -> String {
+    if text.starts_with(['=', '+', '-', '@', '\t', '\r', '\n']) { format!("'{text}") } else { text.to_owned() }
+}
+
+/// The table as a page; its links lead to `reports/ID.html` beside it.
+pub fn page(entries: &[Entry]) -> String {
+    let (style, script) = (include_str!("../style.css"), include_str!("class.js"));
+    html::page::render(include_str!("class.html"), style, script, &view::class(entries))
+}
+
+/// Counts by kind of finding.
+type Counts = BTreeMap<FindingKind, usize>;

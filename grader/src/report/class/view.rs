@@ -1,0 +1,122 @@
+//! The table turned into what the template shows.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use super::histogram::{self, Histogram};
+use super::{Entry, rows};
+use crate::plain::shown;
+use crate::record::Verdict;
+use crate::report::words;
+
+#[derive(Serialize)]
+pub(super) struct Class {
+    n_graded: usize,
+    missing: Vec<String>,
+    epochs: Vec<String>,
+    median: Option<String>,
+    histograms: Vec<Histogram>,
+    stages: Vec<Stage>,
+    rows: Vec<Row>,
+    checks: Vec<Check>,
+}
+
+#[derive(Serialize)]
+struct Stage {
+    id: String,
+    title: String,
+    possible: String,
+}
+
+#[derive(Serialize)]
+struct Row {
+    id: String,
+    name: String,
+    is_graded: bool,
+    /// Thousandths, to sort by, and in words.
+    total: Number,
+    stages: Vec<Number>,
+    build: &'static str,
+    findings: String,
+}
+
+#[derive(Serialize)]
+struct Number {
+    value: u64,
+    text: String,
+}
+
+/// How many got a check right.
+#[derive(Serialize)]
+struct Check {
+    id: String,
+    n_right: usize,
+    n_asked: usize,
+}
+
+pub(super) fn class(entries: &[Entry]) -> Class {
+    let (stages, rows) = rows::of(entries);
+    let totals = rows.iter().filter_map(|row| row.earned.zip(row.possible));
+    let of_stage = |n: usize, stage: &rows::Stage| {
+        let scores = rows.iter().filter_map(move |row| row.stages[n]);
+        histogram::of(shown(stage.title), scores.map(|earned| (earned, stage.possible)))
+    };
+    let mut histograms = vec![histogram::of("All stages".to_owned(), totals)];
+    histograms.extend(stages.iter().enumerate().map(|(n, stage)| of_stage(n, stage)));
+    let mut epochs: Vec<String> = entries.iter().flat_map(|entry| &entry.record).map(|one| shown(&one.epoch)).collect();
+    epochs.sort();
+    epochs.dedup();
+    Class {
+        n_graded: rows.iter().filter(|row| row.earned.is_some()).count(),
+        missing: rows.iter().filter(|row| row.earned.is_none()).map(|row| shown(row.name)).collect(),
+        epochs,
+        median: median(rows.iter().filter_map(|row| row.earned).collect()).map(words::points),
+        histograms,
+        stages: stages.iter().map(stage).collect(),
+        rows: rows.iter().map(row).collect(),
+        checks: checks(entries),
+    }
+}
+
+/// The middle one; the lower of two.
+fn median(mut values: Vec<u64>) -> Option<u64> {
+    values.sort_unstable();
+    values.get(values.len().saturating_sub(1) / 2).copied()
+}
+
+fn stage(stage: &rows::Stage) -> Stage {
+    Stage { id: shown(stage.id), title: shown(stage.title), possible: words::points(stage.possible) }
+}
+
+fn row(row: &rows::Row) -> Row {
+    let number = |value: &Option<u64>| Number {
+        value: value.unwrap_or(0),
+        text: value.map_or_else(|| "–".to_owned(), words::points),
+    };
+    let findings = row.findings.iter().map(|(kind, count)| format!("{count} × {}", words::finding(*kind)));
+    Row {
+        id: row.id.to_owned(),
+        name: shown(row.name),
+        is_graded: row.earned.is_some(),
+        total: number(&row.earned),
+        stages: row.stages.iter().map(number).collect(),
+        build: row.build,
+        findings: findings.collect::<Vec<_>>().join(", "),
+    }
+}
+
+/// The checks that fewest got right first.
+fn checks(entries: &[Entry]) -> Vec<Check> {
+    let mut counts: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
+    let records = entries.iter().filter_map(|entry| entry.record.as_ref());
+    for check in records.flat_map(|record| &record.stages).flat_map(|stage| &stage.checks) {
+        let (n_right, n_asked) = counts.entry(&check.id).or_default();
+        *n_right += usize::from(check.verdict == Verdict::Pass);
+        *n_asked += 1;
+    }
+    let check = |(id, (n_right, n_asked)): (&str, (usize, usize))| Check { id: shown(id), n_right, n_asked };
+    let mut checks: Vec<Check> = counts.into_iter().map(check).collect();
+    checks.sort_by(|a, b| (a.n_right * b.n_asked).cmp(&(b.n_right * a.n_asked)).then_with(|| a.id.cmp(&b.id)));
+    checks
+}
