@@ -92,6 +92,7 @@ impl Problems {
     /// The problems in order, or `None` where there are none.
     pub fn new(mut problems: Vec<Problem>) -> Option<Self> {
         problems.sort_by(|a, b| a.place().cmp(&b.place()));
+        problems.dedup();
         (!problems.is_empty()).then_some(Self(problems))
     }
 

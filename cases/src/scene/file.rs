@@ -1,12 +1,13 @@
 //! Scene files: from a path or a text to the resolved scene, or to everything that is wrong with it.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::model::Scene;
-use super::raw::read::{Notes, Read};
+use super::raw::read::{Notes, Read, Value};
 use super::raw::{RawRender, RawScene, RawSceneFile};
 use super::{json, resolve, text_file, validate};
 use crate::problem::{Problems, Source};
@@ -79,7 +80,14 @@ pub(crate) fn read(path: &Path) -> Result<String, Problems> {
 
 /// A document as the table `T`, as far as it can be read, with the problems so far.
 pub(crate) fn document<T: Read>(name: &str, text: &str) -> (Option<T>, Notes) {
-    let mut notes = Notes::new(Source::new(name, text));
+    let source = Source::new(name, text);
+    let (root, mut notes) = root(&source);
+    (root.and_then(|root| T::read(&root, &mut notes)), notes)
+}
+
+/// The outermost table of a document; `None` where it is no TOML, as is then noted.
+pub(crate) fn root(source: &Arc<Source>) -> (Option<Value<'_>>, Notes) {
+    let (text, mut notes) = (source.text.as_str(), Notes::new(Arc::clone(source)));
     if text.trim().is_empty() {
         notes.add(0..0, "the file is empty", "");
         return (None, notes);
@@ -90,11 +98,7 @@ pub(crate) fn document<T: Read>(name: &str, text: &str) -> (Option<T>, Notes) {
         notes.add(span.unwrap_or_default(), format!("this is not TOML: {}", error.message()), "");
     }
     // What the parser could not make sense of leaves holes that would be reported as missing keys.
-    if !errors.is_empty() {
-        return (None, notes);
-    }
-    let root = Spanned::new(0..0, DeValue::Table(table.into_inner()));
-    (T::read(&root, &mut notes), notes)
+    (errors.is_empty().then(|| Spanned::new(0..0, DeValue::Table(table.into_inner()))), notes)
 }
 
 /// Settings and scene, each looked at even where the other is missing.

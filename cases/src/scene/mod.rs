@@ -26,5 +26,5 @@ mod validate;
 #[cfg(feature = "authoring")]
 pub use file::{MAX_SCENE_BYTES, load, parse, parse_json};
 #[cfg(feature = "authoring")]
-pub(crate) use file::{body, document, read};
+pub(crate) use file::{body, document, read, root};
 pub use model::*;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::raw::RawStage;
-use super::{Case, Stage};
+use super::{Case, Check, Stage, checks};
 use crate::effects::{self, Effect, Effects};
 use crate::problem::{Problems, quoted};
 use crate::scene::raw::RawCase;
@@ -70,7 +70,8 @@ fn stage(folder: &Path, before: &[String]) -> Result<Stage, Problems> {
     let allows = raw.as_ref().map_or_else(|_| Effects::all(), allowed);
     let files = entries(folder)?;
     let cases = files.iter().filter(|path| is_case(path)).map(|path| case(path, &id, allows)).collect();
-    let (raw, cases) = both(raw, all(cases))?;
+    let checks = checks(&folder.join("checks"), &id, allows);
+    let (raw, (cases, checks)) = both(raw, both(all(cases), checks))?;
     Ok(Stage {
         id,
         title: raw.title,
@@ -79,8 +80,15 @@ fn stage(folder: &Path, before: &[String]) -> Result<Stage, Problems> {
         needs: raw.needs.into_iter().map(|name| name.value).collect(),
         unit_points: raw.unit_points.0,
         cases,
-        checks: vec![],
+        checks,
     })
+}
+
+/// The unit checks of the files in `folder`, if there is such a folder.
+fn checks(folder: &Path, stage: &str, allows: Effects) -> Result<Vec<Check>, Problems> {
+    let files = if folder.is_dir() { entries(folder)? } else { vec![] };
+    let files = files.iter().filter(|path| is_toml(path));
+    all(files.map(|path| checks::load(path, stage, allows)).collect()).map(|lists| lists.concat())
 }
 
 fn raw_stage(path: &Path, before: Option<&[String]>) -> Result<RawStage, Problems> {

@@ -1,7 +1,10 @@
 //! What the folder `cases/stages` holds, resolved: stages, their image cases and their unit checks.
 
+mod args;
+pub(crate) mod ask;
+mod checks;
 mod load;
-mod raw;
+pub(crate) mod raw;
 
 pub use load::{is_case, load_all, load_case};
 

@@ -1,0 +1,130 @@
+//! Questions of the unit checks as they are written: the arguments of [`Ask`], with names in place of scenes, materials and
+//! objects, and a list of transforms in place of matrices.
+
+use std::collections::BTreeMap;
+
+use toml::Spanned;
+
+use super::args::{self, Arg};
+use crate::probe::Ask;
+use crate::problem::{did_you_mean, quoted};
+use crate::scene::raw::read::{At, Notes, Read, Table, Value};
+use crate::scene::{Material, Scene};
+
+/// What the file defines for its questions to refer to; `None` stands for what is there but wrong.
+pub(super) struct Named {
+    pub(super) scenes: BTreeMap<String, Option<Scene>>,
+    pub(super) materials: BTreeMap<String, Option<Material>>,
+}
+
+/// Declares how each function is asked: its name, its [`Ask`], and what gives each argument.
+macro_rules! asks {
+    ($($function:literal $variant:ident { $($name:ident : $arg:ident),* })*) => {
+        /// The functions that can be asked, each with the keys of its question and what each key takes.
+        pub(crate) const FUNCTIONS: &[(&str, &[(&str, &str)])] =
+            &[$(($function, &[$((key(stringify!($name)), <args::$arg as Arg>::TAKES)),*])),*];
+
+        /// The question that `value` asks.
+        pub(super) fn read(value: &Value<'_>, named: &Named, notes: &mut Notes) -> Option<Ask> {
+            match function(value, notes)?.as_str() {
+                $($function => {
+                    let what = concat!("a question to `", $function, "`");
+                    let keys = ["fn", $(key(stringify!($name))),*];
+                    let table = Table::open(what, &keys, value, notes)?;
+                    $(let $name = args::$arg::take(key(stringify!($name)), &table, named, notes);)*
+                    Some(Ask::$variant { $($name: $name?),* })
+                })*
+                _ => None,
+            }
+        }
+    };
+}
+
+asks! {
+    "eye_ray" EyeRay { camera: CameraTable, width: Pixels, height: Pixels, pixel: Pixel }
+    "sphere" Sphere { ray: RayTable, center: Vector, radius: Length }
+    "plane" Plane { ray: RayTable, normal: Unit, k: Real }
+    "square" Square { ray: RayTable }
+    "box" Box { ray: RayTable, min: Vector, max: Vector }
+    "triangle" Triangle { ray: RayTable, a: Vector, b: Vector, c: Vector }
+    "nearest" Nearest { scene: SceneName, ray: RayTable }
+    "attenuation" Attenuation { light: LightTable, r: Distance }
+    "facing_normal" FacingNormal { direction: Unit, normal: Unit }
+    "ambient" Ambient { material: MaterialName, light: LightTable, inside: Flag }
+    "light_term" LightTerm { material: MaterialName, arriving: Rgb, normal: Unit, to_viewer: Unit, to_light: Unit }
+    "shade" Shade { scene: SceneName, object: ObjectName, point: Vector, normal: Unit, to_viewer: Unit, inside: Flag }
+    "to_light" ToLight { light: LightTable, point: Vector }
+    "shadow" Shadow { scene: SceneName, light: LightIndex, point: Vector }
+    "reflect" Reflect { direction: Unit, normal: Unit }
+    "goes_on" GoesOn { depth: Levels, max_depth: Levels, weight: Rgb, threshold: Coefficient }
+    "indices" Indices { inside: Flag, index: Length }
+    "refract" Refract { direction: Unit, normal: Unit, eta_i: Length, eta_t: Length }
+    "trace" Trace { scene: SceneName, ray: RayTable, depth: Levels }
+    "ray_to_object" RayToObject { ray: RayTable, object_from_world: ObjectFromWorld }
+    "normal_to_world" NormalToWorld { normal: Unit, object_from_world: ObjectFromWorld }
+    "transformed_sphere" TransformedSphere {
+        ray: RayTable, world_from_object: WorldFromObject, object_from_world: ObjectFromWorld
+    }
+    "barycentric" Barycentric { a: Vector, b: Vector, c: Vector, q: Vector }
+    "interpolate" Interpolate { weights: Vector, normals: Units }
+    "smooth_reflect" SmoothReflect { direction: Unit, n_geom: Unit, n_shading: Unit }
+    "smooth_refract" SmoothRefract { direction: Unit, n_geom: Unit, n_shading: Unit, eta_i: Length, eta_t: Length }
+}
+
+/// The key that gives an argument: both matrices come from one list of transforms.
+const fn key(argument: &'static str) -> &'static str {
+    match argument.as_bytes() {
+        b"world_from_object" | b"object_from_world" => "transforms",
+        _ => argument,
+    }
+}
+
+/// The function that a question names, if there is one of that name.
+fn function(value: &Value<'_>, notes: &mut Notes) -> Option<At<String>> {
+    let Some(entries) = value.get_ref().as_table() else {
+        notes.wrong(value, "a question: a table with the key `fn`");
+        return None;
+    };
+    let Some(name) = entries.get("fn") else {
+        notes.add(value.span(), "missing key `fn`", "which function is asked?");
+        return None;
+    };
+    let name = At::<String>::read(name, notes)?;
+    let functions = || FUNCTIONS.iter().map(|(function, _)| *function);
+    if functions().any(|function| function == name.value) {
+        return Some(name);
+    }
+    let problem =
+        notes.add(name.span.clone(), format!("unknown function `{}`", name.value), "no such function is asked");
+    problem.help(match did_you_mean(&name, functions()) {
+        Some(meant) => format!("did you mean `{meant}`?"),
+        None => format!("the functions are {}", quoted(functions())),
+    });
+    None
+}
+
+/// The entry of `of` that the key's value names.
+pub(super) fn by_name<'n, T>(
+    of: &'n BTreeMap<String, Option<T>>,
+    section: &str,
+    name: &At<String>,
+    notes: &mut Notes,
+) -> Option<&'n T> {
+    let Some(found) = of.get(name.as_str()) else {
+        let problem =
+            notes.add(name.span.clone(), format!("`{}` is not defined", name.value), format!("not in [{section}]"));
+        let defined = format!("defined here: {}", quoted(of.keys().map(String::as_str)));
+        problem.help(match did_you_mean(name, of.keys().map(String::as_str)) {
+            Some(meant) => format!("did you mean `{meant}`? {defined}"),
+            None => defined,
+        });
+        return None;
+    };
+    found.as_ref()
+}
+
+/// The scene that a question names, for the arguments that depend on it; says nothing where there is none.
+pub(super) fn scene_of<'n>(table: &Table<'_>, named: &'n Named) -> Option<&'n Scene> {
+    let name = table.entry("scene").map(Spanned::get_ref)?.as_str()?;
+    named.scenes.get(name)?.as_ref()
+}
