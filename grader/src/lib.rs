@@ -1,10 +1,14 @@
 //! The judge: builds and runs submissions case by case, and scores them.
 
 pub mod build;
+pub mod exam;
+pub mod exercise;
 pub mod files;
 pub mod grade;
+pub mod judge;
 pub mod plain;
 pub mod record;
 pub mod report;
 pub mod sandbox;
+pub mod score;
 pub mod submission;

@@ -72,6 +72,9 @@ pub struct StageRecord {
     pub possible: u64,
     /// Image cases first, then unit checks.
     pub checks: Vec<CheckRecord>,
+    /// What is worth saying but costs nothing, such as text on standard output that is no answer.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub remarks: Vec<String>,
 }
 
 /// One image case or unit check.
@@ -123,6 +126,14 @@ pub enum Verdict {
     NotRun,
     /// The grader or the machine failed; costs nothing.
     Ours,
+}
+
+impl Finding {
+    /// A finding of words alone.
+    pub fn new(kind: FindingKind, message: impl Into<String>) -> Self {
+        let message = message.into();
+        Self { kind, message, wrong_pixels: None, worst: None, asked: None, expected: None, actual: None, stderr: None }
+    }
 }
 
 /// What was found, in plain words and in numbers.

@@ -32,6 +32,13 @@ pub struct Program {
     _folder: Option<TempDir>,
 }
 
+impl Program {
+    /// A program that lies somewhere for good.
+    pub fn new(path: impl Into<PathBuf>, args: Vec<OsString>, search: impl Into<OsString>) -> Self {
+        Self { path: path.into(), args, search: search.into(), _folder: None }
+    }
+}
+
 /// A program, and what there is to say of its making.
 #[derive(Debug)]
 pub struct Built {

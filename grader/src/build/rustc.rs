@@ -53,7 +53,7 @@ pub(super) fn build(
 fn take(stored: &Path, time: Duration) -> Option<Built> {
     let path = stored.join(PROGRAM);
     let warnings = serde_json::from_slice(&std::fs::read(stored.join(WARNINGS)).ok()?).ok()?;
-    let program = Program { path, args: vec![], search: SEARCH.into(), _folder: None };
+    let program = Program::new(path, vec![], SEARCH);
     program.path.is_file().then_some(Built { program, warnings, time })
 }
 

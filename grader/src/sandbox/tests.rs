@@ -60,7 +60,7 @@ fn memory_is_limited_for_one_process_and_for_a_group() {
     let hoard =
         |mib: usize| format!("dd if=/dev/zero bs={mib}M count=1 2>/dev/null | (sleep 0; tail -c {mib}M) | sleep 30");
     check(&hoard(300), SMALL, &Outcome::OutOfMemory);
-    let several = "for i in 1 2 3 4; do (x=$(head -c 60000000 /dev/zero | tr '\\0' a); sleep 30) & done; wait";
+    let several = "for i in 1 2 3 4; do (x=$(head -c 60000000 /dev/zero | tr '\\0' a); sleep 30; :) & done; wait";
     check(several, SMALL, &Outcome::OutOfMemory);
     check("echo 'memory allocation of 99 bytes failed' >&2; kill -ABRT $$", SMALL, &Outcome::OutOfMemory);
 }

@@ -66,7 +66,7 @@ pub(super) fn shown(path: &Path) -> String {
 ///
 /// # Errors
 /// Says in plain words what is there instead.
-pub(super) fn open_regular(path: &Path) -> Result<File, String> {
+pub fn open_regular(path: &Path) -> Result<File, String> {
     let flags = libc::O_NOFOLLOW | libc::O_NONBLOCK;
     let file =
         OpenOptions::new().read(true).custom_flags(flags).open(path).map_err(|why| match why.raw_os_error() {

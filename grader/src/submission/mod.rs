@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
 
-pub use listing::read_text;
+pub use listing::{open_regular, read_text};
 pub use own::Own;
 pub use rust::Rust;
 pub use template::Template;

@@ -1,0 +1,123 @@
+//! The unit checks of a stage. A program that dies or hangs at one question is started again behind it, so that the
+//! question costs only itself.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::time::Duration;
+
+use cases::probe::Question;
+
+use super::replies::{self, Got, Replies};
+use super::{PROBE, run};
+use crate::build::Program;
+use crate::sandbox::{Finished, Outcome};
+
+/// Questions to one function that may hang, before it is not asked any more.
+const MAX_HANGS: usize = 2;
+/// Time by the clock for all processes of a stage, after which no more are started.
+const MAX_TIME: Duration = Duration::from_secs(120);
+
+/// What came of `probe`.
+#[derive(Debug, Default)]
+pub struct Probed {
+    /// What came back, by id of the question.
+    pub got: BTreeMap<String, Got>,
+    /// Where nothing came back: how the program ended when it was asked, by id of the question.
+    pub ended: BTreeMap<String, Finished>,
+    /// Questions that were not asked, and why.
+    pub not_asked: BTreeMap<String, String>,
+    /// What is worth saying of the output as a whole.
+    pub remarks: Vec<String>,
+    /// Time by the clock, of all processes.
+    pub time: Duration,
+    /// Largest resident bytes.
+    pub peak_bytes: u64,
+}
+
+/// Asks all questions.
+///
+/// Where the program ends early, the first question behind the last answer is to blame. Where not one answer came, it may
+/// just not have sent off its answers; so the suspect is asked alone before it is blamed.
+///
+/// # Errors
+/// A folder that cannot be made: the machine's fault.
+pub fn probe(program: &Program, questions: &[Question]) -> std::io::Result<Probed> {
+    let mut probed = Probed::default();
+    let mut open: Vec<&Question> = questions.iter().collect();
+    let mut hangs: BTreeMap<&str, usize> = BTreeMap::new();
+    while !open.is_empty() {
+        if probed.time >= MAX_TIME {
+            let why = format!("not asked: the questions before it took more than {} s", MAX_TIME.as_secs());
+            probed.not_asked.extend(open.drain(..).map(|question| (question.id.clone(), why.clone())));
+            break;
+        }
+        let (finished, behind) = ask(program, &open, &mut probed)?;
+        let is_through = finished.outcome == Outcome::Exited(0) && (behind == 0 || behind == open.len());
+        let suspect = open.get(behind).or(open.first()).copied();
+        let is_alone = behind > 0 || open.len() == 1;
+        open.retain(|question| !probed.got.contains_key(&question.id));
+        if is_through || cannot_go_on(&finished) {
+            probed.ended.extend(open.drain(..).map(|question| (question.id.clone(), finished.clone())));
+            break;
+        }
+        let Some(suspect) = suspect.filter(|suspect| open.iter().any(|question| question.id == suspect.id)) else {
+            continue;
+        };
+        let ended = if is_alone { finished } else { ask(program, &[suspect], &mut probed)?.0 };
+        open.retain(|question| question.id != suspect.id);
+        if probed.got.contains_key(&suspect.id) {
+            continue;
+        }
+        if matches!(ended.outcome, Outcome::TimedOut(_)) {
+            *hangs.entry(suspect.ask.function()).or_default() += 1;
+        }
+        probed.ended.insert(suspect.id.clone(), ended);
+        give_up(&mut open, &hangs, &mut probed);
+    }
+    Ok(probed)
+}
+
+/// Asks the questions in one process and takes in what it says; how it ended, and the place behind the last one answered.
+fn ask(program: &Program, open: &[&Question], probed: &mut Probed) -> std::io::Result<(Finished, usize)> {
+    let folder = tempfile::tempdir()?;
+    let mut stdin = vec![];
+    for question in open {
+        serde_json::to_writer(&mut stdin, question)?;
+        stdin.push(b'\n');
+    }
+    let finished = run(program, &["probe".into()], folder.path(), stdin, PROBE);
+    let asked: BTreeSet<&str> = open.iter().map(|question| question.id.as_str()).collect();
+    let replies = replies::parse(&finished.stdout, &asked);
+    probed.time += finished.wall;
+    probed.peak_bytes = probed.peak_bytes.max(finished.peak_bytes);
+    remark(&replies, probed);
+    let behind = open.iter().rposition(|question| replies.got.contains_key(&question.id)).map_or(0, |last| last + 1);
+    probed.got.extend(replies.got);
+    Ok((finished, behind))
+}
+
+fn remark(replies: &Replies, probed: &mut Probed) {
+    if let Some(line) = &replies.stray {
+        let n = replies.n_stray;
+        probed.remarks.push(format!("{n} lines on standard output are no answers (print to standard error): {line}"));
+    }
+    if replies.n_unknown > 0 {
+        probed.remarks.push(format!("{} answers are to questions that were not asked", replies.n_unknown));
+    }
+}
+
+fn cannot_go_on(finished: &Finished) -> bool {
+    matches!(finished.outcome, Outcome::CouldNotStart(_) | Outcome::Interrupted)
+}
+
+/// Asks no more of a function that hangs again and again.
+fn give_up(open: &mut Vec<&Question>, hangs: &BTreeMap<&str, usize>, probed: &mut Probed) {
+    open.retain(|question| {
+        let function = question.ask.function();
+        let n = hangs.get(function).copied().unwrap_or(0);
+        if n >= MAX_HANGS {
+            let why = format!("not asked: `{function}` did not end on {n} questions before it");
+            probed.not_asked.insert(question.id.clone(), why);
+        }
+        n < MAX_HANGS
+    });
+}

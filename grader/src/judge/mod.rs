@@ -1,0 +1,58 @@
+//! From what a program did to what it is worth: findings and verdicts. Runs nothing, reads no file.
+
+mod ending;
+mod image;
+mod numbers;
+mod unit;
+
+pub use ending::{ending, todo};
+pub use image::{Difference, compare, picture};
+pub use unit::{lines, unit};
+
+use crate::record::{Finding, FindingKind, Verdict};
+
+/// What a check comes to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judgement {
+    /// How it is to be scored.
+    pub verdict: Verdict,
+    /// Why; also a remark on a pass.
+    pub finding: Option<Finding>,
+}
+
+impl Judgement {
+    /// All is right.
+    pub const PASS: Self = Self { verdict: Verdict::Pass, finding: None };
+
+    /// The program is to blame.
+    pub fn fail(finding: Finding) -> Self {
+        Self { verdict: Verdict::Fail, finding: Some(finding) }
+    }
+
+    /// The program could not be asked, because of this.
+    pub fn not_run(finding: Finding) -> Self {
+        Self { verdict: Verdict::NotRun, finding: Some(finding) }
+    }
+
+    /// The grader or the machine is to blame.
+    pub fn ours(message: impl Into<String>) -> Self {
+        Self { verdict: Verdict::Ours, finding: Some(Finding::new(FindingKind::Internal, message)) }
+    }
+
+    /// The same, with something added to what is said; a pass gets a remark.
+    pub fn remark(mut self, text: &str) -> Self {
+        match &mut self.finding {
+            Some(finding) => finding.message = format!("{}; {text}", finding.message),
+            None => self.finding = Some(Finding::new(FindingKind::Remark, text)),
+        }
+        self
+    }
+
+    /// The same, with what the program wrote on its error stream.
+    pub fn with_stderr(mut self, stderr: Option<String>) -> Self {
+        if let Some(finding) = &mut self.finding {
+            finding.stderr = stderr;
+        }
+        self
+    }
+}

@@ -1,0 +1,241 @@
+//! Answers to unit checks: number by number, each within what its question allows.
+
+use cases::answer::CheckAnswer;
+use cases::glam::DVec3;
+use cases::probe::Answer;
+
+use super::Judgement;
+use super::numbers::short;
+use crate::record::{Finding, FindingKind};
+
+/// Judges an answer by the right one.
+///
+/// Where either decision is right (hit or miss, which object, yes or no), an answer that decided otherwise passes; one that
+/// decided alike has its numbers compared.
+pub fn unit(actual: &Answer, right: &CheckAnswer) -> Judgement {
+    match actual {
+        Answer::Todo(_) => {
+            return Judgement::not_run(Finding::new(FindingKind::Todo, "the function is still to be written"));
+        }
+        Answer::Panic(message) => {
+            let message = format!("the function panicked: {}", crate::plain::shown(message));
+            return Judgement::fail(Finding::new(FindingKind::Crash, message));
+        }
+        _ => {}
+    }
+    let (expected, given) = (parts(&right.answer), parts(actual));
+    if expected.decision != given.decision {
+        if right.either && is_other_side(&right.answer, actual) {
+            return Judgement::PASS;
+        }
+        let message = format!("it answers {}, expected {}", given.decision, expected.decision);
+        return wrong(message, actual, right);
+    }
+    let off = expected.values.iter().zip(&given.values).find(|(e, g)| !e.is_near(g, right.allowed));
+    match off {
+        None => Judgement::PASS,
+        Some((e, g)) => wrong(e.mismatch(g, right.allowed), actual, right),
+    }
+}
+
+/// Whether two different decisions answer the same question: hit and miss, say, but not hit and colour.
+fn is_other_side(right: &Answer, given: &Answer) -> bool {
+    use Answer::{Facing, Found, GoesOn, Hit, Miss, Vector};
+    match (right, given) {
+        (Miss(_), Hit { .. } | Found { .. } | Vector(_)) | (Hit { .. } | Found { .. } | Vector(_), Miss(_)) => true,
+        (Found { .. }, Found { .. }) | (GoesOn(_), GoesOn(_)) | (Facing { .. }, Facing { .. }) => true,
+        _ => false,
+    }
+}
+
+fn wrong(message: String, actual: &Answer, right: &CheckAnswer) -> Judgement {
+    let finding = Finding::new(FindingKind::Wrong, message);
+    let (expected, actual) = lines(&right.answer, actual, right.allowed);
+    Judgement::fail(Finding { expected: Some(expected), actual: Some(actual), ..finding })
+}
+
+/// An answer taken apart: what was decided, and the numbers that go with it.
+struct Parts {
+    decision: String,
+    values: Vec<Value>,
+}
+
+/// A named number or triple.
+struct Value {
+    name: &'static str,
+    numbers: Vec<f64>,
+}
+
+fn parts(answer: &Answer) -> Parts {
+    let number = |name, x: &f64| Value { name, numbers: vec![*x] };
+    let triple = |name, v: &DVec3| Value { name, numbers: v.to_array().to_vec() };
+    let (decision, values) = match answer {
+        Answer::Hit { t, normal } => ("hit".to_owned(), vec![number("t", t), triple("normal", normal)]),
+        Answer::Found { t, object } => (format!("object {object}"), vec![number("t", t)]),
+        Answer::Miss(_) => ("miss".to_owned(), vec![]),
+        Answer::Ray { origin, direction } => {
+            ("ray".to_owned(), vec![triple("origin", origin), triple("direction", direction)])
+        }
+        Answer::Value(x) => ("value".to_owned(), vec![number("value", x)]),
+        Answer::Vector(v) => ("vector".to_owned(), vec![triple("vector", v)]),
+        Answer::Colour(v) => ("colour".to_owned(), vec![triple("colour", v)]),
+        Answer::Facing { normal, inside } => {
+            (if *inside { "inside" } else { "outside" }.to_owned(), vec![triple("normal", normal)])
+        }
+        Answer::ToLight { direction, t } => {
+            ("to_light".to_owned(), vec![triple("direction", direction), number("t", t)])
+        }
+        Answer::Indices { eta_i, eta_t } => {
+            ("indices".to_owned(), vec![number("eta_i", eta_i), number("eta_t", eta_t)])
+        }
+        Answer::GoesOn(yes) => (if *yes { "goes on" } else { "ends" }.to_owned(), vec![]),
+        Answer::Todo(_) => ("todo".to_owned(), vec![]),
+        Answer::Panic(_) => ("panic".to_owned(), vec![]),
+    };
+    Parts { decision, values }
+}
+
+/// Whether two numbers agree: both the same infinity, or not farther apart than allowed. NaN agrees with nothing.
+fn is_near(expected: f64, given: f64, allowed: f64) -> bool {
+    expected == given || (expected - given).abs() <= allowed
+}
+
+impl Value {
+    fn is_near(&self, given: &Self, allowed: f64) -> bool {
+        self.numbers.iter().zip(&given.numbers).all(|(e, g)| is_near(*e, *g, allowed))
+    }
+
+    /// The one thing that is wrong with it, in words.
+    fn mismatch(&self, given: &Self, allowed: f64) -> String {
+        let name = self.name;
+        if given.numbers.iter().any(|x| x.is_nan()) {
+            return format!("the {name} is not a number");
+        }
+        let loose = allowed.max(1e-6);
+        let (length, right_length) = (length(&given.numbers), length(&self.numbers));
+        let all = |factor: f64| self.numbers.iter().zip(&given.numbers).all(|(e, g)| is_near(*e, g * factor, loose));
+        if all(-1.0) {
+            format!("the {name} has the opposite sign")
+        } else if self.numbers.len() == 3 && name != "colour" && length > 0.0 && all(right_length / length) {
+            format!("the {name} points the right way, but its length is {}, not {}", short(length), short(right_length))
+        } else {
+            let by = self.numbers.iter().zip(&given.numbers).map(|(e, g)| (e - g).abs()).fold(0.0, f64::max);
+            format!("the {name} differs by {}; {} is allowed", short(by), short(allowed))
+        }
+    }
+}
+
+fn length(v: &[f64]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// Right and given answer as lines of text that can be compared line by line: a line for the decision, one for each number.
+/// A number within the tolerance is shown as the right one, so that it does not stand out.
+pub fn lines(right: &Answer, actual: &Answer, allowed: f64) -> (String, String) {
+    let (right, actual) = (parts(right), parts(actual));
+    let mut texts = (right.decision.clone() + "\n", actual.decision.clone() + "\n");
+    let is_alike = right.decision == actual.decision;
+    for (n, value) in right.values.iter().enumerate() {
+        for (i, expected) in value.numbers.iter().enumerate() {
+            texts.0 += &line(value, i, &short(*expected));
+            let given = actual.values.get(n).and_then(|given| given.numbers.get(i)).filter(|_| is_alike);
+            if let Some(given) = given {
+                texts.1 += &line(value, i, &beside(*expected, *given, allowed));
+            }
+        }
+    }
+    if !is_alike {
+        for value in &actual.values {
+            texts.1.extend(value.numbers.iter().enumerate().map(|(i, given)| line(value, i, &short(*given))));
+        }
+    }
+    texts
+}
+
+fn line(value: &Value, i: usize, number: &str) -> String {
+    let axes = if value.name == "colour" { ["r", "g", "b"] } else { ["x", "y", "z"] };
+    let axis = if value.numbers.len() == 1 { String::new() } else { format!(".{}", axes[i]) };
+    format!("{}{axis} {number}\n", value.name)
+}
+
+/// A given number beside the right one: alike where it is right, with all its digits where nine would not tell them apart.
+fn beside(expected: f64, given: f64, allowed: f64) -> String {
+    match short(given) {
+        _ if is_near(expected, given, allowed) => short(expected),
+        text if text == short(expected) => given.to_string(),
+        text => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::Verdict;
+
+    fn right(answer: Answer, either: bool) -> CheckAnswer {
+        CheckAnswer { id: "x".to_owned(), answer, allowed: 1e-6, either }
+    }
+
+    /// Judges and returns the verdict with the message.
+    fn check(actual: &Answer, right: &CheckAnswer, verdict: Verdict, message: Option<&str>) {
+        let judgement = unit(actual, right);
+        let said = judgement.finding.map(|finding| finding.message);
+        assert_eq!((judgement.verdict, said.as_deref()), (verdict, message), "{actual:?}");
+    }
+
+    fn hit(t: f64, normal: DVec3) -> Answer {
+        Answer::Hit { t, normal }
+    }
+
+    #[test]
+    fn numbers_count_within_what_is_allowed() {
+        let wanted = right(hit(1.5, DVec3::Z), false);
+        let fail = |message| (Verdict::Fail, Some(message));
+        let table = [
+            (hit(1.5 + 9e-7, DVec3::Z), (Verdict::Pass, None)),
+            (hit(1.6, DVec3::Z), fail("the t differs by 0.1; 1e-6 is allowed")),
+            (hit(1.5, -DVec3::Z), fail("the normal has the opposite sign")),
+            (hit(1.5, 2.0 * DVec3::Z), fail("the normal points the right way, but its length is 2, not 1")),
+            (hit(1.5, DVec3::X), fail("the normal differs by 1; 1e-6 is allowed")),
+            (hit(f64::NAN, DVec3::Z), fail("the t is not a number")),
+            (hit(f64::INFINITY, DVec3::Z), fail("the t differs by inf; 1e-6 is allowed")),
+            (Answer::Miss(true), fail("it answers miss, expected hit")),
+            (Answer::Value(1.5), fail("it answers value, expected hit")),
+            (Answer::Todo(true), (Verdict::NotRun, Some("the function is still to be written"))),
+            (Answer::Panic("at\u{1b}x".to_owned()), fail("the function panicked: at\\u{1b}x")),
+        ];
+        for (actual, (verdict, message)) in table {
+            check(&actual, &wanted, verdict, message);
+        }
+    }
+
+    #[test]
+    fn infinities_agree_with_themselves() {
+        let wanted = right(Answer::ToLight { direction: DVec3::Y, t: f64::INFINITY }, false);
+        check(&Answer::ToLight { direction: DVec3::Y, t: f64::INFINITY }, &wanted, Verdict::Pass, None);
+        let far = Answer::ToLight { direction: DVec3::Y, t: 1e300 };
+        assert_eq!(unit(&far, &wanted).verdict, Verdict::Fail);
+    }
+
+    #[test]
+    fn either_decision_passes_where_both_are_right() {
+        let grazing = right(Answer::Miss(true), true);
+        check(&hit(3.0, DVec3::Z), &grazing, Verdict::Pass, None);
+        check(&Answer::Miss(true), &grazing, Verdict::Pass, None);
+        assert_eq!(unit(&Answer::Value(0.0), &grazing).verdict, Verdict::Fail);
+        let tie = right(Answer::Found { t: 1.0, object: 0 }, true);
+        check(&Answer::Found { t: 1.0, object: 1 }, &tie, Verdict::Pass, None);
+        assert_eq!(unit(&Answer::Found { t: 2.0, object: 0 }, &tie).verdict, Verdict::Fail);
+        let sure = right(Answer::GoesOn(true), false);
+        check(&Answer::GoesOn(false), &sure, Verdict::Fail, Some("it answers ends, expected goes on"));
+    }
+
+    #[test]
+    fn lines_show_only_what_is_wrong() {
+        let (expected, actual) = lines(&hit(1.5, DVec3::Z), &hit(1.500_000_1, DVec3::X), 1e-6);
+        assert_eq!(expected, "hit\nt 1.5\nnormal.x 0\nnormal.y 0\nnormal.z 1\n");
+        assert_eq!(actual, "hit\nt 1.5\nnormal.x 1\nnormal.y 0\nnormal.z 0\n");
+        let (_, close) = lines(&Answer::Value(1.0), &Answer::Value(1.0 + 1e-12), 1e-14);
+        assert_eq!(close, "value\nvalue 1.000000000001\n");
+    }
+}

@@ -1,0 +1,57 @@
+//! Points, in integer thousandths. Sees verdicts, never pixels.
+
+use crate::record::{Score, Verdict};
+
+/// What a check with this verdict earns, and could have earned. `Ours` is left out of both, so that it costs nothing.
+pub fn score(verdict: Verdict, points: u64) -> Score {
+    match verdict {
+        Verdict::Pass => Score { earned: points, possible: points },
+        Verdict::Partial | Verdict::Fail | Verdict::NotRun => Score { earned: 0, possible: points },
+        Verdict::Ours => Score::default(),
+    }
+}
+
+/// `points` over `n` checks, as evenly as thousandths allow: the first ones get one more each.
+pub fn split(points: u64, n: usize) -> Vec<u64> {
+    let n = n as u64;
+    (0..n).map(|at| points / n + u64::from(at < points % n)).collect()
+}
+
+/// The sum of scores.
+pub fn total(scores: impl IntoIterator<Item = Score>) -> Score {
+    scores.into_iter().fold(Score::default(), |sum, one| Score {
+        earned: sum.earned + one.earned,
+        possible: sum.possible + one.possible,
+    })
+}
+
+/// Thousandths as points for people: `43250` as `43.25`.
+pub fn points(thousandths: u64) -> String {
+    let text = format!("{}.{:03}", thousandths / 1000, thousandths % 1000);
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_is_lost_in_splitting() {
+        assert_eq!(split(10, 4), [3, 3, 2, 2]);
+        assert_eq!(split(9000, 7).iter().sum::<u64>(), 9000);
+        assert_eq!(split(9000, 0), [0; 0]);
+    }
+
+    #[test]
+    fn our_fault_costs_nothing() {
+        let sum = total([score(Verdict::Pass, 2000), score(Verdict::Ours, 2000), score(Verdict::NotRun, 1000)]);
+        assert_eq!(sum, Score { earned: 2000, possible: 3000 });
+    }
+
+    #[test]
+    fn points_are_shown_without_spare_zeros() {
+        for (thousandths, text) in [(0, "0"), (43_250, "43.25"), (2000, "2"), (1, "0.001"), (100_000, "100")] {
+            assert_eq!(points(thousandths), text);
+        }
+    }
+}
