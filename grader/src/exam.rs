@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use cases::answer::{CheckAnswer, ImageAnswer, check_answers_from_str, check_answers_path, image_answer_path};
-use cases::stage::{Case, Stage};
+use cases::stage::{Case, Stage, load_all};
 
 use crate::files;
 
@@ -33,6 +33,15 @@ pub struct Questions {
 }
 
 impl Exam {
+    /// Reads the stages in `folder` and their answers.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the cases, ready to be shown.
+    pub fn load(folder: &Path) -> Result<Self, String> {
+        let stages = load_all(folder).map_err(|problems| problems.to_string())?;
+        Self::new(folder, stages).map_err(|why| format!("{}: {why}", folder.display()))
+    }
+
     /// Puts the answers that lie in `folder` to the stages that were read from it.
     ///
     /// # Errors

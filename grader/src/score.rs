@@ -25,12 +25,6 @@ pub fn total(scores: impl IntoIterator<Item = Score>) -> Score {
     })
 }
 
-/// Thousandths as points for people: `43250` as `43.25`.
-pub fn points(thousandths: u64) -> String {
-    let text = format!("{}.{:03}", thousandths / 1000, thousandths % 1000);
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -46,12 +40,5 @@ mod tests {
     fn our_fault_costs_nothing() {
         let sum = total([score(Verdict::Pass, 2000), score(Verdict::Ours, 2000), score(Verdict::NotRun, 1000)]);
         assert_eq!(sum, Score { earned: 2000, possible: 3000 });
-    }
-
-    #[test]
-    fn points_are_shown_without_spare_zeros() {
-        for (thousandths, text) in [(0, "0"), (43_250, "43.25"), (2000, "2"), (1, "0.001"), (100_000, "100")] {
-            assert_eq!(points(thousandths), text);
-        }
     }
 }

@@ -8,17 +8,17 @@ use super::Judgement;
 use super::numbers::short;
 use crate::record::{Finding, FindingKind};
 
-/// Judges an answer by the right one.
+/// Judges the answer of a function by the right one.
 ///
 /// Where either decision is right (hit or miss, which object, yes or no), an answer that decided otherwise passes; one that
 /// decided alike has its numbers compared.
-pub fn unit(actual: &Answer, right: &CheckAnswer) -> Judgement {
+pub fn unit(actual: &Answer, right: &CheckAnswer, function: &str) -> Judgement {
     match actual {
         Answer::Todo(_) => {
-            return Judgement::not_run(Finding::new(FindingKind::Todo, "the function is still to be written"));
+            return Judgement::not_run(Finding::new(FindingKind::Todo, format!("`{function}` is still to be written")));
         }
         Answer::Panic(message) => {
-            let message = format!("the function panicked: {}", crate::plain::shown(message));
+            let message = format!("`{function}` panicked: {}", crate::plain::shown(message));
             return Judgement::fail(Finding::new(FindingKind::Crash, message));
         }
         _ => {}
@@ -41,11 +41,14 @@ pub fn unit(actual: &Answer, right: &CheckAnswer) -> Judgement {
 /// Whether two different decisions answer the same question: hit and miss, say, but not hit and colour.
 fn is_other_side(right: &Answer, given: &Answer) -> bool {
     use Answer::{Facing, Found, GoesOn, Hit, Miss, Vector};
-    match (right, given) {
-        (Miss(_), Hit { .. } | Found { .. } | Vector(_)) | (Hit { .. } | Found { .. } | Vector(_), Miss(_)) => true,
-        (Found { .. }, Found { .. }) | (GoesOn(_), GoesOn(_)) | (Facing { .. }, Facing { .. }) => true,
-        _ => false,
-    }
+    matches!(
+        (right, given),
+        (Miss(_), Hit { .. } | Found { .. } | Vector(_))
+            | (Hit { .. } | Found { .. } | Vector(_), Miss(_))
+            | (Found { .. }, Found { .. })
+            | (GoesOn(_), GoesOn(_))
+            | (Facing { .. }, Facing { .. })
+    )
 }
 
 fn wrong(message: String, actual: &Answer, right: &CheckAnswer) -> Judgement {
@@ -178,7 +181,7 @@ mod tests {
 
     /// Judges and returns the verdict with the message.
     fn check(actual: &Answer, right: &CheckAnswer, verdict: Verdict, message: Option<&str>) {
-        let judgement = unit(actual, right);
+        let judgement = unit(actual, right, "f");
         let said = judgement.finding.map(|finding| finding.message);
         assert_eq!((judgement.verdict, said.as_deref()), (verdict, message), "{actual:?}");
     }
@@ -201,8 +204,8 @@ mod tests {
             (hit(f64::INFINITY, DVec3::Z), fail("the t differs by inf; 1e-6 is allowed")),
             (Answer::Miss(true), fail("it answers miss, expected hit")),
             (Answer::Value(1.5), fail("it answers value, expected hit")),
-            (Answer::Todo(true), (Verdict::NotRun, Some("the function is still to be written"))),
-            (Answer::Panic("at\u{1b}x".to_owned()), fail("the function panicked: at\\u{1b}x")),
+            (Answer::Todo(true), (Verdict::NotRun, Some("`f` is still to be written"))),
+            (Answer::Panic("at\u{1b}x".to_owned()), fail("`f` panicked: at\\u{1b}x")),
         ];
         for (actual, (verdict, message)) in table {
             check(&actual, &wanted, verdict, message);
@@ -214,7 +217,7 @@ mod tests {
         let wanted = right(Answer::ToLight { direction: DVec3::Y, t: f64::INFINITY }, false);
         check(&Answer::ToLight { direction: DVec3::Y, t: f64::INFINITY }, &wanted, Verdict::Pass, None);
         let far = Answer::ToLight { direction: DVec3::Y, t: 1e300 };
-        assert_eq!(unit(&far, &wanted).verdict, Verdict::Fail);
+        assert_eq!(unit(&far, &wanted, "f").verdict, Verdict::Fail);
     }
 
     #[test]
@@ -222,10 +225,10 @@ mod tests {
         let grazing = right(Answer::Miss(true), true);
         check(&hit(3.0, DVec3::Z), &grazing, Verdict::Pass, None);
         check(&Answer::Miss(true), &grazing, Verdict::Pass, None);
-        assert_eq!(unit(&Answer::Value(0.0), &grazing).verdict, Verdict::Fail);
+        assert_eq!(unit(&Answer::Value(0.0), &grazing, "f").verdict, Verdict::Fail);
         let tie = right(Answer::Found { t: 1.0, object: 0 }, true);
         check(&Answer::Found { t: 1.0, object: 1 }, &tie, Verdict::Pass, None);
-        assert_eq!(unit(&Answer::Found { t: 2.0, object: 0 }, &tie).verdict, Verdict::Fail);
+        assert_eq!(unit(&Answer::Found { t: 2.0, object: 0 }, &tie, "f").verdict, Verdict::Fail);
         let sure = right(Answer::GoesOn(true), false);
         check(&Answer::GoesOn(false), &sure, Verdict::Fail, Some("it answers ends, expected goes on"));
     }

@@ -78,6 +78,7 @@ pub(crate) fn record(name: &str) -> Record {
             earned,
             possible,
             checks,
+            remarks: vec![],
         }],
     }
 }

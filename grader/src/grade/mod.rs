@@ -1,0 +1,200 @@
+//! One submission from folder to record.
+
+mod perform;
+mod plan;
+mod write_up;
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use cases::answer::Tolerance;
+use cases::film::Image;
+
+use crate::build::{BuildError, Built, Workshop, build};
+use crate::exam::Exam;
+use crate::exercise::{PROBE, RENDER};
+use crate::record::{Build, Finding, FindingKind, Record, Submission, Verdict};
+use crate::submission::{self, SubmissionError};
+
+/// What all gradings share: made once, used from any number of threads.
+#[derive(Debug)]
+pub struct Bench {
+    /// Questions and answers.
+    pub exam: Exam,
+    /// What builds submissions.
+    pub workshop: Workshop,
+}
+
+impl Bench {
+    /// Reads the stages and their answers in `stages`, and finds the workspace around them.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the cases; a workspace that is not there.
+    pub fn open(stages: &Path) -> Result<Self, GradeError> {
+        let exam = Exam::load(stages).map_err(GradeError::Input)?;
+        let workshop = Workshop::open(stages).map_err(GradeError::Machine)?;
+        Ok(Self { exam, workshop })
+    }
+
+    /// Hash of everything but the submission that a score depends on: cases, answers, grader, limits, compiler.
+    ///
+    /// # Errors
+    /// No compiler.
+    pub fn epoch(&self) -> Result<String, GradeError> {
+        let compiler = &self.workshop.toolchain().map_err(GradeError::Machine)?.version;
+        let text = format!("{} {VERSION} {RENDER:?} {PROBE:?} {compiler}", self.exam.hash);
+        Ok(blake3::hash(text.as_bytes()).to_hex().to_string())
+    }
+}
+
+/// Version of the grader.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// What to grade, and which part of the exam.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Folder or archive.
+    pub submission: PathBuf,
+    /// How it is called in the record.
+    pub name: String,
+    /// Stages to grade: ids, or what they begin with, such as `02`. Empty: all.
+    pub stages: Vec<String>,
+    /// Checks to grade: ids, or what they begin with, such as `01_ray_casting/sphere`. Empty: all.
+    pub cases: Vec<String>,
+    /// Programs that run at once; at least 1.
+    pub jobs: usize,
+}
+
+impl Options {
+    /// The whole exam, for the submission at `path`, on all cores.
+    pub fn new(path: impl Into<PathBuf>) -> Self {
+        let submission = path.into();
+        let name = submission.display().to_string();
+        let jobs = std::thread::available_parallelism().map_or(1, usize::from);
+        Self { submission, name, stages: vec![], cases: vec![], jobs }
+    }
+}
+
+/// What came of it.
+#[derive(Clone, Debug)]
+pub struct Graded {
+    /// All there is to say, for reports.
+    pub record: Record,
+    /// The pictures behind the image cases that have an answer, by id of the case.
+    pub pictures: BTreeMap<String, Pictures>,
+}
+
+/// Both pictures of an image case.
+#[derive(Clone, Debug)]
+pub struct Pictures {
+    /// The right one.
+    pub expected: Image,
+    /// The program's; `None` where it wrote none that can be read. NaN and infinity may stand in it.
+    pub actual: Option<Image>,
+    /// How far they may be apart.
+    pub tolerance: Tolerance,
+}
+
+/// Hears how far the work has come. Called from several threads.
+pub trait Progress: Sync {
+    /// Something that takes a while begins, such as `compiling`.
+    fn phase(&self, what: &str);
+    /// `n_checks` programs are about to be run.
+    fn begin(&self, n_checks: u64);
+    /// One of them has ended.
+    fn step(&self);
+}
+
+/// Hears nothing.
+pub struct Silent;
+
+impl Progress for Silent {
+    fn phase(&self, _what: &str) {}
+    fn begin(&self, _n_checks: u64) {}
+    fn step(&self) {}
+}
+
+/// Why there is no record: nothing of this is the student's fault.
+#[derive(Debug, thiserror::Error)]
+pub enum GradeError {
+    /// What was asked for cannot be read, or is not there: exit code 2.
+    #[error("{0}")]
+    Input(String),
+    /// The machine or the grader failed: exit code 3.
+    #[error("{0}")]
+    Machine(String),
+}
+
+/// Grades one submission: reads it, builds it, asks it everything that is selected, judges, scores.
+///
+/// Whatever a submission does, there is a record of it. After an interrupt the record says what was not run.
+///
+/// # Errors
+/// What is nobody's submission, or the machine's fault before any case ran.
+pub fn grade(bench: &Bench, options: &Options, progress: &dyn Progress) -> Result<Graded, GradeError> {
+    let plan = plan::Plan::new(&bench.exam, &options.stages, &options.cases).map_err(GradeError::Input)?;
+    let epoch = bench.epoch()?;
+    progress.phase("reading the submission");
+    let (digest, prepared) = prepare(bench, options, progress)?;
+    let (answers, build) = match prepared {
+        Ok((built, ignored)) => {
+            let answers = perform::exercise(&plan, &built.program, options.jobs, progress);
+            (answers, accepted(&built, ignored))
+        }
+        Err(build) => (perform::nothing(&plan, build.finding.as_ref()), build),
+    };
+    let (stages, pictures) = write_up::stages(&plan, answers);
+    let submission = Submission { path: options.name.clone(), digest };
+    Ok(Graded { record: write_up::record(epoch, submission, build, stages), pictures })
+}
+
+/// A program with what was left aside, or what is to be said where there is none.
+type Prepared = Result<(Built, Vec<String>), Build>;
+
+/// Reads and builds; the digest is empty where nothing could be read.
+fn prepare(bench: &Bench, options: &Options, progress: &dyn Progress) -> Result<(String, Prepared), GradeError> {
+    let submission = match submission::read(&options.submission, &bench.workshop.template) {
+        Ok(submission) => submission,
+        Err(why @ SubmissionError::Unreadable { .. }) => return Err(GradeError::Input(why.to_string())),
+        Err(SubmissionError::Refused(why)) => {
+            let finding = Finding::new(FindingKind::Submission, why);
+            return Ok((String::new(), Err(rejected(Verdict::Fail, finding, vec![]))));
+        }
+    };
+    let ignored = submission.ignored.clone();
+    let prepared = match build(&submission, &bench.workshop, &|what| progress.phase(what)) {
+        Ok(built) => Ok((built, ignored)),
+        Err(BuildError::Rejected(why)) => Err(rejected(Verdict::Fail, Finding::new(FindingKind::Build, why), ignored)),
+        Err(BuildError::Ours(why)) => return Err(GradeError::Machine(why)),
+        Err(BuildError::Interrupted) => {
+            let finding = Finding::new(FindingKind::Internal, "the grader was interrupted while building");
+            Err(rejected(Verdict::NotRun, finding, ignored))
+        }
+    };
+    Ok((submission.digest, prepared))
+}
+
+fn accepted(built: &Built, ignored: Vec<String>) -> Build {
+    let (warnings, time_s) = (built.warnings.clone(), built.time.as_secs_f64());
+    Build { verdict: Verdict::Pass, finding: None, warnings, ignored, time_s }
+}
+
+fn rejected(verdict: Verdict, finding: Finding, ignored: Vec<String>) -> Build {
+    Build { verdict, finding: Some(finding), warnings: vec![], ignored, time_s: 0.0 }
+}
+
+/// Judges pictures that someone has rendered already: `folder/STAGE/CASE.png`. Unit checks are left out.
+///
+/// # Errors
+/// A selection that nothing meets.
+pub fn images(bench: &Bench, folder: &Path, options: &Options) -> Result<Graded, GradeError> {
+    let plan = plan::Plan::new(&bench.exam, &options.stages, &options.cases).map_err(GradeError::Input)?;
+    let plan = plan.pictures_only();
+    let answers = perform::review(&plan, folder);
+    let (stages, pictures) = write_up::stages(&plan, answers);
+    let submission = Submission { path: options.name.clone(), digest: String::new() };
+    let build = Build { verdict: Verdict::Pass, finding: None, warnings: vec![], ignored: vec![], time_s: 0.0 };
+    let mut record = write_up::record(bench.epoch()?, submission, build, stages);
+    "nothing was run".clone_into(&mut record.sandbox);
+    Ok(Graded { record, pictures })
+}

@@ -1,0 +1,80 @@
+//! The record, from what was planned and what came of it.
+
+use std::collections::BTreeMap;
+
+use super::perform::{Answers, Done};
+use super::plan::{Part, Plan};
+use super::{Pictures, VERSION};
+use crate::judge::Judgement;
+use crate::record::{Build, CheckKind, CheckRecord, Record, SCHEMA, Score, StageRecord, Submission};
+use crate::sandbox::LEVEL;
+use crate::score;
+
+/// The whole record.
+pub(super) fn record(epoch: String, submission: Submission, build: Build, stages: Vec<StageRecord>) -> Record {
+    let of = |stage: &StageRecord| Score { earned: stage.earned, possible: stage.possible };
+    Record {
+        schema: SCHEMA,
+        grader: VERSION.to_owned(),
+        epoch,
+        submission,
+        sandbox: LEVEL.to_owned(),
+        build,
+        score: score::total(stages.iter().map(of)),
+        stages,
+    }
+}
+
+/// The stages in order, and both pictures of each image case that has an answer.
+pub(super) fn stages(plan: &Plan, mut answers: Answers) -> (Vec<StageRecord>, BTreeMap<String, Pictures>) {
+    let mut pictures = BTreeMap::new();
+    let stages = plan.stages.iter().map(|part| stage(part, &mut answers, &mut pictures)).collect();
+    (stages, pictures)
+}
+
+fn stage(part: &Part, answers: &mut Answers, pictures: &mut BTreeMap<String, Pictures>) -> StageRecord {
+    let stage = &part.questions.stage;
+    let mut checks = vec![];
+    for case in &part.cases {
+        let mut done = take(answers, &case.id);
+        if let Some(Ok(answer)) = part.questions.images.get(&case.id) {
+            let (expected, actual) = (answer.expected.clone(), done.picture.take());
+            pictures.insert(case.id.clone(), Pictures { expected, actual, tolerance: answer.tolerance });
+        }
+        checks.push(check(&case.id, CheckKind::Image, (&case.about, &case.rules), case.points, done));
+    }
+    for (unit, points) in &part.checks {
+        let done = take(answers, &unit.id);
+        checks.push(check(&unit.id, CheckKind::Unit, (&unit.about, &unit.rules), *points, done));
+    }
+    let Score { earned, possible } =
+        score::total(checks.iter().map(|check| Score { earned: check.earned, possible: check.possible }));
+    let remarks = answers.remarks.remove(&stage.id).unwrap_or_default();
+    StageRecord { id: stage.id.clone(), title: stage.title.clone(), earned, possible, checks, remarks }
+}
+
+fn take(answers: &mut Answers, id: &str) -> Done {
+    answers.done.remove(id).unwrap_or(Done {
+        judgement: Judgement::ours("it was planned, but not asked"),
+        picture: None,
+        time_s: 0.0,
+        peak_bytes: 0,
+    })
+}
+
+fn check(id: &str, kind: CheckKind, (about, rules): (&str, &[u8]), points: u64, done: Done) -> CheckRecord {
+    let Judgement { verdict, finding } = done.judgement;
+    let Score { earned, possible } = score::score(verdict, points);
+    CheckRecord {
+        id: id.to_owned(),
+        kind,
+        about: about.trim().to_owned(),
+        rules: rules.to_vec(),
+        verdict,
+        earned,
+        possible,
+        finding,
+        time_s: done.time_s,
+        peak_bytes: done.peak_bytes,
+    }
+}
