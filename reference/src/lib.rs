@@ -1,1 +1,33 @@
-//! Placeholder.
+//! The reference tracer: pictures, ray trees and answers by the numbered rules of `docs/shading-model.md`.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`real`], [`vec3`] | single and double precision from one source |
+//! | [`rules`] | the rules as a value, and the ways in which they are got wrong |
+//! | [`ray`], [`roots`] | where a ray's interval begins and ends; the one solver of quadratics |
+//! | [`shapes`], [`mesh`] | where a ray meets a shape; no materials |
+//! | [`bounds`], [`bvh`], [`world`] | the nearest hit |
+//! | [`camera`], [`lights`], [`shade`], [`optics`] | formulas; they cast no ray |
+//! | [`trace`], [`render`], [`watch`] | the kernel, pictures, and who looks on |
+
+pub mod bounds;
+pub mod bvh;
+pub mod camera;
+pub mod lights;
+pub mod mesh;
+pub mod optics;
+pub mod ray;
+pub mod real;
+pub mod render;
+pub mod roots;
+pub mod rules;
+pub mod shade;
+pub mod shapes;
+pub mod trace;
+pub mod vec3;
+pub mod watch;
+pub mod world;
+pub mod answers;
+pub mod expect;
+#[cfg(test)]
+mod testing;

@@ -1,0 +1,54 @@
+//! Eye rays. [rule 1]
+
+use cases::{Camera, maths};
+
+use crate::ray::Ray;
+use crate::real::Real;
+use crate::rules::{Fov, RuleSource};
+use crate::vec3::Vec3;
+
+/// A camera made ready for a picture of one size.
+#[derive(Clone, Copy, Debug)]
+pub struct Lens<T> {
+    eye: Vec3<T>,
+    right: Vec3<T>,
+    up: Vec3<T>,
+    forward: Vec3<T>,
+    size: [T; 2],
+    /// Half of the view plane's width and height at distance 1.
+    half: [T; 2],
+}
+
+impl<T: Real> Lens<T> {
+    /// For a picture of `width` × `height` pixels.
+    pub fn new<R: RuleSource>(rules: R, camera: &Camera, width: u32, height: u32) -> Self {
+        let tangent = T::of(maths::tan(camera.fov_y_deg.to_radians() / 2.0));
+        let size = [T::of(f64::from(width)), T::of(f64::from(height))];
+        let aspect = if rules.get().square_pixels { size[0] / size[1] } else { T::ONE };
+        let half = match rules.get().fov {
+            Fov::Vertical => [tangent * aspect, tangent],
+            Fov::Horizontal => [tangent, tangent / aspect],
+        };
+        Self {
+            eye: Vec3::of(camera.eye),
+            right: Vec3::of(camera.right),
+            up: Vec3::of(camera.up),
+            forward: Vec3::of(camera.forward),
+            size,
+            half,
+        }
+    }
+
+    /// The ray through the point (`dx`, `dy`) of pixel (i, j), both from 0 to 1 from its top left corner; (0.5, 0.5) is its centre.
+    /// [rule 1]
+    pub fn eye_ray<R: RuleSource>(&self, rules: R, pixel: (u32, u32), (dx, dy): (T, T)) -> Ray<T> {
+        let corner = if rules.get().pixel_centre { T::ZERO } else { T::HALF };
+        let x = (T::of(f64::from(pixel.0)) + dx - corner) / self.size[0];
+        let y = (T::of(f64::from(pixel.1)) + dy - corner) / self.size[1];
+        let y = if rules.get().rows_from_top { T::ONE - T::TWO * y } else { T::TWO * y - T::ONE };
+        let right = (T::TWO * x - T::ONE) * self.half[0];
+        let way = self.forward + self.right * right + self.up * (y * self.half[1]);
+        let direction = if rules.get().unit_direction { way.normalised() } else { way };
+        Ray::leaving(rules, self.eye, direction)
+    }
+}

@@ -1,0 +1,163 @@
+//! How far a right answer may be from the exact one: from the conditioning of the question, for single precision.
+//!
+//! Every number x of the question is moved by a relative u = 2⁻²³, one at a time. If the answer f moves by Δ, then a program in single
+//! precision, which cannot even store x closer than that, may be off by as much. A well-made formula rounds a handful of times:
+//!
+//!     allowed = 8 (u ‖f‖ + Σ_x max |Δ|)
+//!
+//! where u ‖f‖ is the rounding of the answer itself. Integers (pixels, indices, depths) are exact and stay.
+
+use cases::probe::{Answer, Ask};
+use serde_json::Value;
+
+use crate::answers::answer;
+use crate::rules::Lecture;
+
+/// One rounding in single precision, relatively.
+const SINGLE: f64 = 1.0 / (1u32 << 23) as f64;
+/// Roundings that a well-made formula is allowed.
+const ROUNDINGS: f64 = 8.0;
+
+/// What an answer may be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Allowance {
+    /// Absolute error of each number.
+    pub allowed: f64,
+    /// Whether the decision flips within rounding, so that either is right.
+    pub either: bool,
+}
+
+/// The allowance of a question and its answer.
+///
+/// # Errors
+/// The place of a number in the question at which the answer jumps without a change of decision, say from one object's colour to
+/// another's: no error bound describes that, and the author must choose other numbers.
+pub fn allowance(ask: &Ask, exact: &Answer) -> Result<Allowance, String> {
+    let question = serde_json::to_value(ask).map_err(|why| why.to_string())?;
+    let mut places = Vec::new();
+    collect(&question, String::new(), &mut places);
+    let size = numbers(exact).into_iter().filter(|n| n.is_finite()).fold(0.0, |most, n| n.abs().max(most));
+    let mut allowed = SINGLE * size;
+    let mut either = false;
+    for place in places {
+        let moved = |relative: f64| Some(answer(Lecture, &nudged(&question, &place, relative)?));
+        let mut most = 0.0f64;
+        for sign in [-1.0, 1.0] {
+            let Some(other) = moved(sign * SINGLE) else { continue };
+            let Some(distance) = distance(exact, &other) else {
+                either = true;
+                continue;
+            };
+            let nearer = moved(sign * SINGLE / 16.0).and_then(|nearer| self::distance(exact, &nearer));
+            if distance > 1e-4 * size.max(1e-3) && nearer.is_some_and(|nearer| nearer > distance / 2.0) {
+                return Err(format!("the answer jumps where {place} is rounded to single precision"));
+            }
+            most = most.max(distance);
+        }
+        allowed += most;
+    }
+    Ok(Allowance { allowed: ROUNDINGS * allowed, either })
+}
+
+/// The greatest difference of two answers' numbers; `None` where they decide differently.
+pub fn distance(one: &Answer, other: &Answer) -> Option<f64> {
+    if decision(one) != decision(other) {
+        return None;
+    }
+    let pairs = numbers(one).into_iter().zip(numbers(other));
+    Some(pairs.filter(|(a, b)| a != b).map(|(a, b)| (a - b).abs()).filter(|d| d.is_finite()).fold(0.0, f64::max))
+}
+
+/// What an answer decides: its kind, its object, its yes or no.
+fn decision(answer: &Answer) -> (&'static str, usize) {
+    match answer {
+        Answer::Hit { .. } => ("hit", 0),
+        Answer::Found { object, .. } => ("found", *object),
+        Answer::Miss(_) => ("miss", 0),
+        Answer::Ray { .. } => ("ray", 0),
+        Answer::Value(_) => ("value", 0),
+        Answer::Vector(_) => ("vector", 0),
+        Answer::Colour(_) => ("colour", 0),
+        Answer::Facing { inside, .. } => ("facing", usize::from(*inside)),
+        Answer::ToLight { .. } => ("to_light", 0),
+        Answer::Indices { .. } => ("indices", 0),
+        Answer::GoesOn(goes_on) => ("goes_on", usize::from(*goes_on)),
+        Answer::Todo(_) => ("todo", 0),
+        Answer::Panic(_) => ("panic", 0),
+    }
+}
+
+/// The numbers of an answer, in order.
+pub fn numbers(answer: &Answer) -> Vec<f64> {
+    match answer {
+        Answer::Hit { t, normal } => [vec![*t], normal.to_array().to_vec()].concat(),
+        Answer::Found { t, .. } => vec![*t],
+        Answer::Ray { origin, direction } => [origin.to_array(), direction.to_array()].concat(),
+        Answer::Value(value) => vec![*value],
+        Answer::Vector(vector) | Answer::Colour(vector) => vector.to_array().to_vec(),
+        Answer::Facing { normal, .. } => normal.to_array().to_vec(),
+        Answer::ToLight { direction, t } => [direction.to_array().to_vec(), vec![*t]].concat(),
+        Answer::Indices { eta_i, eta_t } => vec![*eta_i, *eta_t],
+        Answer::Miss(_) | Answer::GoesOn(_) | Answer::Todo(_) | Answer::Panic(_) => vec![],
+    }
+}
+
+/// The JSON pointers of all numbers of `value` that are no integers by type and not 0, which no relative error moves.
+fn collect(value: &Value, place: String, places: &mut Vec<String>) {
+    match value {
+        Value::Number(number) if number.is_f64() && number.as_f64() != Some(0.0) => places.push(place),
+        Value::Array(list) => {
+            list.iter().enumerate().for_each(|(n, item)| collect(item, format!("{place}/{n}"), places));
+        }
+        Value::Object(map) => map.iter().for_each(|(key, item)| collect(item, format!("{place}/{key}"), places)),
+        _ => {}
+    }
+}
+
+/// The question with one number moved; `None` where that is no question, as for the last row of a matrix.
+fn nudged(question: &Value, place: &str, relative: f64) -> Option<Ask> {
+    let mut moved = question.clone();
+    let number = moved.pointer_mut(place)?;
+    *number = Value::from(number.as_f64()? * (1.0 + relative));
+    serde_json::from_value(moved).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+
+    fn sphere(x: f64) -> Ask {
+        let ray = cases::Ray::new(DVec3::new(x, 0.0, 2.0), DVec3::NEG_Z);
+        Ask::Sphere { ray, center: DVec3::ZERO, radius: 0.5 }
+    }
+
+    fn check(ask: &Ask) -> Result<Allowance, String> {
+        allowance(ask, &answer(Lecture, ask))
+    }
+
+    #[test]
+    fn a_plain_question_is_allowed_a_few_roundings() {
+        // t = (2 − 0.5) / 1: origin, direction and radius move it by 2u, 1.5u, 0.5u; t itself rounds by 1.5u. t_min moves nothing.
+        let allowance = check(&sphere(0.0)).unwrap();
+        assert!(!allowance.either);
+        assert!((allowance.allowed / (8.0 * 5.5 * SINGLE) - 1.0).abs() < 1e-3, "{allowance:?}");
+    }
+
+    #[test]
+    fn a_touching_ray_may_be_either() {
+        let touching = check(&sphere(0.5)).unwrap();
+        assert!(touching.either);
+        assert!(touching.allowed > 1e-3, "a double root is badly conditioned: {touching:?}");
+        assert!(!check(&sphere(0.4)).unwrap().either);
+    }
+
+    #[test]
+    fn a_question_at_the_edge_of_a_shadow_is_refused() {
+        let scene = crate::testing::scene(r#"{ "x": 0.5 }"#);
+        let ask = Ask::Shadow { scene: Box::new(scene), light: 0, point: DVec3::new(0.5, -1.0, 0.0) };
+        let error = check(&ask).unwrap_err();
+        assert!(error.contains("jumps"), "{error}");
+    }
+}

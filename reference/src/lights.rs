@@ -1,0 +1,73 @@
+//! Lights: where they are, and how they weaken. [rule 4] [rule 5]
+
+use crate::real::Real;
+use crate::rules::{Attenuation, RuleSource};
+use crate::vec3::Vec3;
+
+/// A source of light.
+#[derive(Clone, Copy, Debug)]
+pub struct Light<T> {
+    /// I_j. [rule 3]
+    pub colour: Vec3<T>,
+    /// Ia_j. [rule 3]
+    pub ambient: Vec3<T>,
+    place: Place<T>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Place<T> {
+    Point {
+        position: Vec3<T>,
+        quadratic: T,
+        linear: T,
+        constant: T,
+    },
+    /// The direction in which the light travels.
+    Far {
+        direction: Vec3<T>,
+    },
+}
+
+impl<T: Real> Light<T> {
+    /// The light in the precision `T`.
+    pub fn of(light: &cases::Light) -> Self {
+        let place = match light {
+            cases::Light::Point { position, attenuation, .. } => Place::Point {
+                position: Vec3::of(*position),
+                quadratic: T::of(attenuation.quadratic),
+                linear: T::of(attenuation.linear),
+                constant: T::of(attenuation.constant),
+            },
+            cases::Light::Directional { direction, .. } => Place::Far { direction: Vec3::of(*direction) },
+        };
+        Self { colour: Vec3::of(light.colour()), ambient: Vec3::of(light.ambient()), place }
+    }
+
+    /// L, a unit vector, and t_light, infinite for a directional light; `None` at the very place of a point light. [rule 5]
+    #[inline(always)]
+    pub fn seen_from<R: RuleSource>(&self, rules: R, point: Vec3<T>) -> Option<(Vec3<T>, T)> {
+        match self.place {
+            Place::Point { position, .. } => {
+                let way = position - point;
+                let r = way.length();
+                (r > T::ZERO).then(|| (way * (T::ONE / r), r))
+            }
+            Place::Far { direction } if rules.get().towards_light => Some((-direction, T::INFINITY)),
+            Place::Far { direction } => Some((direction, T::INFINITY)),
+        }
+    }
+
+    /// A_j = min(1, 1/(a r² + b r + c)); 1 for a directional light. [rule 4]
+    #[inline(always)]
+    pub fn attenuation<R: RuleSource>(&self, rules: R, r: T) -> T {
+        let Place::Point { quadratic, linear, constant, .. } = self.place else { return T::ONE };
+        let weakened = |a: T, r_squared: T, c: T| T::ONE / (a * r_squared + linear * r + c);
+        match rules.get().attenuation {
+            Attenuation::Clamped => weakened(quadratic, r * r, constant).least(T::ONE),
+            Attenuation::Unclamped => weakened(quadratic, r * r, constant),
+            Attenuation::Absent => T::ONE,
+            Attenuation::Swapped => weakened(constant, r * r, quadratic).least(T::ONE),
+            Attenuation::NotSquared => weakened(quadratic, r, constant).least(T::ONE),
+        }
+    }
+}

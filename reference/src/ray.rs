@@ -1,0 +1,67 @@
+//! Rays, and the one place that says where a ray's interval begins and ends.
+
+use crate::real::Real;
+use crate::rules::RuleSource;
+use crate::vec3::Vec3;
+
+/// r(t) = origin + t · direction, for t_min < t < t_max. [rule 2]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray<T> {
+    /// Where t = 0.
+    pub origin: Vec3<T>,
+    /// Of unit length in world space, of any length but zero in object space. [rule 20]
+    pub direction: Vec3<T>,
+    /// Open lower end of the interval.
+    pub t_min: T,
+    /// Open upper end of the interval.
+    pub t_max: T,
+}
+
+impl<T: Real> Ray<T> {
+    /// The ray that leaves `origin`: over RAY_EPSILON < t < ∞. [rule 2] [rule 21]
+    #[inline(always)]
+    pub fn leaving<R: RuleSource>(rules: R, origin: Vec3<T>, direction: Vec3<T>) -> Self {
+        Self::until(rules, origin, direction, T::INFINITY)
+    }
+
+    /// The ray that leaves `origin` and ends before `t_max`. [rule 5] [rule 21]
+    #[inline(always)]
+    pub fn until<R: RuleSource>(rules: R, origin: Vec3<T>, direction: Vec3<T>, t_max: T) -> Self {
+        Self { origin, direction, t_min: rules.epsilon(), t_max }
+    }
+
+    /// The rest of this ray behind its crossing at `t`. A crossing nearer than RAY_EPSILON behind another is the same one: a ray
+    /// through an edge that two triangles share crosses one surface. [rule 6]
+    #[inline(always)]
+    pub fn beyond<R: RuleSource>(&self, rules: R, t: T) -> Self {
+        Self { t_min: t + rules.epsilon::<T>().greatest(t.abs() * T::ULP), ..*self }
+    }
+
+    /// The point at parameter `t`.
+    #[inline(always)]
+    pub fn at(&self, t: T) -> Vec3<T> {
+        self.origin + self.direction * t
+    }
+
+    /// Whether a hit at `t` counts: strictly inside the interval; never for NaN. [rule 2]
+    #[inline(always)]
+    pub fn contains(&self, t: T) -> bool {
+        self.t_min < t && t < self.t_max
+    }
+
+    /// The first of `ts` that counts; they come in ascending order.
+    #[inline(always)]
+    pub fn first(&self, ts: [T; 2]) -> Option<T> {
+        ts.into_iter().find(|t| self.contains(*t))
+    }
+
+    /// This ray in the precision `T`.
+    pub fn of(ray: &cases::Ray) -> Self {
+        Self {
+            origin: Vec3::of(ray.origin),
+            direction: Vec3::of(ray.direction),
+            t_min: T::of(ray.t_min),
+            t_max: T::of(ray.t_max),
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! The scalar that everything is generic over: one source for single and double precision.
+
+use std::fmt::Debug;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use cases::maths;
+
+/// f32 or f64.
+///
+/// Platform-dependent functions come from [`cases::maths`], those of f32 by way of f64 and one rounding, so that every machine
+/// computes the same bits.
+pub trait Real:
+    Copy
+    + Debug
+    + PartialEq
+    + PartialOrd
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// 0.
+    const ZERO: Self;
+    /// 1/2.
+    const HALF: Self;
+    /// 1.
+    const ONE: Self;
+    /// 2.
+    const TWO: Self;
+    /// ∞.
+    const INFINITY: Self;
+    /// Distance from 1 to the next greater number.
+    const ULP: Self;
+    /// Below this parameter an intersection does not count. [rule 21]
+    const RAY_EPSILON: Self;
+
+    /// The nearest number to `x`.
+    fn of(x: f64) -> Self;
+    /// The same number as f64, exactly.
+    fn f64(self) -> f64;
+    /// √x, rounded correctly.
+    fn sqrt(self) -> Self;
+    /// |x|.
+    fn abs(self) -> Self;
+    /// The lesser; where one is NaN, the other.
+    fn least(self, other: Self) -> Self;
+    /// The greater; where one is NaN, the other.
+    fn greatest(self, other: Self) -> Self;
+    /// `self` to the power `y`; 0 to the power 0 is 1.
+    fn pow(self, y: Self) -> Self;
+    /// Whether it is neither infinite nor NaN.
+    fn is_finite(self) -> bool;
+}
+
+macro_rules! real {
+    ($t:ident, $ray_epsilon:expr) => {
+        impl Real for $t {
+            const ZERO: Self = 0.0;
+            const HALF: Self = 0.5;
+            const ONE: Self = 1.0;
+            const TWO: Self = 2.0;
+            const INFINITY: Self = $t::INFINITY;
+            const ULP: Self = $t::EPSILON;
+            const RAY_EPSILON: Self = $ray_epsilon;
+
+            #[inline(always)]
+            fn of(x: f64) -> Self {
+                x as $t
+            }
+            #[inline(always)]
+            fn f64(self) -> f64 {
+                f64::from(self)
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                $t::sqrt(self)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                $t::abs(self)
+            }
+            #[inline(always)]
+            fn least(self, other: Self) -> Self {
+                $t::min(self, other)
+            }
+            #[inline(always)]
+            fn greatest(self, other: Self) -> Self {
+                $t::max(self, other)
+            }
+            #[inline]
+            fn pow(self, y: Self) -> Self {
+                maths::pow(f64::from(self), f64::from(y)) as $t
+            }
+            #[inline(always)]
+            fn is_finite(self) -> bool {
+                $t::is_finite(self)
+            }
+        }
+    };
+}
+
+real!(f32, 1e-4);
+real!(f64, cases::RAY_EPSILON);

@@ -1,0 +1,106 @@
+//! Pictures: tiles over threads, the same bytes with any number of them.
+
+use std::ops::Range;
+
+use cases::{Effects, film::Image};
+use rayon::prelude::*;
+use serde::Serialize;
+
+use crate::real::Real;
+use crate::rules::RuleSource;
+use crate::trace::Kernel;
+use crate::vec3::Vec3;
+use crate::watch::Counts;
+use crate::world::World;
+
+/// Side of a tile in pixels.
+const TILE: u32 = 16;
+
+/// What to simulate, and how finely.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// The effects to simulate.
+    pub effects: Effects,
+    /// N for a regular grid of N × N rays a pixel, at least 1; their mean is the pixel.
+    pub samples: u32,
+}
+
+impl Options {
+    /// The effects the scene asks for, one ray a pixel.
+    pub fn of<T>(world: &World<T>) -> Self {
+        Self { effects: world.effects, samples: 1 }
+    }
+}
+
+/// What a picture cost.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Stats {
+    /// Rays by kind.
+    pub rays: Counts,
+}
+
+/// The picture, and what it cost. Runs in the current `rayon` pool; `progress` is told the pixels of each tile that is done.
+///
+/// Tiles and the order of every sum are fixed, so that the number of threads changes nothing.
+pub fn render<T: Real, R: RuleSource>(
+    world: &World<T>,
+    rules: R,
+    options: &Options,
+    progress: impl Fn(u64) + Sync,
+) -> (Image, Stats) {
+    let kernel = Kernel::new(world, rules, options.effects);
+    let (width, height) = (world.render.width, world.render.height);
+    let n_columns = width.div_ceil(TILE);
+    let tiles: Vec<(Vec<Vec3<T>>, Counts)> = (0..n_columns * height.div_ceil(TILE))
+        .into_par_iter()
+        .map(|n| {
+            let (columns, rows) = (span(n % n_columns, width), span(n / n_columns, height));
+            let tile = render_tile(&kernel, options.samples, columns, rows);
+            progress(tile.0.len() as u64);
+            tile
+        })
+        .collect();
+    let image = Image::from_fn(width, height, |i, j| {
+        let (column, row) = (i / TILE, j / TILE);
+        let tile_width = span(column, width).len();
+        tiles[(row * n_columns + column) as usize].0[(j % TILE) as usize * tile_width + (i % TILE) as usize].f64()
+    });
+    let rays = tiles.iter().fold(Counts::default(), |sum, (_, counts)| sum.plus(*counts));
+    (image, Stats { rays })
+}
+
+/// The pixels of tile `n` along a side of `size` pixels.
+fn span(n: u32, size: u32) -> Range<u32> {
+    n * TILE..((n + 1) * TILE).min(size)
+}
+
+fn render_tile<T: Real, R: RuleSource>(
+    kernel: &Kernel<'_, T, R>,
+    samples: u32,
+    columns: Range<u32>,
+    rows: Range<u32>,
+) -> (Vec<Vec3<T>>, Counts) {
+    let mut counts = Counts::default();
+    let pixels = rows
+        .flat_map(|j| columns.clone().map(move |i| (i, j)))
+        .map(|pixel| render_pixel(kernel, samples, pixel, &mut counts))
+        .collect();
+    (pixels, counts)
+}
+
+/// The mean over a regular grid of `samples` × `samples` points; the centre alone for 1.
+fn render_pixel<T: Real, R: RuleSource>(
+    kernel: &Kernel<'_, T, R>,
+    samples: u32,
+    pixel: (u32, u32),
+    counts: &mut Counts,
+) -> Vec3<T> {
+    let at = |n: u32| T::of((f64::from(n) + 0.5) / f64::from(samples));
+    let mut sum = Vec3::ZERO;
+    for y in 0..samples {
+        for x in 0..samples {
+            sum += kernel.eye(pixel, (at(x), at(y)), counts);
+        }
+    }
+    if samples == 1 { sum } else { sum * T::of(1.0 / (f64::from(samples) * f64::from(samples))) }
+}

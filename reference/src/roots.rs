@@ -1,0 +1,53 @@
+//! The only place that solves a quadratic.
+
+use crate::real::Real;
+
+/// The real roots of a t² − 2 b t + c = 0 in ascending order, given `disc` = b² − a c; `None` where there is none. [rule 14]
+///
+/// - The discriminant is the caller's, who often knows a form of it that does not cancel.
+/// - One root comes from q = b ± √disc with the sign that does not cancel, the other from c / q: their product is c / a.
+/// - A double root is given twice. With a = 0 the one root is c / 2b and the other infinite. NaN gives `None`.
+#[inline(always)]
+pub fn ascending<T: Real>(a: T, b: T, c: T, disc: T) -> Option<[T; 2]> {
+    let is_real = disc >= T::ZERO; // false for NaN
+    if !is_real {
+        return None;
+    }
+    let root = disc.sqrt();
+    let q = if b < T::ZERO { b - root } else { b + root };
+    if q == T::ZERO {
+        return (a != T::ZERO).then_some([T::ZERO; 2]); // b = disc = 0: the double root is 0
+    }
+    let (one, other) = (c / q, q / a);
+    Some(if one <= other { [one, other] } else { [other, one] })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(a: f64, b: f64, c: f64, expected: Option<[f64; 2]>) {
+        assert_eq!(ascending(a, b, c, b * b - a * c), expected, "{a} t² − 2 · {b} t + {c}");
+    }
+
+    #[test]
+    fn roots_worked_out_on_paper() {
+        check(1.0, 3.0, 8.0, Some([2.0, 4.0])); // (t − 2)(t − 4)
+        check(1.0, -3.0, 8.0, Some([-4.0, -2.0]));
+        check(-1.0, -3.0, -8.0, Some([2.0, 4.0]));
+        check(1.0, 0.0, -4.0, Some([-2.0, 2.0])); // b = 0 has no sign
+        check(2.0, 2.0, 2.0, Some([1.0, 1.0])); // touched
+        check(1.0, 0.0, 0.0, Some([0.0, 0.0]));
+        check(1.0, 1.0, 0.0, Some([0.0, 2.0]));
+        check(1.0, 0.0, 1.0, None);
+        check(0.0, 2.0, 4.0, Some([1.0, f64::INFINITY])); // linear: 4 t = 4
+        check(0.0, 0.0, 1.0, None);
+        check(1.0, f64::NAN, 1.0, None);
+    }
+
+    #[test]
+    fn the_small_root_keeps_its_digits() {
+        let [near, far] = ascending(1.0, 5e7, 1.0, 25e14 - 1.0).unwrap();
+        assert_eq!((near, far), (1e-8, 1e8)); // the textbook's b − √disc gives 7.45e-9
+    }
+}

@@ -1,0 +1,98 @@
+//! Light at a point, as formulas: nothing here casts a ray. [rule 3] [rule 11] [rule 12]
+
+use crate::lights::Light;
+use crate::real::Real;
+use crate::rules::{Ambient, Diffuse, Emission, Facing, Highlight, RuleSource};
+use crate::vec3::Vec3;
+use crate::world::Material;
+
+/// The outward normal turned against the ray, and whether the ray is inside the object. [rule 11]
+///
+/// A ray along the surface (d·N = 0) is outside.
+#[inline(always)]
+pub fn facing_normal<T: Real>(d: Vec3<T>, normal: Vec3<T>) -> (Vec3<T>, bool) {
+    let is_inside = d.dot(normal) > T::ZERO;
+    (if is_inside { -normal } else { normal }, is_inside)
+}
+
+/// ke, as often as it counts among `n_lights` lights. [rule 3]
+#[inline(always)]
+pub fn emission<T: Real, R: RuleSource>(rules: R, material: &Material<T>, n_lights: usize) -> Vec3<T> {
+    match rules.get().emission {
+        Emission::Once => material.ke,
+        Emission::PerLight => material.ke * T::of(n_lights as f64),
+        Emission::Absent => Vec3::ZERO,
+    }
+}
+
+/// ka Ia_j, times kt from inside, for the light with index `j`; whatever hides or weakens the light. [rule 3] [rule 12]
+#[inline(always)]
+pub fn ambient<T: Real, R: RuleSource>(
+    rules: R,
+    material: &Material<T>,
+    light: &Light<T>,
+    j: usize,
+    is_inside: bool,
+) -> Vec3<T> {
+    let light = match rules.get().ambient {
+        Ambient::PerLight | Ambient::Shadowed => light.ambient,
+        Ambient::FirstLight if j == 0 => light.ambient,
+        Ambient::FirstLight | Ambient::Absent => Vec3::ZERO,
+        Ambient::LightColour => light.colour,
+    };
+    let outside = material.ka * light;
+    if is_inside && rules.get().ambient_inside { outside * material.kt } else { outside }
+}
+
+/// Whether a light in direction `to_light` adds anything to a surface with that normal: B_j. [rule 3]
+#[inline(always)]
+pub fn is_lit<T: Real, R: RuleSource>(rules: R, normal: Vec3<T>, to_light: Vec3<T>) -> bool {
+    match rules.get().facing {
+        Facing::OnlyFront => normal.dot(to_light) > T::ZERO,
+        Facing::SpecularFromBehind | Facing::Unclamped | Facing::BothSides => true,
+    }
+}
+
+/// S_j A_j I_j B_j [kd (N·L_j) + ks (N·H_j)₊^ns]. [rule 3]
+///
+/// `arriving` is S_j A_j I_j; all directions are unit vectors. Where L = −V there is no half vector, and no highlight.
+#[inline(always)]
+pub fn light_term<T: Real, R: RuleSource>(
+    rules: R,
+    material: &Material<T>,
+    arriving: Vec3<T>,
+    normal: Vec3<T>,
+    to_viewer: Vec3<T>,
+    to_light: Vec3<T>,
+) -> Vec3<T> {
+    if !is_lit(rules, normal, to_light) {
+        return Vec3::ZERO;
+    }
+    let cosine = normal.dot(to_light);
+    let spread = match (rules.get().facing, rules.get().diffuse) {
+        (_, Diffuse::Flat) => T::ONE,
+        (Facing::OnlyFront | Facing::Unclamped, Diffuse::Cosine) => cosine,
+        (Facing::SpecularFromBehind, Diffuse::Cosine) => cosine.greatest(T::ZERO),
+        (Facing::BothSides, Diffuse::Cosine) => cosine.abs(),
+    };
+    arriving * (material.kd * spread + material.ks * highlight(rules, material.ns, normal, to_viewer, to_light))
+}
+
+/// (N·H)₊^ns. [rule 3]
+#[inline(always)]
+fn highlight<T: Real, R: RuleSource>(rules: R, ns: T, n: Vec3<T>, v: Vec3<T>, l: Vec3<T>) -> T {
+    let sum = l + v;
+    if sum == Vec3::ZERO {
+        return T::ZERO;
+    }
+    let cosine = n.dot(sum.normalised());
+    match rules.get().highlight {
+        Highlight::Blinn => cosine.greatest(T::ZERO).pow(ns),
+        Highlight::Phong => (n * (T::TWO * n.dot(l)) - l).dot(v).greatest(T::ZERO).pow(ns),
+        Highlight::Unclamped => cosine.pow(ns),
+        Highlight::HalfNotUnit => n.dot(sum).greatest(T::ZERO).pow(ns),
+        Highlight::NoExponent => cosine.greatest(T::ZERO),
+        Highlight::TimesCosine => n.dot(l) * cosine.greatest(T::ZERO).pow(ns),
+        Highlight::Absent => T::ZERO,
+    }
+}

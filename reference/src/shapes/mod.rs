@@ -1,0 +1,92 @@
+//! Bare shapes in object space: where a ray meets them, and the outward normal there. They know no materials.
+
+mod cuboid;
+mod plane;
+mod round;
+mod sphere;
+mod square;
+mod triangle;
+
+pub use cuboid::Cuboid;
+pub use plane::Plane;
+pub use round::Round;
+pub use sphere::Sphere;
+pub use square::Square;
+pub use triangle::{Shear, Triangle, barycentric};
+
+use crate::bounds::Bounds;
+use crate::ray::Ray;
+use crate::real::Real;
+use crate::rules::RuleSource;
+use crate::vec3::Vec3;
+
+/// Where a ray meets a shape: enough to tell which of two is nearer, and to work out the normal of the winner later.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Meeting<T> {
+    /// Along the ray as given.
+    pub t: T,
+    /// Which part of the shape: a face, a cap, the index of a triangle.
+    pub part: u32,
+    /// (α, β, γ) on a triangle, else 0. [rule 17]
+    pub weights: Vec3<T>,
+}
+
+impl<T: Real> Meeting<T> {
+    /// A meeting with that part of a shape without vertices.
+    #[inline(always)]
+    pub fn with(t: T, part: u32) -> Self {
+        Self { t, part, weights: Vec3::ZERO }
+    }
+}
+
+/// A shape that is no mesh.
+#[derive(Clone, Copy, Debug)]
+pub enum Solid<T> {
+    /// [rule 14]
+    Sphere(Sphere<T>),
+    /// [rule 15]
+    Plane(Plane<T>),
+    /// [rule 15]
+    Square(Square),
+    /// [rule 15]
+    Cuboid(Cuboid<T>),
+    /// A cylinder or a cone.
+    Round(Round<T>),
+}
+
+impl<T: Real> Solid<T> {
+    /// The first meeting in the ray's interval.
+    #[inline(always)]
+    pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
+        match self {
+            Self::Sphere(sphere) => sphere.meet(rules, ray),
+            Self::Plane(plane) => plane.meet(rules, ray),
+            Self::Square(square) => square.meet(rules, ray),
+            Self::Cuboid(cuboid) => cuboid.meet(rules, ray),
+            Self::Round(round) => round.meet(ray),
+        }
+    }
+
+    /// The outward unit normal at `point`, where `part` was met. [rule 11]
+    #[inline(always)]
+    pub fn normal<R: RuleSource>(&self, rules: R, point: Vec3<T>, part: u32) -> Vec3<T> {
+        match self {
+            Self::Sphere(sphere) => sphere.normal(rules, point),
+            Self::Plane(plane) => plane.normal,
+            Self::Square(_) => Vec3::axis(2),
+            Self::Cuboid(_) => Cuboid::normal(part),
+            Self::Round(round) => round.normal(point, part),
+        }
+    }
+
+    /// The least box around it; `None` for a plane, which has no end.
+    pub fn bounds(&self) -> Option<Bounds<T>> {
+        match self {
+            Self::Sphere(sphere) => Some(sphere.bounds()),
+            Self::Plane(_) => None,
+            Self::Square(_) => Some(Square::bounds()),
+            Self::Cuboid(cuboid) => Some(Bounds { min: cuboid.min, max: cuboid.max }),
+            Self::Round(round) => Some(round.bounds()),
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! The unit square of z = 0. [rule 15]
+
+use super::Meeting;
+use crate::bounds::Bounds;
+use crate::ray::Ray;
+use crate::real::Real;
+use crate::rules::{RuleSource, SquareSize};
+use crate::vec3::Vec3;
+
+/// |x| ≤ 0.5, |y| ≤ 0.5, z = 0; its border belongs to it; normal +z.
+#[derive(Clone, Copy, Debug)]
+pub struct Square;
+
+impl Square {
+    /// The meeting in the ray's interval; a ray within the plane of the square never meets it. [rule 15]
+    #[inline(always)]
+    pub fn meet<T: Real, R: RuleSource>(self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
+        if ray.direction.z == T::ZERO {
+            return None;
+        }
+        let t = -ray.origin.z / ray.direction.z;
+        let at = ray.at(t);
+        let is_inside = match rules.get().square {
+            SquareSize::Half => at.x.abs() <= T::HALF && at.y.abs() <= T::HALF,
+            SquareSize::One => at.x.abs() <= T::ONE && at.y.abs() <= T::ONE,
+            SquareSize::Disc => at.x * at.x + at.y * at.y <= T::HALF * T::HALF,
+        };
+        (is_inside && ray.contains(t)).then(|| Meeting::with(t, 0))
+    }
+
+    /// The least box around it.
+    pub fn bounds<T: Real>() -> Bounds<T> {
+        let corner = Vec3::new(T::HALF, T::HALF, T::ZERO);
+        Bounds { min: -corner, max: corner }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rules::Lecture;
+
+    fn check(origin: [f64; 3], direction: [f64; 3], expected: Option<f64>) {
+        let vec = |v: [f64; 3]| Vec3::new(v[0], v[1], v[2]);
+        let ray = Ray::leaving(Lecture, vec(origin), vec(direction));
+        assert_eq!(Square.meet(Lecture, &ray).map(|m| m.t), expected, "from {origin:?} along {direction:?}");
+    }
+
+    #[test]
+    fn distances_worked_out_on_paper() {
+        check([0.25, -0.25, 2.0], [0.0, 0.0, -1.0], Some(2.0));
+        check([0.25, -0.25, -2.0], [0.0, 0.0, 1.0], Some(2.0)); // from behind
+        check([0.5, 0.5, 2.0], [0.0, 0.0, -1.0], Some(2.0)); // a corner belongs to it
+        check([0.50001, 0.0, 2.0], [0.0, 0.0, -1.0], None);
+        check([0.0, 0.0, 1.0], [0.25, 0.0, -0.5], Some(2.0)); // leaves by (0.5, 0, 0)
+        check([0.0, 0.0, 0.0], [1.0, 0.0, 0.0], None); // within its plane
+        check([0.0, 0.0, 0.0], [0.0, 0.0, -1.0], None); // starts on it
+    }
+}

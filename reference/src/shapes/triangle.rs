@@ -1,0 +1,149 @@
+//! The triangle. [rule 16] [rule 17]
+
+use super::Meeting;
+use crate::ray::Ray;
+use crate::real::Real;
+use crate::rules::{RuleSource, TriangleNormal, TriangleTest};
+use crate::vec3::Vec3;
+
+/// Corners A, B, C; the normal is along (B − A) × (C − A).
+#[derive(Clone, Copy, Debug)]
+pub struct Triangle<T> {
+    /// A, B, C.
+    pub corners: [Vec3<T>; 3],
+}
+
+/// What the test needs to know of a ray, worked out once for all triangles.
+///
+/// Corners are moved so that the ray starts at the origin, then sheared so that it runs along one axis: there the three edge tests are
+/// signs of areas in a plane. Two triangles that share an edge compute the same area for it with opposite signs, so no ray
+/// slips between them (Woop, Benthin, Wald 2013).
+#[derive(Clone, Copy, Debug)]
+pub struct Shear<T> {
+    axes: [usize; 3],
+    shear: [T; 2],
+    scale: T,
+}
+
+impl<T: Real> Shear<T> {
+    /// The shear of `ray`: along the axis where its direction is longest.
+    pub fn of(ray: &Ray<T>) -> Self {
+        let d = ray.direction;
+        let size = d.abs();
+        let z = if size.x > size.y && size.x > size.z { 0 } else { 1 + usize::from(size.z >= size.y) };
+        let (x, y) = ((z + 1) % 3, (z + 2) % 3);
+        Self { axes: [x, y, z], shear: [d[x] / d[z], d[y] / d[z]], scale: T::ONE / d[z] }
+    }
+}
+
+impl<T: Real> Triangle<T> {
+    /// The meeting in the ray's interval, with (α, β, γ) there. [rule 16]
+    ///
+    /// Both sides are seen. Edges and corners belong to it; of two triangles met at one t the caller takes the lower index. A
+    /// triangle without area, or one seen edge on, is never met.
+    #[inline]
+    pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>, shear: &Shear<T>, index: u32) -> Option<Meeting<T>> {
+        let [x, y, z] = shear.axes;
+        let sheared = self.corners.map(|corner| {
+            let from = corner - ray.origin;
+            (from[x] - shear.shear[0] * from[z], from[y] - shear.shear[1] * from[z], from[z])
+        });
+        let area = |p: (T, T, T), q: (T, T, T)| p.0 * q.1 - p.1 * q.0;
+        let [a, b, c] = sheared;
+        let (u, v, w) = (area(b, c), area(c, a), area(a, b));
+        let tested = if rules.get().triangle == TriangleTest::TwoEdges { [v, v, w] } else { [u, v, w] };
+        let is_outside = tested.iter().any(|s| *s < T::ZERO) && tested.iter().any(|s| *s > T::ZERO);
+        let sum = u + v + w;
+        if is_outside || sum == T::ZERO {
+            return None;
+        }
+        if rules.get().triangle == TriangleTest::FrontOnly && self.outwards().dot(ray.direction) > T::ZERO {
+            return None;
+        }
+        let weights = Vec3::new(u, v, w) * (T::ONE / sum);
+        let t = shear.scale * (u * a.2 + v * b.2 + w * c.2) / sum;
+        ray.contains(t).then_some(Meeting { t, part: index, weights })
+    }
+
+    /// (B − A) × (C − A), not normalised.
+    fn outwards(&self) -> Vec3<T> {
+        let [a, b, c] = self.corners;
+        (b - a).cross(c - a)
+    }
+
+    /// Whether it has an area; without one it is never met. [rule 16]
+    pub fn has_area(&self) -> bool {
+        let n = self.outwards();
+        n.dot(n) > T::ZERO
+    }
+
+    /// The unit normal along (B − A) × (C − A). [rule 16]
+    pub fn normal<R: RuleSource>(&self, rules: R) -> Vec3<T> {
+        let n = self.outwards().normalised();
+        if rules.get().triangle_normal == TriangleNormal::Left { -n } else { n }
+    }
+}
+
+/// (α, β, γ) of a point Q in the plane of ABC: signed areas of QBC, AQC, ABQ, over that of ABC. [rule 17]
+///
+/// NaN where ABC has no area.
+pub fn barycentric<T: Real>([a, b, c]: [Vec3<T>; 3], q: Vec3<T>) -> Vec3<T> {
+    let n = (b - a).cross(c - a);
+    let area = |p: Vec3<T>, r: Vec3<T>, s: Vec3<T>| (r - p).cross(s - p).dot(n);
+    Vec3::new(area(q, b, c), area(a, q, c), area(a, b, q)) * (T::ONE / n.dot(n))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rules::Lecture;
+
+    fn vec(v: [f64; 3]) -> Vec3<f64> {
+        Vec3::new(v[0], v[1], v[2])
+    }
+
+    /// With (0,0,0) (4,0,0) (0,4,0).
+    fn check(origin: [f64; 3], direction: [f64; 3], expected: Option<(f64, [f64; 3])>) {
+        let triangle = Triangle { corners: [vec([0.0; 3]), vec([4.0, 0.0, 0.0]), vec([0.0, 4.0, 0.0])] };
+        let ray = Ray::leaving(Lecture, vec(origin), vec(direction));
+        let met = triangle.meet(Lecture, &ray, &Shear::of(&ray), 7);
+        let found = met.map(|m| (m.t, m.weights));
+        assert_eq!(found, expected.map(|(t, w)| (t, vec(w))), "from {origin:?} along {direction:?}");
+        if let Some(met) = met {
+            assert_eq!(barycentric(triangle.corners, ray.at(met.t)), met.weights);
+        }
+    }
+
+    #[test]
+    fn meetings_worked_out_on_paper() {
+        check([1.0, 1.0, 3.0], [0.0, 0.0, -1.0], Some((3.0, [0.5, 0.25, 0.25])));
+        check([1.0, 1.0, -3.0], [0.0, 0.0, 2.0], Some((1.5, [0.5, 0.25, 0.25]))); // from behind, t in units of d
+        check([2.0, 2.0, 3.0], [0.0, 0.0, -1.0], Some((3.0, [0.0, 0.5, 0.5]))); // the edge BC
+        check([4.0, 0.0, 3.0], [0.0, 0.0, -1.0], Some((3.0, [0.0, 1.0, 0.0]))); // the corner B
+        check([2.1, 2.0, 3.0], [0.0, 0.0, -1.0], None);
+        check([1.0, 1.0, 3.0], [0.0, 0.0, 1.0], None); // behind
+        check([-3.0, 1.0, 0.0], [1.0, 0.0, 0.0], None); // edge on
+        check([-1.0, 1.0, 2.0], [1.0, 0.0, -1.0], Some((2.0, [0.5, 0.25, 0.25])));
+    }
+
+    #[test]
+    fn no_ray_slips_between_two_triangles_that_share_an_edge() {
+        let (a, b) = (vec([0.1, 0.7, -0.3]), vec([1.3, -0.2, 0.4]));
+        let sides = [vec([1.5, 1.1, 0.2]), vec([-0.4, -0.9, -0.6])];
+        let origin = vec([0.37, 0.21, 5.0]);
+        for step in 1..1000 {
+            let aim = a + (b - a) * (f64::from(step) / 1000.0);
+            let ray = Ray::leaving(Lecture, origin, (aim - origin).normalised());
+            let meets = |corners| Triangle { corners }.meet(Lecture, &ray, &Shear::of(&ray), 0).is_some();
+            assert!(meets([a, b, sides[0]]) || meets([b, a, sides[1]]), "lost at step {step}");
+        }
+    }
+
+    #[test]
+    fn a_triangle_without_area_is_never_met() {
+        let line = Triangle { corners: [vec([0.0; 3]), vec([1.0, 0.0, 0.0]), vec([2.0, 0.0, 0.0])] };
+        assert!(!line.has_area());
+        let ray = Ray::leaving(Lecture, vec([1.0, 0.0, 3.0]), vec([0.0, 0.0, -1.0]));
+        assert_eq!(line.meet(Lecture, &ray, &Shear::of(&ray), 0), None);
+    }
+}

@@ -1,0 +1,273 @@
+//! The kernel: rays, and the light they bring back. [rule 2] [rule 5] to [rule 13]
+
+use cases::ray_tree::RayKind;
+use cases::{Effect, Effects};
+
+use crate::camera::Lens;
+use crate::optics;
+use crate::ray::Ray;
+use crate::real::Real;
+use crate::rules::{
+    Ambient, Cutoff, Depth, InsideBy, MirrorWeight, RuleSource, ShadowReach, Tint, TotalReflection, TransmitWeight,
+    Turning,
+};
+use crate::shade;
+use crate::vec3::Vec3;
+use crate::watch::{Met, Watch};
+use crate::world::{Hit, Material, World};
+
+/// A world, the rules it is rendered by, and which effects are simulated: chosen once for a picture.
+#[derive(Clone, Copy, Debug)]
+pub struct Kernel<'w, T, R> {
+    /// The world.
+    pub world: &'w World<T>,
+    /// The rules.
+    pub rules: R,
+    lens: Lens<T>,
+    does: Does,
+}
+
+/// The effects as plain flags: no ray of a kind that is off is ever cast.
+#[derive(Clone, Copy, Debug)]
+struct Does {
+    shadows: bool,
+    tinted_shadows: bool,
+    reflection: bool,
+    refraction: bool,
+    smooth_normals: bool,
+    adaptive_depth: bool,
+}
+
+/// A ray on its way.
+#[derive(Clone, Copy, Debug)]
+pub struct Path<T> {
+    /// Why it was cast.
+    pub kind: RayKind,
+    /// 0 for the eye ray.
+    pub depth: u32,
+    /// Product of the kr and kt along the path; (1, 1, 1) for the eye ray.
+    pub weight: Vec3<T>,
+}
+
+impl<T: Real> Path<T> {
+    /// That of the eye ray, said to have `depth`.
+    pub fn eye(depth: u32) -> Self {
+        Self { kind: RayKind::Eye, depth, weight: Vec3::ONE }
+    }
+}
+
+/// A point to be lit, and how it is seen.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen<T> {
+    /// The point.
+    pub point: Vec3<T>,
+    /// The normal to shade with, turned against the ray. [rule 11]
+    pub normal: Vec3<T>,
+    /// −d.
+    pub to_viewer: Vec3<T>,
+    /// Whether the ray is inside the object.
+    pub is_inside: bool,
+    /// Index of the material.
+    pub material: usize,
+}
+
+/// Whether a ray of this depth and weight spawns more; a threshold of 0 switches the second test off. [rule 13]
+#[inline(always)]
+pub fn goes_on<T: Real, R: RuleSource>(rules: R, depth: u32, max_depth: u32, weight: Vec3<T>, threshold: T) -> bool {
+    let is_shallow = match rules.get().depth {
+        Depth::Less => depth < max_depth,
+        Depth::LessOrEqual => depth <= max_depth,
+        Depth::OneLess => depth + 1 < max_depth,
+    };
+    let greatest = match rules.get().cutoff {
+        Cutoff::AllChannels | Cutoff::LastOnly => weight.max_element(),
+        Cutoff::AnyChannel => weight.min_element(),
+        Cutoff::Absent => T::INFINITY,
+    };
+    is_shallow && !(threshold > T::ZERO && greatest < threshold)
+}
+
+impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
+    /// The kernel that simulates `effects` and no others.
+    pub fn new(world: &'w World<T>, rules: R, effects: Effects) -> Self {
+        let (width, height) = (world.render.width, world.render.height);
+        Self {
+            world,
+            rules,
+            lens: Lens::new(rules, &world.camera, width, height),
+            does: Does {
+                shadows: effects.has(Effect::Shadows) && rules.get().casts_shadows,
+                tinted_shadows: effects.has(Effect::TintedShadows),
+                reflection: effects.has(Effect::Reflection),
+                refraction: effects.has(Effect::Refraction),
+                smooth_normals: effects.has(Effect::SmoothNormals),
+                adaptive_depth: effects.has(Effect::AdaptiveDepth),
+            },
+        }
+    }
+
+    /// The light through the point (`dx`, `dy`) of a pixel, both from 0 to 1. [rule 1]
+    pub fn eye(&self, pixel: (u32, u32), at: (T, T), watch: &mut impl Watch) -> Vec3<T> {
+        let ray = self.lens.eye_ray(self.rules, pixel, at);
+        self.trace(&ray, Path::eye(0), watch)
+    }
+
+    /// The light that `ray` brings back: shade + kr · trace(R) + kt · trace(T). [rule 7] [rule 8]
+    pub fn trace(&self, ray: &Ray<T>, path: Path<T>, watch: &mut impl Watch) -> Vec3<T> {
+        watch.enter(path.kind, path.depth, ray);
+        let colour = match self.world.nearest(self.rules, ray) {
+            Some(hit) => self.light_at(ray, path, hit, watch),
+            None => self.world.background,
+        };
+        watch.leave(colour);
+        colour
+    }
+
+    fn light_at(&self, ray: &Ray<T>, path: Path<T>, hit: Hit<T>, watch: &mut impl Watch) -> Vec3<T> {
+        let d = ray.direction;
+        let object = &self.world.objects[hit.object];
+        let material = &self.world.materials[object.material];
+        let (outwards, turned, is_inside) = self.turned(d, &hit);
+        let (n_geom, n_shading) = turned;
+        let normal = if self.rules.get().turning == Turning::NotShading { outwards } else { n_shading };
+        let seen = Seen { point: hit.point, normal, to_viewer: -d, is_inside, material: object.material };
+        let mut colour = self.shade(&seen, watch);
+        watch.met(|| Met { object: &object.name, t: hit.t, point: hit.point, normal, is_inside, direct: colour });
+        if !self.goes_on(path) {
+            return colour;
+        }
+        let eta = optics::indices(self.rules, is_inside, material.index);
+        let way_through = || optics::smooth_refract(self.rules, d, n_geom, n_shading, eta);
+        let kr = self.mirror_weight(material, is_inside);
+        if kr.max_element() > T::ZERO {
+            let r = optics::smooth_reflect(self.rules, d, n_geom, n_shading);
+            let is_black = self.rules.get().total_reflection == TotalReflection::Black && way_through().is_none();
+            if !is_black {
+                colour += kr * self.spawn(RayKind::Reflected, hit.point, r, path, kr, watch);
+            }
+        }
+        if self.does.refraction
+            && material.kt.max_element() > T::ZERO
+            && let Some(t) = way_through()
+        {
+            let kt = self.transmit_weight(material);
+            colour += kt * self.spawn(RayKind::Refracted, hit.point, t, path, kt, watch);
+        }
+        colour
+    }
+
+    /// The shading normal as it is stored; both normals turned against the ray; whether the ray is inside. [rule 11] [rule 19]
+    #[inline(always)]
+    fn turned(&self, d: Vec3<T>, hit: &Hit<T>) -> (Vec3<T>, (Vec3<T>, Vec3<T>), bool) {
+        let n_shading = if self.does.smooth_normals { hit.n_shading } else { hit.n_geom };
+        let is_inside = match self.rules.get().inside_by {
+            InsideBy::Geometric => d.dot(hit.n_geom) > T::ZERO,
+            InsideBy::Interpolated => d.dot(n_shading) > T::ZERO,
+            InsideBy::Never => false,
+        };
+        let turns = is_inside && self.rules.get().turning != Turning::Nowhere;
+        (n_shading, if turns { (-hit.n_geom, -n_shading) } else { (hit.n_geom, n_shading) }, is_inside)
+    }
+
+    fn goes_on(&self, path: Path<T>) -> bool {
+        let threshold = if self.does.adaptive_depth { T::of(self.world.render.threshold) } else { T::ZERO };
+        goes_on(self.rules, path.depth, self.world.render.max_depth, path.weight, threshold)
+    }
+
+    /// 0 where no ray is reflected. [rule 7]
+    fn mirror_weight(&self, material: &Material<T>, is_inside: bool) -> Vec3<T> {
+        match self.rules.get().mirror_weight {
+            _ if !self.does.reflection || material.kr == Vec3::ZERO => Vec3::ZERO,
+            MirrorWeight::Kr => material.kr,
+            MirrorWeight::One => Vec3::ONE,
+            MirrorWeight::OnlyOutside => {
+                if is_inside {
+                    Vec3::ZERO
+                } else {
+                    material.kr
+                }
+            }
+        }
+    }
+
+    fn transmit_weight(&self, material: &Material<T>) -> Vec3<T> {
+        match self.rules.get().transmit_weight {
+            TransmitWeight::Kt => material.kt,
+            TransmitWeight::One => Vec3::ONE,
+            TransmitWeight::OneMinusKr => Vec3::ONE - material.kr,
+        }
+    }
+
+    fn spawn(
+        &self,
+        kind: RayKind,
+        from: Vec3<T>,
+        along: Vec3<T>,
+        parent: Path<T>,
+        weight: Vec3<T>,
+        watch: &mut impl Watch,
+    ) -> Vec3<T> {
+        let weight = if self.rules.get().cutoff == Cutoff::LastOnly { weight } else { parent.weight * weight };
+        let path = Path { kind, depth: parent.depth + 1, weight };
+        self.trace(&Ray::leaving(self.rules, from, along), path, watch)
+    }
+
+    /// ke and the light of every lamp at a point. [rule 3]
+    pub fn shade(&self, seen: &Seen<T>, watch: &mut impl Watch) -> Vec3<T> {
+        let material = &self.world.materials[seen.material];
+        let mut colour = shade::emission(self.rules, material, self.world.lights.len());
+        for (j, light) in self.world.lights.iter().enumerate() {
+            let ambient = shade::ambient(self.rules, material, light, j, seen.is_inside);
+            let shadowed = self.rules.get().ambient == Ambient::Shadowed;
+            if !shadowed {
+                colour += ambient;
+            }
+            let Some((to_light, r)) = light.seen_from(self.rules, seen.point) else { continue };
+            if !shadowed && !shade::is_lit(self.rules, seen.normal, to_light) {
+                continue;
+            }
+            let reaching = self.shadow(seen.point, to_light, r, watch) * light.attenuation(self.rules, r);
+            if shadowed {
+                colour += ambient * reaching;
+            }
+            let arriving = reaching * light.colour;
+            colour += shade::light_term(self.rules, material, arriving, seen.normal, seen.to_viewer, to_light);
+        }
+        colour
+    }
+
+    /// S_j for a light in direction `to_light` at distance `r`. [rule 5] [rule 6]
+    pub fn shadow(&self, point: Vec3<T>, to_light: Vec3<T>, r: T, watch: &mut impl Watch) -> Vec3<T> {
+        if !self.does.shadows {
+            return Vec3::ONE;
+        }
+        watch.shadow_ray();
+        let reach = if self.rules.get().shadow_reach == ShadowReach::Unbounded { T::INFINITY } else { r };
+        let ray = Ray::until(self.rules, point, to_light, reach);
+        if self.does.tinted_shadows && self.rules.get().tint != Tint::Opaque {
+            return self.tint(ray);
+        }
+        if self.world.occluded(self.rules, &ray) { Vec3::ZERO } else { Vec3::ONE }
+    }
+
+    /// The product of kt over all crossings of the ray, in order of t. [rule 6]
+    fn tint(&self, mut ray: Ray<T>) -> Vec3<T> {
+        let mut light = Vec3::ONE;
+        let mut crossed = Vec::new();
+        while let Some((object, met)) = self.world.first(self.rules, &ray) {
+            let kt = self.world.materials[self.world.objects[object].material].kt;
+            let is_again = self.rules.get().tint == Tint::PerObject && crossed.contains(&object);
+            if !is_again {
+                light = light * if self.rules.get().tint == Tint::Clear && kt != Vec3::ZERO { Vec3::ONE } else { kt };
+            }
+            if light == Vec3::ZERO || self.rules.get().tint == Tint::FirstCrossing {
+                break;
+            }
+            if self.rules.get().tint == Tint::PerObject {
+                crossed.push(object);
+            }
+            ray = ray.beyond(self.rules, met.t);
+        }
+        light
+    }
+}

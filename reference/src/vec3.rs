@@ -1,0 +1,207 @@
+//! Three numbers (a point, a direction, a normal, a colour) and the affine maps between frames.
+
+use std::ops::{Add, AddAssign, Index, Mul, Neg, Sub};
+
+use glam::{DAffine3, DVec3};
+
+use crate::real::Real;
+
+/// x, y, z, or red, green, blue.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vec3<T> {
+    /// First component.
+    pub x: T,
+    /// Second component.
+    pub y: T,
+    /// Third component.
+    pub z: T,
+}
+
+impl<T: Real> Vec3<T> {
+    /// (0, 0, 0).
+    pub const ZERO: Self = Self { x: T::ZERO, y: T::ZERO, z: T::ZERO };
+    /// (1, 1, 1).
+    pub const ONE: Self = Self { x: T::ONE, y: T::ONE, z: T::ONE };
+
+    /// The three numbers in order.
+    #[inline(always)]
+    pub const fn new(x: T, y: T, z: T) -> Self {
+        Self { x, y, z }
+    }
+
+    /// The nearest vector to `v`.
+    pub fn of(v: DVec3) -> Self {
+        Self::new(T::of(v.x), T::of(v.y), T::of(v.z))
+    }
+
+    /// The same vector in f64, exactly.
+    pub fn f64(self) -> DVec3 {
+        DVec3::new(self.x.f64(), self.y.f64(), self.z.f64())
+    }
+
+    /// Σ of the products of components.
+    #[inline(always)]
+    pub fn dot(self, other: Self) -> T {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+
+    /// The vector product: at right angles to both, right-handed.
+    #[inline(always)]
+    pub fn cross(self, other: Self) -> Self {
+        Self::new(
+            self.y * other.z - self.z * other.y,
+            self.z * other.x - self.x * other.z,
+            self.x * other.y - self.y * other.x,
+        )
+    }
+
+    /// ‖v‖.
+    #[inline(always)]
+    pub fn length(self) -> T {
+        self.dot(self).sqrt()
+    }
+
+    /// v/‖v‖; components NaN for the zero vector.
+    #[inline(always)]
+    pub fn normalised(self) -> Self {
+        self * (T::ONE / self.length())
+    }
+
+    /// The greatest component.
+    pub fn max_element(self) -> T {
+        self.x.greatest(self.y).greatest(self.z)
+    }
+
+    /// The least component.
+    pub fn min_element(self) -> T {
+        self.x.least(self.y).least(self.z)
+    }
+
+    /// |x|, |y|, |z|.
+    pub fn abs(self) -> Self {
+        self.map(T::abs)
+    }
+
+    /// `f` of each component.
+    #[inline(always)]
+    pub fn map(self, f: impl Fn(T) -> T) -> Self {
+        Self::new(f(self.x), f(self.y), f(self.z))
+    }
+
+    /// The component-wise lesser.
+    pub fn least(self, other: Self) -> Self {
+        Self::new(self.x.least(other.x), self.y.least(other.y), self.z.least(other.z))
+    }
+
+    /// The component-wise greater.
+    pub fn greatest(self, other: Self) -> Self {
+        Self::new(self.x.greatest(other.x), self.y.greatest(other.y), self.z.greatest(other.z))
+    }
+
+    /// The unit vector along axis 0, 1 or 2.
+    pub fn axis(axis: usize) -> Self {
+        let at = |n| if n == axis { T::ONE } else { T::ZERO };
+        Self::new(at(0), at(1), at(2))
+    }
+}
+
+impl<T> Index<usize> for Vec3<T> {
+    type Output = T;
+
+    #[inline(always)]
+    fn index(&self, axis: usize) -> &T {
+        match axis {
+            0 => &self.x,
+            1 => &self.y,
+            _ => &self.z,
+        }
+    }
+}
+
+impl<T: Real> Add for Vec3<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self::new(self.x + other.x, self.y + other.y, self.z + other.z)
+    }
+}
+
+impl<T: Real> AddAssign for Vec3<T> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<T: Real> Sub for Vec3<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.x - other.x, self.y - other.y, self.z - other.z)
+    }
+}
+
+impl<T: Real> Neg for Vec3<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::new(-self.x, -self.y, -self.z)
+    }
+}
+
+impl<T: Real> Mul<T> for Vec3<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, scale: T) -> Self {
+        Self::new(self.x * scale, self.y * scale, self.z * scale)
+    }
+}
+
+/// Component by component: light times a colour.
+impl<T: Real> Mul for Vec3<T> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self::new(self.x * other.x, self.y * other.y, self.z * other.z)
+    }
+}
+
+/// X ↦ A X + t; `rows` are those of A.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Affine<T> {
+    /// The rows of A.
+    pub rows: [Vec3<T>; 3],
+    /// t.
+    pub translation: Vec3<T>,
+}
+
+impl<T: Real> Affine<T> {
+    /// The nearest map to `map`.
+    pub fn of(map: &DAffine3) -> Self {
+        let rows = map.matrix3.transpose();
+        Self { rows: [rows.x_axis, rows.y_axis, rows.z_axis].map(Vec3::of), translation: Vec3::of(map.translation) }
+    }
+
+    /// A X + t.
+    #[inline(always)]
+    pub fn point(&self, x: Vec3<T>) -> Vec3<T> {
+        self.vector(x) + self.translation
+    }
+
+    /// A X: directions do not move.
+    #[inline(always)]
+    pub fn vector(&self, x: Vec3<T>) -> Vec3<T> {
+        Vec3::new(self.rows[0].dot(x), self.rows[1].dot(x), self.rows[2].dot(x))
+    }
+
+    /// Aᵀ X.
+    #[inline(always)]
+    pub fn transposed(&self, x: Vec3<T>) -> Vec3<T> {
+        self.rows[0] * x.x + self.rows[1] * x.y + self.rows[2] * x.z
+    }
+}

@@ -1,0 +1,114 @@
+//! Who looks on while rays are traced: counters for `--stats`, a recorder for `explain`.
+
+use cases::ray_tree::{self, RayKind};
+use serde::Serialize;
+
+use crate::ray::Ray;
+use crate::real::Real;
+use crate::vec3::Vec3;
+
+/// What a ray met.
+#[derive(Clone, Copy, Debug)]
+#[allow(missing_docs, reason = "as in `cases::ray_tree::Met`")]
+pub struct Met<'a, T> {
+    pub object: &'a str,
+    pub t: T,
+    pub point: Vec3<T>,
+    pub normal: Vec3<T>,
+    pub is_inside: bool,
+    pub direct: Vec3<T>,
+}
+
+/// Is told of every ray.
+pub trait Watch {
+    /// A ray is about to be traced.
+    fn enter<T: Real>(&mut self, kind: RayKind, depth: u32, ray: &Ray<T>);
+    /// It met something; `met` is called by those who want to know what.
+    fn met<'a, T: Real>(&mut self, met: impl FnOnce() -> Met<'a, T>);
+    /// It brought back this colour.
+    fn leave<T: Real>(&mut self, colour: Vec3<T>);
+    /// A shadow ray is cast.
+    fn shadow_ray(&mut self);
+}
+
+/// Rays by kind.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Counts {
+    /// From the eye.
+    pub eye: u64,
+    /// Towards a light.
+    pub shadow: u64,
+    /// Mirrored.
+    pub reflected: u64,
+    /// Transmitted.
+    pub refracted: u64,
+}
+
+impl Counts {
+    /// The sums.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            eye: self.eye + other.eye,
+            shadow: self.shadow + other.shadow,
+            reflected: self.reflected + other.reflected,
+            refracted: self.refracted + other.refracted,
+        }
+    }
+
+    /// All rays.
+    pub fn total(self) -> u64 {
+        self.eye + self.shadow + self.reflected + self.refracted
+    }
+}
+
+impl Watch for Counts {
+    #[inline(always)]
+    fn enter<T: Real>(&mut self, kind: RayKind, _depth: u32, _ray: &Ray<T>) {
+        match kind {
+            RayKind::Eye => self.eye += 1,
+            RayKind::Reflected => self.reflected += 1,
+            RayKind::Refracted => self.refracted += 1,
+        }
+    }
+
+    #[inline(always)]
+    fn met<'a, T: Real>(&mut self, _met: impl FnOnce() -> Met<'a, T>) {}
+
+    #[inline(always)]
+    fn leave<T: Real>(&mut self, _colour: Vec3<T>) {}
+
+    #[inline(always)]
+    fn shadow_ray(&mut self) {
+        self.shadow += 1;
+    }
+}
+
+/// Hands everything to [`cases::ray_tree`], within [`ray_tree::record`].
+#[derive(Clone, Copy, Debug)]
+pub struct Recorder;
+
+impl Watch for Recorder {
+    fn enter<T: Real>(&mut self, kind: RayKind, depth: u32, ray: &Ray<T>) {
+        let (origin, direction) = (ray.origin.f64(), ray.direction.f64());
+        ray_tree::enter(kind, depth, &cases::Ray::new(origin, direction));
+    }
+
+    fn met<'a, T: Real>(&mut self, met: impl FnOnce() -> Met<'a, T>) {
+        let met = met();
+        ray_tree::hit(|| ray_tree::Met {
+            object: met.object.to_owned(),
+            t: met.t.f64(),
+            point: met.point.f64(),
+            normal: met.normal.f64(),
+            inside: met.is_inside,
+            direct: met.direct.f64(),
+        });
+    }
+
+    fn leave<T: Real>(&mut self, colour: Vec3<T>) {
+        ray_tree::leave(colour.f64());
+    }
+
+    fn shadow_ray(&mut self) {}
+}

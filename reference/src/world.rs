@@ -1,0 +1,321 @@
+//! The scene made ready for rays: numbers in one precision, trees built, nearest hits found. [rule 2]
+
+use cases::{Effects, Scene, Shape};
+
+use crate::bounds::Bounds;
+use crate::bvh::Bvh;
+use crate::lights::Light;
+use crate::mesh::Mesh;
+use crate::ray::Ray;
+use crate::real::Real;
+use crate::rules::{Nearest, ObjectRay, RuleSource, WorldNormal};
+use crate::shapes::{Cuboid, Meeting, Plane, Round, Solid, Sphere, Square};
+use crate::vec3::{Affine, Vec3};
+
+/// With more objects than this a tree finds the nearest.
+const MANY: usize = 8;
+
+/// How the nearest hit is found; both ways give the same bits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Search {
+    /// Through trees of boxes.
+    #[default]
+    Tree,
+    /// By asking everything: the obvious truth.
+    Scan,
+}
+
+/// A scene made ready for rays.
+#[derive(Clone, Debug)]
+pub struct World<T> {
+    /// Where the picture is taken from.
+    pub camera: cases::Camera,
+    /// Size of the picture and depth of the recursion.
+    pub render: cases::scene::Render,
+    /// What the scene asks to be simulated.
+    pub effects: Effects,
+    /// Colour of a ray that meets nothing.
+    pub background: Vec3<T>,
+    /// In the scene's order.
+    pub lights: Vec<Light<T>>,
+    /// In the scene's order.
+    pub materials: Vec<Material<T>>,
+    /// In the scene's order.
+    pub objects: Vec<Object<T>>,
+    meshes: Vec<Mesh<T>>,
+    /// Objects without an end, which no tree can hold.
+    endless: Vec<u32>,
+    /// The objects in the tree, and the tree over them.
+    tree: Option<(Vec<u32>, Bvh<T>)>,
+}
+
+/// How a surface answers light. [rule 3]
+#[derive(Clone, Copy, Debug)]
+#[allow(missing_docs, reason = "the letters of rule 3, as in `cases::Material`")]
+pub struct Material<T> {
+    pub ke: Vec3<T>,
+    pub ka: Vec3<T>,
+    pub kd: Vec3<T>,
+    pub ks: Vec3<T>,
+    pub kt: Vec3<T>,
+    pub kr: Vec3<T>,
+    pub ns: T,
+    pub index: T,
+}
+
+impl<T: Real> Material<T> {
+    /// The material in the precision `T`.
+    pub fn of(m: &cases::Material) -> Self {
+        Self {
+            ke: Vec3::of(m.ke),
+            ka: Vec3::of(m.ka),
+            kd: Vec3::of(m.kd),
+            ks: Vec3::of(m.ks),
+            kt: Vec3::of(m.kt),
+            kr: Vec3::of(m.kr),
+            ns: T::of(m.ns),
+            index: T::of(m.index),
+        }
+    }
+}
+
+/// A thing in the world.
+#[derive(Clone, Debug)]
+pub struct Object<T> {
+    /// For people.
+    pub name: String,
+    /// Index into [`World::materials`].
+    pub material: usize,
+    shape: Form<T>,
+    frame: Option<Frame<T>>,
+}
+
+/// The shape of an object.
+#[derive(Clone, Copy, Debug)]
+enum Form<T> {
+    Solid(Solid<T>),
+    Mesh(usize),
+}
+
+/// Where object space lies; `None` in its place means that it is world space.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<T> {
+    /// M.
+    pub world_from_object: Affine<T>,
+    /// M⁻¹.
+    pub object_from_world: Affine<T>,
+}
+
+/// The nearest thing a ray meets, in world space.
+#[derive(Clone, Copy, Debug)]
+pub struct Hit<T> {
+    /// Along the ray.
+    pub t: T,
+    /// Where.
+    pub point: Vec3<T>,
+    /// Unit normal of the surface itself, outwards. [rule 19]
+    pub n_geom: Vec3<T>,
+    /// Unit normal to shade with: the interpolated one where there is one, else `n_geom`. [rule 18]
+    pub n_shading: Vec3<T>,
+    /// Index into [`World::objects`].
+    pub object: usize,
+}
+
+impl<T: Real> Frame<T> {
+    /// The ray in object space; its direction keeps the length that the matrix gives it, so that t stays the same. [rule 20]
+    #[inline(always)]
+    pub fn ray_to_object<R: RuleSource>(rules: R, object_from_world: &Affine<T>, ray: &Ray<T>) -> Ray<T> {
+        let direction = object_from_world.vector(ray.direction);
+        let moved = Ray { origin: object_from_world.point(ray.origin), direction, ..*ray };
+        match rules.get().object_ray {
+            ObjectRay::AsIs => moved,
+            ObjectRay::Renormalised => Ray { direction: direction.normalised(), ..moved },
+            ObjectRay::Translated => Ray { direction: object_from_world.point(ray.direction), ..moved },
+            ObjectRay::OriginNotMoved => Ray { origin: ray.origin, ..moved },
+        }
+    }
+
+    /// A⁻ᵀ N′, normalised. [rule 20]
+    #[inline(always)]
+    pub fn normal_to_world<R: RuleSource>(&self, rules: R, normal: Vec3<T>) -> Vec3<T> {
+        match rules.get().world_normal {
+            WorldNormal::InverseTranspose => self.object_from_world.transposed(normal).normalised(),
+            WorldNormal::ByMatrix => self.world_from_object.vector(normal).normalised(),
+            WorldNormal::ByInverse => self.object_from_world.vector(normal).normalised(),
+            WorldNormal::NotUnit => self.object_from_world.transposed(normal),
+            WorldNormal::Untransformed => normal,
+        }
+    }
+}
+
+impl<T: Real> World<T> {
+    /// The scene made ready, searched through trees.
+    pub fn new(scene: &Scene) -> Self {
+        Self::with_search(scene, Search::Tree)
+    }
+
+    /// The scene made ready, searched in the given way.
+    pub fn with_search(scene: &Scene, search: Search) -> Self {
+        let mut world = Self {
+            camera: scene.camera,
+            render: scene.render,
+            effects: scene.effects,
+            background: Vec3::of(scene.background),
+            lights: scene.lights.iter().map(Light::of).collect(),
+            materials: scene.materials.iter().map(Material::of).collect(),
+            objects: scene.objects.iter().map(object).collect(),
+            meshes: scene.meshes.iter().map(|mesh| Mesh::of(mesh, search)).collect(),
+            endless: Vec::new(),
+            tree: None,
+        };
+        if search == Search::Tree && world.objects.len() > MANY {
+            world.plant();
+        }
+        world
+    }
+
+    fn plant(&mut self) {
+        let (mut inside, mut bounds) = (Vec::new(), Vec::new());
+        for i in 0..self.objects.len() as u32 {
+            match self.bounds(i as usize) {
+                Some(one) => (inside.push(i), bounds.push(one)).0,
+                None => self.endless.push(i),
+            }
+        }
+        self.tree = Some((inside, Bvh::build(&bounds)));
+    }
+
+    /// The box around an object in world space; `None` where it has no end.
+    fn bounds(&self, object: usize) -> Option<Bounds<T>> {
+        let object = &self.objects[object];
+        let bounds = match &object.shape {
+            Form::Solid(solid) => solid.bounds()?,
+            Form::Mesh(mesh) => self.meshes[*mesh].bounds(),
+        };
+        Some(object.frame.as_ref().map_or(bounds, |frame| bounds.moved(&frame.world_from_object)))
+    }
+
+    /// The nearest hit in the ray's interval; at one t the earlier object wins. [rule 2]
+    pub fn nearest<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Hit<T>> {
+        let (object, met) = self.first(rules, ray)?;
+        Some(self.hit(rules, ray, object, met))
+    }
+
+    /// The object of the nearest hit, and where; without the normals.
+    #[inline]
+    pub fn first<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<(usize, Meeting<T>)> {
+        let mut best: Option<(usize, Meeting<T>)> = None;
+        let wins = |i: usize, t: T, best: &Option<(usize, Meeting<T>)>| match best {
+            None => true,
+            Some((j, met)) => match rules.get().nearest {
+                Nearest::LeastT => t < met.t || (t == met.t && i < *j),
+                Nearest::FirstListed => i < *j,
+                Nearest::LastListed => i > *j,
+            },
+        };
+        let mut visit = |i: u32, limit: T| match self.meet(rules, ray, i as usize) {
+            Some(met) if wins(i as usize, met.t, &best) => {
+                best = Some((i as usize, met));
+                if rules.get().nearest == Nearest::LeastT { met.t } else { limit }
+            }
+            _ => limit,
+        };
+        self.each(ray, &mut visit);
+        best
+    }
+
+    /// Whether anything lies in the ray's interval; the first thing found ends the search. [rule 5]
+    #[inline]
+    pub fn occluded<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> bool {
+        let mut found = false;
+        self.each(ray, &mut |i, limit| {
+            found = found || self.meet(rules, ray, i as usize).is_some();
+            if found { -T::INFINITY } else { limit }
+        });
+        found
+    }
+
+    /// Calls `visit` for every object that the ray may meet before the limit; `visit` returns the new limit.
+    #[inline(always)]
+    fn each(&self, ray: &Ray<T>, visit: &mut impl FnMut(u32, T) -> T) {
+        match &self.tree {
+            None => {
+                (0..self.objects.len() as u32).fold(ray.t_max, |limit, i| visit(i, limit));
+            }
+            Some((inside, tree)) => {
+                let limit = self.endless.iter().fold(ray.t_max, |limit, i| visit(*i, limit));
+                let rest = Ray { t_max: limit, ..*ray };
+                tree.walk(&rest, |n, limit| visit(inside[n as usize], limit));
+            }
+        }
+    }
+
+    /// The first meeting of the ray with one object.
+    #[inline(always)]
+    fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>, object: usize) -> Option<Meeting<T>> {
+        let object = &self.objects[object];
+        let moved = object.frame.as_ref().map(|f| Frame::ray_to_object(rules, &f.object_from_world, ray));
+        let ray = moved.as_ref().unwrap_or(ray);
+        match &object.shape {
+            Form::Solid(solid) => solid.meet(rules, ray),
+            Form::Mesh(mesh) => self.meshes[*mesh].meet(rules, ray),
+        }
+    }
+
+    /// A meeting with an object, its normals worked out.
+    fn hit<R: RuleSource>(&self, rules: R, ray: &Ray<T>, index: usize, met: Meeting<T>) -> Hit<T> {
+        let object = &self.objects[index];
+        let frame = object.frame.as_ref();
+        let (n_geom, n_shading) = match &object.shape {
+            Form::Solid(solid) => {
+                let moved = frame.map(|f| Frame::ray_to_object(rules, &f.object_from_world, ray));
+                let point = moved.as_ref().unwrap_or(ray).at(met.t);
+                (solid.normal(rules, point, met.part), None)
+            }
+            Form::Mesh(mesh) => {
+                let mesh = &self.meshes[*mesh];
+                (mesh.normal(rules, met.part), mesh.interpolated(rules, &met))
+            }
+        };
+        let to_world = |n| frame.map_or(n, |f| f.normal_to_world(rules, n));
+        let n_geom = to_world(n_geom);
+        Hit { t: met.t, point: ray.at(met.t), n_geom, n_shading: n_shading.map_or(n_geom, to_world), object: index }
+    }
+}
+
+fn object<T: Real>(object: &cases::Object) -> Object<T> {
+    let frame = Frame {
+        world_from_object: Affine::of(&object.world_from_object),
+        object_from_world: Affine::of(&object.object_from_world),
+    };
+    Object {
+        name: object.name.clone(),
+        material: object.material,
+        shape: form(&object.shape),
+        frame: (!object.is_untransformed()).then_some(frame),
+    }
+}
+
+fn form<T: Real>(shape: &Shape) -> Form<T> {
+    Form::Solid(match *shape {
+        Shape::Sphere { center, radius } => Solid::Sphere(Sphere { center: Vec3::of(center), radius: T::of(radius) }),
+        Shape::Plane { normal, k } => Solid::Plane(Plane { normal: Vec3::of(normal), k: T::of(k) }),
+        Shape::Square {} => Solid::Square(Square),
+        Shape::Box { min, max } => Solid::Cuboid(Cuboid { min: Vec3::of(min), max: Vec3::of(max) }),
+        Shape::Cylinder { radius, z_min, z_max, capped } => Solid::Round(Round {
+            bottom_radius: T::of(radius),
+            top_radius: T::of(radius),
+            z_min: T::of(z_min),
+            z_max: T::of(z_max),
+            is_capped: capped,
+        }),
+        Shape::Cone { bottom_radius, top_radius, z_min, z_max, capped } => Solid::Round(Round {
+            bottom_radius: T::of(bottom_radius),
+            top_radius: T::of(top_radius),
+            z_min: T::of(z_min),
+            z_max: T::of(z_max),
+            is_capped: capped,
+        }),
+        Shape::Mesh { mesh } => return Form::Mesh(mesh),
+    })
+}
