@@ -54,9 +54,7 @@ pub fn answer<R: RuleSource>(rules: R, ask: &Ask) -> Answer {
             vector(frame.normal_to_world(rules, v(*normal)))
         }
         Ask::Barycentric { a, b, c, q } => vector(shapes::barycentric([*a, *b, *c].map(v), v(*q))),
-        Ask::Interpolate { weights, normals } => {
-            direction(mesh::interpolate(rules, v(*weights), normals.map(v)))
-        }
+        Ask::Interpolate { weights, normals } => direction(mesh::interpolate(rules, v(*weights), normals.map(v))),
         _ => formula(rules, ask),
     }
 }

@@ -10,9 +10,11 @@
 //! | [`camera`], [`lights`], [`shade`], [`optics`] | formulas; they cast no ray |
 //! | [`trace`], [`render`], [`watch`] | the kernel, pictures, and who looks on |
 
+pub mod answers;
 pub mod bounds;
 pub mod bvh;
 pub mod camera;
+pub mod expect;
 pub mod lights;
 pub mod mesh;
 pub mod optics;
@@ -23,11 +25,9 @@ pub mod roots;
 pub mod rules;
 pub mod shade;
 pub mod shapes;
+#[cfg(test)]
+mod testing;
 pub mod trace;
 pub mod vec3;
 pub mod watch;
 pub mod world;
-pub mod answers;
-pub mod expect;
-#[cfg(test)]
-mod testing;

@@ -155,8 +155,22 @@ mod tests {
 
     #[test]
     fn a_question_at_the_edge_of_a_shadow_is_refused() {
-        let scene = crate::testing::scene(r#"{ "x": 0.5 }"#);
-        let ask = Ask::Shadow { scene: Box::new(scene), light: 0, point: DVec3::new(0.5, -1.0, 0.0) };
+        let scene = crate::testing::scene(
+            r#"
+            [scene.materials]
+            chalk = { kd = [0.8, 0.8, 0.8] }
+            [[scene.lights]]
+            point = { position = [0, 2, 0], colour = [1, 1, 1] }
+            [[scene.objects]]
+            box = { min = [-0.5, -0.5, -0.5], max = [0.5, 0.5, 0.5] }
+            material = "chalk"
+            [[scene.objects]]
+            plane = { normal = [0, 1, 0], k = -1 }
+            material = "chalk"
+            "#,
+        );
+        // The shadow of the corner (0.5, 0.5) of the box's top, 1.5 below the lamp, ends at 0.5 · 3 / 1.5 on the floor.
+        let ask = Ask::Shadow { scene: Box::new(scene), light: 0, point: DVec3::new(1.0, -1.0, 0.0) };
         let error = check(&ask).unwrap_err();
         assert!(error.contains("jumps"), "{error}");
     }
