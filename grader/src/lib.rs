@@ -1,5 +1,6 @@
 //! The judge: builds and runs submissions case by case, and scores them.
 
+pub mod batch;
 pub mod build;
 pub mod exam;
 pub mod exercise;

@@ -3,5 +3,5 @@
 pub mod class;
 pub mod html;
 #[cfg(test)]
-mod sample;
+pub(crate) mod sample;
 pub mod words;

@@ -17,7 +17,7 @@ mod view;
 /// A submission of the class.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// Names its files; of letters, digits, `.`, `_` and `-` alone.
+    /// Names its files; of letters, digits, `.`, `_`, `-` and `~` alone.
     pub id: String,
     /// How it was handed in.
     pub name: String,

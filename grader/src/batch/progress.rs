@@ -1,0 +1,83 @@
+//! How far a run has come: a bar with the time left on a terminal, else a line for each submission that is finished.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::Submission;
+use crate::record::Record;
+use crate::report::words;
+
+/// Hears what becomes of each submission. Called from several threads, in any order.
+pub trait Listener: Sync {
+    /// The run begins.
+    fn begin(&self, n_submissions: usize);
+    /// The result of an earlier run holds.
+    fn taken(&self, submission: &Submission, record: &Record);
+    /// It was graded.
+    fn graded(&self, submission: &Submission, record: &Record);
+    /// The grader or the machine failed at it.
+    fn failed(&self, submission: &Submission, why: &str);
+    /// The run has ended.
+    fn end(&self);
+}
+
+/// Shows it on the error stream.
+#[derive(Debug)]
+pub struct Shown {
+    bar: ProgressBar,
+    n_done: AtomicUsize,
+    is_quiet: bool,
+}
+
+impl Shown {
+    /// Nothing is shown yet. A quiet one shows failures alone.
+    pub fn new(is_quiet: bool) -> Self {
+        let bar = if is_quiet { ProgressBar::hidden() } else { ProgressBar::no_length() };
+        Self { bar, n_done: AtomicUsize::new(0), is_quiet }
+    }
+
+    fn step(&self, line: String, is_shown_anyway: bool) {
+        let n_done = self.n_done.fetch_add(1, Ordering::Relaxed) + 1;
+        self.bar.inc(1);
+        if self.bar.is_hidden() {
+            if is_shown_anyway || !self.is_quiet {
+                eprintln!("[{n_done}/{}] {line}", self.bar.length().unwrap_or(0));
+            }
+        } else if is_shown_anyway {
+            self.bar.println(line);
+        }
+    }
+}
+
+impl Listener for Shown {
+    fn begin(&self, n_submissions: usize) {
+        let style = ProgressStyle::with_template("{bar:30} {pos}/{len} submissions, {eta} left  {wide_msg}");
+        self.bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        self.bar.set_length(n_submissions as u64);
+        self.bar.enable_steady_tick(std::time::Duration::from_millis(500));
+    }
+
+    fn taken(&self, submission: &Submission, record: &Record) {
+        self.step(format!("{} (unchanged)", line(submission, record)), false);
+    }
+
+    fn graded(&self, submission: &Submission, record: &Record) {
+        let line = line(submission, record);
+        self.bar.set_message(line.clone());
+        self.step(line, false);
+    }
+
+    fn failed(&self, submission: &Submission, why: &str) {
+        self.step(format!("{}: not graded, and not the student's fault: {why}", submission.name), true);
+    }
+
+    fn end(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+fn line(submission: &Submission, record: &Record) -> String {
+    let (earned, possible) = (words::points(record.score.earned), words::points(record.score.possible));
+    format!("{}: {earned} of {possible} points", submission.name)
+}

@@ -1,0 +1,80 @@
+//! Results on disk: published once, whole, under the hash of all they depend on.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::files;
+use crate::grade::Graded;
+use crate::record::{Record, SCHEMA};
+use crate::report::html;
+
+/// The folder of results, for one epoch.
+pub(super) struct Store {
+    out: PathBuf,
+    epoch: String,
+}
+
+impl Store {
+    /// Makes the folders.
+    pub(super) fn open(out: &Path, epoch: &str) -> io::Result<Self> {
+        for folder in ["results", "records", "reports"] {
+            std::fs::create_dir_all(out.join(folder))?;
+        }
+        Ok(Self { out: out.to_owned(), epoch: epoch.to_owned() })
+    }
+
+    fn folder(&self, digest: &str, name: &str) -> PathBuf {
+        let mut hasher = blake3::Hasher::new();
+        for part in [&self.epoch, digest, name] {
+            hasher.update(&(part.len() as u64).to_le_bytes()).update(part.as_bytes());
+        }
+        self.out.join("results").join(hasher.finalize().to_hex().as_str())
+    }
+
+    /// The record of an earlier run, if there is one; a broken one counts for nothing.
+    pub(super) fn find(&self, digest: &str, name: &str) -> Option<Record> {
+        let folder = self.folder(digest, name);
+        let bytes = std::fs::read(folder.join("record.json")).ok()?;
+        let record: Record = serde_json::from_slice(&bytes).ok()?;
+        let is_whole = record.schema == SCHEMA && folder.join("report.html").is_file();
+        (is_whole && record.submission.digest == digest).then_some(record)
+    }
+
+    /// Stores a record and its report. What is under the same key already can only be broken, or just as good.
+    pub(super) fn publish(&self, graded: &Graded) -> io::Result<()> {
+        let Record { submission, .. } = &graded.record;
+        let folder = self.folder(&submission.digest, &submission.path);
+        if folder.exists() && self.find(&submission.digest, &submission.path).is_none() {
+            std::fs::remove_dir_all(&folder)?;
+        }
+        files::publish_folder(&folder, |fresh| {
+            html::write(&fresh.join("report.html"), graded)?;
+            files::write(&fresh.join("record.json"), &json(&graded.record))
+        })
+    }
+
+    /// Puts a published record and its report where people look for them.
+    pub(super) fn show(&self, id: &str, record: &Record) -> io::Result<()> {
+        let report = self.folder(&record.submission.digest, &record.submission.path).join("report.html");
+        link(&report, &self.out.join("reports").join(format!("{id}.html")))?;
+        files::write(&self.out.join("records").join(format!("{id}.json")), &json(record))
+    }
+}
+
+fn json(record: &Record) -> Vec<u8> {
+    let mut bytes = serde_json::to_vec_pretty(record).expect("a record has string keys and no failing part");
+    bytes.push(b'\n');
+    bytes
+}
+
+/// Makes `to` a second name of `from`, or a copy where the file system has no second names.
+fn link(from: &Path, to: &Path) -> io::Result<()> {
+    let part = to.with_extension(format!("part-{}", std::process::id()));
+    let _ = std::fs::remove_file(&part); // left by a process of the same number that was killed
+    if std::fs::hard_link(from, &part).is_err() {
+        return files::write(to, &std::fs::read(from)?);
+    }
+    let renamed = std::fs::rename(&part, to);
+    let _ = std::fs::remove_file(&part); // a rename onto a name of the same file leaves both
+    renamed
+}
