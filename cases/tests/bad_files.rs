@@ -3,6 +3,8 @@
 
 use std::path::{Path, PathBuf};
 
+use cases::problem::Problems;
+
 #[test]
 fn bad_files_are_refused_with_these_words() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad");
@@ -17,16 +19,59 @@ fn bad_files_are_refused_with_these_words() {
     assert!(failed.is_empty(), "{}", failed.join("\n"));
 }
 
+#[test]
+fn a_bad_folder_of_stages_is_refused_for_all_its_files_at_once() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_stages");
+    let found = cases::stage::load_all(&folder).map(|_| ()).expect_err("bad stages were accepted");
+    compare(&folder, "stages", &found).unwrap_or_else(|why| panic!("{why}"));
+}
+
 fn check(folder: &Path, name: &str) -> Result<(), String> {
-    let found = match cases::scene::load(&folder.join(name)) {
-        Ok(_) => return Err(format!("{name} was accepted")),
-        Err(problems) => problems.to_string().replace(&format!("{}/", folder.display()), "") + "\n",
-    };
-    let beside: PathBuf = folder.join(format!("{name}.expected"));
+    match cases::scene::load(&folder.join(name)) {
+        Ok(_) => Err(format!("{name} was accepted")),
+        Err(problems) => compare(folder, name, &problems),
+    }
+}
+
+fn compare(folder: &Path, name: &str, problems: &Problems) -> Result<(), String> {
+    let found = problems.to_string().replace(&format!("{}/", folder.display()), "") + "\n";
+    let beside = folder.join(format!("{name}.expected"));
     if std::env::var_os("UPDATE_EXPECTED").is_some() {
         std::fs::write(&beside, found).unwrap();
         return Err(format!("{name}: written; read it, then run without UPDATE_EXPECTED"));
     }
     let expected = std::fs::read_to_string(&beside).map_err(|why| format!("{}: {why}", beside.display()))?;
     if found == expected { Ok(()) } else { Err(format!("{name}: expected\n{expected}\nfound\n{found}")) }
+}
+
+#[test]
+fn what_is_no_file_of_sensible_size_is_refused_unread() {
+    let folder = tempfile::tempdir().unwrap();
+    let huge = folder.path().join("huge.toml");
+    std::fs::File::create(&huge).unwrap().set_len(100_000_000).unwrap();
+    let table = [
+        (huge, "it has 100000000 bytes; at most 16777216 are read"),
+        (folder.path().join("missing.toml"), "there is no such file"),
+        (folder.path().to_path_buf(), "it is a folder"),
+        (PathBuf::from("/dev/zero"), "it is not a regular file"),
+    ];
+    for (path, why) in table {
+        let problems = cases::scene::load(&path).expect_err("accepted");
+        assert_eq!(problems.iter().count(), 1);
+        assert!(problems.to_string().contains(why), "{problems}");
+    }
+}
+
+#[test]
+fn a_file_with_very_many_problems_is_not_reported_to_its_end() {
+    let text = (0..5000).map(|i| format!("key{i} = 1\n")).collect::<String>();
+    let problems = cases::scene::parse("many.toml", &text, Path::new("")).expect_err("accepted");
+    assert_eq!(problems.iter().count(), cases::problem::MAX_PROBLEMS);
+}
+
+#[test]
+fn colour_comes_only_when_asked_for() {
+    let problems = cases::scene::parse("x.toml", "a = 1", Path::new("")).expect_err("accepted");
+    assert!(problems.render(true).contains('\u{1b}'));
+    assert!(!problems.render(false).contains('\u{1b}'));
 }

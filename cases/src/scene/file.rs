@@ -1,5 +1,6 @@
 //! Scene files: from a path or a text to the resolved scene, or to everything that is wrong with it.
 
+use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -94,11 +95,21 @@ pub(crate) fn root(source: &Arc<Source>) -> (Option<Value<'_>>, Notes) {
     }
     let (table, errors) = DeTable::parse_recoverable(text);
     for error in &errors {
-        let span = error.span().filter(|span| text.is_char_boundary(span.start) && text.is_char_boundary(span.end));
-        notes.add(span.unwrap_or_default(), format!("this is not TOML: {}", error.message()), "");
+        let span = error.span().map_or(0..0, |span| widened(text, span));
+        notes.add(span, format!("this is not TOML: {}", error.message()), "");
     }
     // What the parser could not make sense of leaves holes that would be reported as missing keys.
     (errors.is_empty().then(|| Spanned::new(0..0, DeValue::Table(table.into_inner()))), notes)
+}
+
+/// `span` with at least one character in it, so that there is something to underline: the one behind it, or else before.
+fn widened(text: &str, span: Range<usize>) -> Range<usize> {
+    let Some((before, rest)) = text.split_at_checked(span.start) else { return 0..0 };
+    match rest.chars().next() {
+        _ if span.end > span.start && text.is_char_boundary(span.end) => span,
+        Some(next) if next != '\n' => span.start..span.start + next.len_utf8(),
+        _ => before.chars().next_back().map_or(0..0, |last| span.start - last.len_utf8()..span.start),
+    }
 }
 
 /// Settings and scene, each looked at even where the other is missing.

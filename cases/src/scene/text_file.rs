@@ -1,13 +1,16 @@
 //! Reading files whose size is demanded before any of it is held in memory.
 
 use std::fs::File;
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 /// The bytes of the regular file at `path`, at most `limit`; `Err` says why not, in a few words.
 pub(crate) fn bytes(path: &Path, limit: u64) -> Result<Vec<u8>, String> {
     // Asked before opening: to open a FIFO is to wait for whoever writes to it.
-    let about = std::fs::metadata(path).map_err(|why| format!("it cannot be read: {why}"))?;
+    let about = std::fs::metadata(path).map_err(|why| match why.kind() {
+        ErrorKind::NotFound => "there is no such file".to_owned(),
+        _ => format!("it cannot be read: {why}"),
+    })?;
     if !about.is_file() {
         return Err(if about.is_dir() { "it is a folder" } else { "it is not a regular file" }.to_owned());
     }

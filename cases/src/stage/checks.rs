@@ -67,7 +67,10 @@ fn parse(name: &str, text: &str, path: &Path, stage: &str, allows: Effects) -> R
         };
         let mut names = HashSet::new();
         let prefix = format!("{stage}/{}", stem(path));
-        items.iter().map(|item| check(item, &prefix, &named, &mut names, &mut notes)).collect()
+        let read = |item| check(item, &prefix, &named, &mut names, &mut notes);
+        // All are read before the first failure counts.
+        let checks: Vec<Option<Check>> = items.iter().map(read).collect();
+        checks.into_iter().collect()
     });
     notes.finish(checks)
 }
