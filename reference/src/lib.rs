@@ -14,6 +14,7 @@ pub mod answers;
 pub mod bounds;
 pub mod bvh;
 pub mod camera;
+pub mod cli;
 pub mod expect;
 pub mod lights;
 pub mod mesh;

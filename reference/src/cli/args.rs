@@ -1,0 +1,178 @@
+//! What can be typed.
+
+use std::num::NonZeroU32;
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand, ValueEnum};
+
+/// Renders and explains scenes by the numbered rules of light, and writes the answers that submissions are judged by.
+#[derive(Debug, Parser)]
+#[command(name = "reference", version, after_help = AFTER, propagate_version = true)]
+pub(super) struct Args {
+    /// Errors alone
+    #[arg(short, long, global = true, conflicts_with = "verbose")]
+    pub quiet: bool,
+    /// Also what is done on the way
+    #[arg(short, long, global = true)]
+    pub verbose: bool,
+    /// When to colour; `auto` heeds NO_COLOR
+    #[arg(long, global = true, value_name = "WHEN", default_value = "auto")]
+    pub color: Colour,
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+const AFTER: &str = "\
+A SCENE is a scene or case in TOML, a resolved scene in JSON, or the id of a case such as `02_shadows/two_balls`, which is
+sought in ./cases/stages.
+
+Examples:
+  reference render 02_shadows/two_balls -o two_balls.png
+  reference explain 04_refraction/glass_ball 80 60
+  reference expect --check
+
+Exit codes:
+  0  done; with `expect --check`: every stored answer is what the rules give
+  1  done, but a stored answer differs, or a check's answer on paper is wrong
+  2  usage, or a file that cannot be read
+  3  the machine failed: a file cannot be written";
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    Render(RenderArgs),
+    Effects(EffectsArgs),
+    Explain(ExplainArgs),
+    /// Answers the questions of the unit checks: JSON, a question a line in, an answer a line out
+    #[command(
+        after_help = "Example:\n  echo '{\"id\":\"a\",\"fn\":\"reflect\",\"direction\":[0,-1,0],\"normal\":[0,1,0]}' | reference probe"
+    )]
+    Probe,
+    Expect(ExpectArgs),
+    /// Prints the completions for a shell
+    #[command(
+        after_help = "Example:\n  reference completions bash > ~/.local/share/bash-completion/completions/reference"
+    )]
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
+    /// Prints a manual page
+    #[command(after_help = "Example:\n  reference man render | man -l -")]
+    Man {
+        /// The command it is about; none: the program as a whole
+        command: Option<String>,
+    },
+}
+
+/// Renders a picture
+#[derive(Debug, Parser)]
+#[command(after_help = "\
+Examples:
+  reference render 02_shadows/two_balls -o two_balls.png
+  reference render scene.json out.pfm                      as a submission is called
+  reference render scene.toml -o big.exr --size 1280x960 --samples 4 --stats
+  reference render scene.toml -o - --effects shadows,reflection > out.png")]
+pub(super) struct RenderArgs {
+    /// Scene, case, or id of a case
+    pub scene: String,
+    /// Where the picture goes, as with -o
+    #[arg(value_name = "OUT", conflicts_with = "output")]
+    pub out: Option<PathBuf>,
+    /// Where the picture goes: .png (8 bits), .pfm or .exr (linear float); `-` is a PNG to the output stream
+    #[arg(short, long, value_name = "OUT", required_unless_present = "out")]
+    pub output: Option<PathBuf>,
+    /// Pixels, such as 640x480, in the place of the scene's
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<(u32, u32)>,
+    /// Depth at which rays spawn no more, in the place of the scene's
+    #[arg(long, value_name = "N")]
+    pub max_depth: Option<u32>,
+    /// Numbers to compute with
+    #[arg(long, default_value = "f64")]
+    pub precision: Precision,
+    /// Effects to simulate: `auto` (those the scene lists), `all`, `none`, or names such as `shadows,reflection`
+    #[arg(long, value_name = "EFFECTS", default_value = "auto")]
+    pub effects: String,
+    /// N x N rays a pixel, on a regular grid
+    #[arg(long, value_name = "N", default_value = "1")]
+    pub samples: NonZeroU32,
+    /// Threads; the picture is the same with any number [default: one a core]
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroU32>,
+    /// Says how many rays of each kind were cast, and the time of each step; on the error stream where the picture goes to the output
+    #[arg(long, value_name = "FORM", num_args = 0..=1, default_missing_value = "text")]
+    pub stats: Option<Form>,
+}
+
+/// Says which effects a scene calls for, and why
+#[derive(Debug, Parser)]
+#[command(after_help = "Example:\n  reference effects 04_refraction/glass_ball")]
+pub(super) struct EffectsArgs {
+    /// Scene, case, or id of a case
+    pub scene: String,
+    /// As JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Prints the tree of rays behind a pixel
+#[derive(Debug, Parser)]
+#[command(after_help = "Example:\n  reference explain 04_refraction/glass_ball 80 60")]
+pub(super) struct ExplainArgs {
+    /// Scene, case, or id of a case
+    pub scene: String,
+    /// Column from the left, from 0
+    pub x: u32,
+    /// Row from the top, from 0
+    pub y: u32,
+    /// As JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Writes the answers that submissions are judged by, beside the cases
+#[derive(Debug, Parser)]
+#[command(after_help = "\
+Examples:
+  reference expect                            every stage of ./cases/stages
+  reference expect 02_shadows                 one stage
+  reference expect 02_shadows/two_balls       one case
+  reference expect --check                    writes nothing, fails where anything differs")]
+pub(super) struct ExpectArgs {
+    /// Ids of cases or stages, case files, stage folders, or folders of stages
+    #[arg(value_name = "CASE|STAGE|DIR")]
+    pub what: Vec<PathBuf>,
+    /// Compare with what is stored, byte for byte, and write nothing
+    #[arg(long)]
+    pub check: bool,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum Colour {
+    Auto,
+    Always,
+    Never,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum Precision {
+    F32,
+    F64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Form {
+    Text,
+    Json,
+}
+
+/// Largest side of a picture.
+const MAX_SIDE: u32 = 16384;
+
+fn size(text: &str) -> Result<(u32, u32), String> {
+    let sides = text.split_once(['x', '×']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
+    match sides {
+        Some((w, h)) if (1..=MAX_SIDE).contains(&w) && (1..=MAX_SIDE).contains(&h) => Ok((w, h)),
+        _ => Err(format!("a size is two numbers from 1 to {MAX_SIDE}, such as 640x480")),
+    }
+}

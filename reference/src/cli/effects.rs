@@ -1,0 +1,41 @@
+//! `reference effects`.
+
+use cases::effects;
+use serde::Serialize;
+
+use super::args::EffectsArgs;
+use super::{Stop, find, print, print_json};
+
+#[derive(Serialize)]
+struct Row {
+    effect: &'static str,
+    called_for: bool,
+    simulated: bool,
+    because: String,
+}
+
+/// Carries out the command.
+pub(super) fn run(args: &EffectsArgs) -> Result<(), Stop> {
+    let scene = find::scene(&args.scene)?;
+    let row = |reason: effects::Reason| Row {
+        effect: reason.effect.name(),
+        called_for: reason.called_for,
+        simulated: scene.effects.has(reason.effect),
+        because: reason.because,
+    };
+    let rows: Vec<Row> = effects::reasons(&scene).into_iter().map(row).collect();
+    if args.json {
+        return print_json(&rows);
+    }
+    print(rows.iter().map(line).collect::<String>().as_bytes())
+}
+
+fn line(row: &Row) -> String {
+    let verdict = match (row.called_for, row.simulated) {
+        (true, true) => "yes",
+        (false, false) => "no",
+        (true, false) => "yes, but left out here",
+        (false, true) => "no, but simulated here",
+    };
+    format!("{:<15} {verdict}: {}\n", row.effect, row.because)
+}

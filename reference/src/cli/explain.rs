@@ -1,0 +1,30 @@
+//! `reference explain`.
+
+use cases::ray_tree;
+
+use super::args::ExplainArgs;
+use super::{Stop, find, print, print_json};
+use crate::rules::Lecture;
+use crate::trace::Kernel;
+use crate::watch::Recorder;
+use crate::world::World;
+
+/// Carries out the command.
+pub(super) fn run(args: &ExplainArgs) -> Result<(), Stop> {
+    let scene = find::scene(&args.scene)?;
+    let (width, height) = (scene.render.width, scene.render.height);
+    if args.x >= width || args.y >= height {
+        let (x, y) = (args.x, args.y);
+        return Err(Stop::Usage(format!("pixel ({x}, {y}) does not lie in a picture of {width}×{height}")));
+    }
+    let world = World::<f64>::new(&scene);
+    let kernel = Kernel::new(&world, Lecture, scene.effects);
+    let tree = ray_tree::record(|| {
+        kernel.eye((args.x, args.y), (0.5, 0.5), &mut Recorder);
+    });
+    match tree {
+        Some(tree) if args.json => print_json(&tree),
+        Some(tree) => print(tree.to_string().as_bytes()),
+        None => Err(Stop::Machine("no ray was recorded".to_owned())),
+    }
+}

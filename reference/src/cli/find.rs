@@ -1,0 +1,45 @@
+//! What a SCENE on the command line names.
+
+use std::path::{Path, PathBuf};
+
+use cases::problem::did_you_mean;
+use cases::{Scene, scene};
+
+use super::Stop;
+
+/// Where stages are sought.
+pub(super) const STAGES: &str = "cases/stages";
+
+/// The scene that `named` names: a file, or the id of a case below ./cases/stages.
+pub(super) fn scene(named: &str) -> Result<Scene, Stop> {
+    Ok(scene::load(&path(named)?)?)
+}
+
+fn path(named: &str) -> Result<PathBuf, Stop> {
+    let as_file = PathBuf::from(named);
+    let as_case = Path::new(STAGES).join(format!("{named}.toml"));
+    if as_file.is_file() {
+        Ok(as_file)
+    } else if as_case.is_file() {
+        Ok(as_case)
+    } else {
+        Err(Stop::Usage(format!("there is no file `{named}` and no case `{named}` in ./{STAGES}{}", hint(named))))
+    }
+}
+
+fn hint(named: &str) -> String {
+    let known = case_ids();
+    match did_you_mean(named, known.iter().map(String::as_str)) {
+        Some(similar) => format!("\nhelp: did you mean `{similar}`?"),
+        None if known.is_empty() => String::from("\nhelp: run this where the folder `cases` lies"),
+        None => String::new(),
+    }
+}
+
+fn case_ids() -> Vec<String> {
+    let list = |folder: &Path| std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    let stages: Vec<_> = list(Path::new(STAGES)).collect();
+    let files = stages.iter().flat_map(|stage| list(stage)).filter(|path| cases::stage::is_case(path));
+    let id = |path: PathBuf| Some(path.strip_prefix(STAGES).ok()?.with_extension("").to_str()?.to_owned());
+    files.filter_map(id).collect()
+}

@@ -1,0 +1,108 @@
+//! The command line: what was typed, what it means, and how it ended.
+
+mod args;
+mod effects;
+mod expect;
+mod explain;
+mod find;
+mod pages;
+mod probe;
+mod progress;
+mod render;
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use anstream::ColorChoice;
+use cases::problem::Problems;
+use clap::Parser;
+
+use args::{Args, Colour, Command};
+
+/// Why a command ended early, and with it the exit code.
+#[derive(Debug)]
+enum Stop {
+    /// Done, but something did not pass: 1.
+    NotPassed(String),
+    /// A scene or case that cannot be read: 2.
+    Problems(Problems),
+    /// What was typed makes no sense, or an input cannot be read: 2.
+    Usage(String),
+    /// The machine failed: 3.
+    Machine(String),
+}
+
+impl From<Problems> for Stop {
+    fn from(problems: Problems) -> Self {
+        Self::Problems(problems)
+    }
+}
+
+/// How much is said on the error stream.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Talk {
+    /// Errors alone.
+    Quiet,
+    /// What was written.
+    Normal,
+    /// Also what was done on the way.
+    Verbose,
+}
+
+/// Carries out the command line; returns the exit code, of those that `--help` lists.
+pub fn run() -> ExitCode {
+    let args = Args::parse();
+    match args.color {
+        Colour::Auto => ColorChoice::Auto,
+        Colour::Always => ColorChoice::Always,
+        Colour::Never => ColorChoice::Never,
+    }
+    .write_global();
+    let talk = match (args.quiet, args.verbose) {
+        (true, _) => Talk::Quiet,
+        (_, true) => Talk::Verbose,
+        _ => Talk::Normal,
+    };
+    match dispatch(&args.command, talk) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(stop) => report(stop),
+    }
+}
+
+fn dispatch(command: &Command, talk: Talk) -> Result<(), Stop> {
+    match command {
+        Command::Render(args) => render::run(args, talk),
+        Command::Effects(args) => effects::run(args),
+        Command::Explain(args) => explain::run(args),
+        Command::Probe => probe::run(),
+        Command::Expect(args) => expect::run(args, talk),
+        Command::Completions { shell } => pages::completions(*shell),
+        Command::Man { command } => pages::man(command.as_deref()),
+    }
+}
+
+fn report(stop: Stop) -> ExitCode {
+    let (text, code) = match stop {
+        Stop::NotPassed(text) => (format!("{text}\n"), 1),
+        Stop::Problems(problems) => (problems.render(true), 2),
+        Stop::Usage(text) => (format!("error: {text}\n"), 2),
+        Stop::Machine(text) => (format!("error: {text}\n"), 3),
+    };
+    anstream::eprint!("{text}{}", if text.ends_with('\n') { "" } else { "\n" });
+    ExitCode::from(code)
+}
+
+/// Writes to the output stream; a reader that has gone away ends the program quietly.
+fn print(bytes: &[u8]) -> Result<(), Stop> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
+        Err(why) if why.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
+        Err(why) => Err(Stop::Machine(format!("cannot write to the output stream: {why}"))),
+        Ok(()) => Ok(()),
+    }
+}
+
+fn print_json<T: serde::Serialize>(value: &T) -> Result<(), Stop> {
+    let text = serde_json::to_string_pretty(value).map_err(|why| Stop::Machine(why.to_string()))?;
+    print(format!("{text}\n").as_bytes())
+}

@@ -1,0 +1,26 @@
+//! `reference probe`: the protocol of the unit checks, so that the reference can be graded like a submission.
+
+use std::io::BufRead;
+
+use cases::probe::{Question, Reply};
+
+use super::{Stop, print};
+use crate::answers::answer;
+use crate::rules::Lecture;
+
+/// Answers a line for every line, in order.
+pub(super) fn run() -> Result<(), Stop> {
+    for line in std::io::stdin().lock().lines() {
+        let line = line.map_err(|why| Stop::Usage(format!("cannot read a question: {why}")))?;
+        if line.trim().is_empty() {
+            continue;
+        }
+        let question: Question = serde_json::from_str(&line)
+            .map_err(|why| Stop::Usage(format!("cannot understand the question {line}: {why}")))?;
+        let reply = Reply { answer: answer(Lecture, &question.ask), id: question.id };
+        let text =
+            serde_json::to_string(&reply).map_err(|why| Stop::Machine(format!("cannot write an answer: {why}")))?;
+        print(format!("{text}\n").as_bytes())?;
+    }
+    Ok(())
+}

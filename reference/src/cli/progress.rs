@@ -1,0 +1,46 @@
+//! A bar on the terminal for what takes long; nothing anywhere else.
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use super::Talk;
+
+/// Fewer rays than this are done before a bar could be read.
+const LONG: u64 = 500_000;
+
+/// A bar that goes away when dropped.
+pub(super) struct Bar(ProgressBar);
+
+impl Bar {
+    /// For a picture of `n_pixels`, each worth `rays_each` eye rays.
+    pub(super) fn rendering(n_pixels: u64, rays_each: u64, talk: Talk) -> Self {
+        Self::new(n_pixels, "pixels", talk > Talk::Quiet && n_pixels.saturating_mul(rays_each) >= LONG)
+    }
+
+    /// For `n` cases.
+    pub(super) fn cases(n: u64, talk: Talk) -> Self {
+        Self::new(n, "cases", talk > Talk::Quiet)
+    }
+
+    fn new(n: u64, unit: &'static str, is_shown: bool) -> Self {
+        let target = if is_shown { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+        let style = ProgressStyle::with_template("{bar:40} {percent}% of {len} {msg}, {eta} left");
+        let bar = ProgressBar::with_draw_target(Some(n), target).with_message(unit);
+        Self(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())))
+    }
+
+    /// `n` more are done.
+    pub(super) fn add(&self, n: u64) {
+        self.0.inc(n);
+    }
+
+    /// Runs `say` with the bar out of its way.
+    pub(super) fn aside<T>(&self, say: impl FnOnce() -> T) -> T {
+        self.0.suspend(say)
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}

@@ -1,0 +1,190 @@
+//! `reference render`.
+
+use std::path::Path;
+use std::time::Instant;
+
+use cases::film::exr::Layer;
+use cases::film::{self, Image, PictureError};
+use cases::{Effect, Effects, Scene};
+use serde::Serialize;
+
+use super::args::{Form, Precision, RenderArgs};
+use super::progress::Bar;
+use super::{Stop, Talk, find, print};
+use crate::real::Real;
+use crate::render::{self, Options, Stats};
+use crate::rules::Lecture;
+use crate::watch::Counts;
+use crate::world::World;
+
+/// What `--stats` says; times in seconds of wall clock.
+#[derive(Debug, Serialize)]
+struct Report {
+    width: u32,
+    height: u32,
+    precision: &'static str,
+    samples: u32,
+    threads: usize,
+    effects: Effects,
+    rays: Counts,
+    load_s: f64,
+    prepare_s: f64,
+    render_s: f64,
+    write_s: f64,
+}
+
+/// Carries out the command.
+pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
+    let out = args.output.as_ref().or(args.out.as_ref()).ok_or_else(|| Stop::Usage("OUT is missing".to_owned()))?;
+    let kind = Kind::of(out)?;
+    let mut clock = Clock(Instant::now());
+    let mut scene = find::scene(&args.scene)?;
+    adjust(&mut scene, args);
+    scene.effects = effects(&scene, &args.effects)?;
+    let load_s = clock.lap();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads.map_or(0, |n| n.get() as usize)).build();
+    let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
+    let samples = args.samples.get();
+    let (image, stats, prepare_s) = pool.install(|| match args.precision {
+        Precision::F32 => picture::<f32>(&scene, samples, talk),
+        Precision::F64 => picture::<f64>(&scene, samples, talk),
+    });
+    let render_s = clock.lap() - prepare_s;
+    kind.write(out, &image)?;
+    let report = Report {
+        width: image.width(),
+        height: image.height(),
+        precision: if matches!(args.precision, Precision::F32) { "f32" } else { "f64" },
+        samples,
+        threads: pool.current_num_threads(),
+        effects: scene.effects,
+        rays: stats.rays,
+        load_s,
+        prepare_s,
+        render_s,
+        write_s: clock.lap(),
+    };
+    if talk >= Talk::Verbose && kind != Kind::Stream {
+        anstream::eprintln!("wrote {}", out.display());
+    }
+    match args.stats {
+        Some(form) => say(&report, form, kind == Kind::Stream),
+        None => Ok(()),
+    }
+}
+
+fn adjust(scene: &mut Scene, args: &RenderArgs) {
+    if let Some((width, height)) = args.size {
+        (scene.render.width, scene.render.height) = (width, height);
+    }
+    if let Some(max_depth) = args.max_depth {
+        scene.render.max_depth = max_depth;
+    }
+}
+
+/// The effects that `--effects` asks for.
+fn effects(scene: &Scene, asked: &str) -> Result<Effects, Stop> {
+    let effect = |name: &str| {
+        Effect::from_name(name.trim()).ok_or_else(|| {
+            let known: Vec<_> = Effect::ALL.iter().map(|effect| effect.name()).collect();
+            Stop::Usage(format!(
+                "there is no effect `{name}`\nhelp: the effects are {}; or auto, all, none",
+                known.join(", ")
+            ))
+        })
+    };
+    match asked {
+        "auto" => Ok(scene.effects),
+        "all" => Ok(Effects::all()),
+        "none" => Ok(Effects::NONE),
+        list => list.split(',').map(effect).collect(),
+    }
+}
+
+/// The picture, what it cost, and the seconds it took to make the world ready.
+fn picture<T: Real>(scene: &Scene, samples: u32, talk: Talk) -> (Image, Stats, f64) {
+    let start = Instant::now();
+    let world = World::<T>::new(scene);
+    let prepare_s = start.elapsed().as_secs_f64();
+    let n_pixels = u64::from(scene.render.width) * u64::from(scene.render.height);
+    let bar = Bar::rendering(n_pixels, u64::from(samples) * u64::from(samples), talk);
+    let options = Options { samples, ..Options::of(&world) };
+    let (image, stats) = render::render(&world, Lecture, &options, |n| bar.add(n));
+    (image, stats, prepare_s)
+}
+
+/// Seconds since the last lap.
+struct Clock(Instant);
+
+impl Clock {
+    fn lap(&mut self) -> f64 {
+        let seconds = self.0.elapsed().as_secs_f64();
+        self.0 = Instant::now();
+        seconds
+    }
+}
+
+fn say(report: &Report, form: Form, to_errors: bool) -> Result<(), Stop> {
+    let text = match form {
+        Form::Json => serde_json::to_string_pretty(report).map_err(|why| Stop::Machine(why.to_string()))? + "\n",
+        Form::Text => table(report),
+    };
+    if to_errors {
+        anstream::eprint!("{text}");
+        return Ok(());
+    }
+    print(text.as_bytes())
+}
+
+fn table(report: &Report) -> String {
+    let Counts { eye, shadow, reflected, refracted } = report.rays;
+    let effects: Vec<_> = report.effects.iter().map(Effect::name).collect();
+    let effects = if effects.is_empty() { "none".to_owned() } else { effects.join(", ") };
+    format!(
+        "picture    {}x{}, {} a pixel, {}, {} threads\neffects    {effects}\n\
+         rays       {eye} eye, {shadow} shadow, {reflected} reflected, {refracted} refracted\n\
+         seconds    load {:.4}, prepare {:.4}, render {:.4}, write {:.4}\n",
+        report.width,
+        report.height,
+        report.samples * report.samples,
+        report.precision,
+        report.threads,
+        report.load_s,
+        report.prepare_s,
+        report.render_s,
+        report.write_s,
+    )
+}
+
+/// Where a picture goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    File(film::Kind),
+    Exr,
+    Stream,
+}
+
+impl Kind {
+    fn of(out: &Path) -> Result<Self, Stop> {
+        if out == Path::new("-") {
+            return Ok(Self::Stream);
+        }
+        if out.extension().is_some_and(|end| end.eq_ignore_ascii_case("exr")) {
+            return Ok(Self::Exr);
+        }
+        let kind = film::Kind::of(out).map(Self::File);
+        kind.ok_or_else(|| {
+            Stop::Usage(format!("{}: the name must end in .png, .pfm or .exr, or be `-`", out.display()))
+        })
+    }
+
+    fn write(self, out: &Path, image: &Image) -> Result<(), Stop> {
+        let machine = |why: PictureError| Stop::Machine(format!("cannot write {}: {why}", out.display()));
+        let bytes = match self {
+            Self::Stream => return print(&film::encode(film::Kind::Png, image).map_err(machine)?),
+            Self::File(kind) => film::encode(kind, image),
+            Self::Exr => film::exr::encode(&[Layer { name: "colour".to_owned(), image: image.clone() }], ""),
+        };
+        film::replace(out, &bytes.map_err(machine)?).map_err(|why| machine(why.into()))
+    }
+}
