@@ -1,7 +1,7 @@
 //! One object: takes the ray to object space, asks the object's shape, brings the hit back. Given: nothing to write here.
 
-use cases::glam::DVec3;
 use cases::{Effect, Hit, Mesh, Object, Ray, Scene, Shape, SurfaceHit};
+use glam::DVec3;
 
 use crate::cuboid::intersect_box;
 use crate::plane::{intersect_plane, intersect_square};

@@ -1,7 +1,7 @@
 //! The plane and the square in it. Stage 01.
 
-use cases::glam::DVec3;
 use cases::{Ray, SurfaceHit};
+use glam::DVec3;
 
 /// The hit of `ray` with the plane N·X = `k`, or `None`. [rule 15]
 ///

@@ -1,10 +1,10 @@
 //! Hands each question of the unit checks to the function that it is about. Given: nothing to write here.
 
-use cases::glam::DVec3;
 use cases::probe::{Answer, Ask};
 use cases::program::Tracer;
 use cases::ray_tree::RayKind;
 use cases::{Object, Scene, Shape};
+use glam::DVec3;
 
 use crate::trace::Path;
 use crate::{camera, cuboid, light, nearest, object, plane, reflection, refraction};

@@ -1,7 +1,7 @@
 //! Cylinder and cone, which are not part of the assignment. Given: nothing to write here.
 
-use cases::glam::DVec3;
 use cases::{Ray, SurfaceHit};
+use glam::DVec3;
 
 /// Nearest hit with x² + y² = radius², z in the closed range `ends`; discs close it where `capped`.
 pub fn intersect_cylinder(ray: &Ray, radius: f64, ends: [f64; 2], capped: bool) -> Option<SurfaceHit> {

@@ -1,6 +1,6 @@
 //! Smooth meshes: normals between those of the corners. Stage 06.
 
-use cases::glam::DVec3;
+use glam::DVec3;
 
 use crate::reflection::reflect;
 use crate::refraction::refract;

@@ -1,7 +1,7 @@
 //! The sphere. Stage 01.
 
-use cases::glam::DVec3;
 use cases::{Ray, SurfaceHit};
+use glam::DVec3;
 
 /// Nearest hit of `ray` with the sphere ‖X − `center`‖ = `radius`, or `None`. [rule 14]
 ///

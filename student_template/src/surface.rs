@@ -1,7 +1,7 @@
 //! What a ray found, as shading and new rays need it. Given: nothing to write here.
 
-use cases::glam::DVec3;
 use cases::{Hit, Material, Ray, Scene};
+use glam::DVec3;
 
 use crate::reflection::reflect;
 use crate::refraction::refract;

@@ -1,7 +1,7 @@
 //! Eye rays. Stage 01.
 
-use cases::glam::DVec3;
 use cases::{Camera, Ray};
+use glam::DVec3;
 
 /// The ray from the eye through the centre of a pixel. [rule 1]
 ///

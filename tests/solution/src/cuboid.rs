@@ -1,7 +1,7 @@
 //! The box (a word that Rust keeps for itself). Stage 01.
 
-use cases::glam::DVec3;
 use cases::{Ray, SurfaceHit};
+use glam::DVec3;
 
 /// Nearest hit of `ray` with the surface of the box `min` ≤ X ≤ `max`, or `None`. [rule 15]
 ///

@@ -1,7 +1,7 @@
 //! Where a light is, and how much of it arrives. Stage 01.
 
 use cases::Light;
-use cases::glam::DVec3;
+use glam::DVec3;
 
 /// L, the unit vector from `point` to the light, and t_light, the distance to it; in world space. [rule 5]
 ///

@@ -1,8 +1,8 @@
 //! Light through glass and water. Stage 04.
 
-use cases::glam::DVec3;
 use cases::ray_tree::RayKind;
 use cases::{Ray, Scene};
+use glam::DVec3;
 
 use crate::surface::Surface;
 use crate::trace::{Path, trace};

@@ -1,7 +1,7 @@
 //! Light that comes straight from the lights: emission, ambient, diffuse and specular. Stage 01.
 
-use cases::glam::DVec3;
 use cases::{Light, Material, Scene};
+use glam::DVec3;
 
 use crate::light::{distance_attenuation, to_light};
 use crate::surface::Surface;

@@ -1,7 +1,7 @@
 //! Shadow rays. Stage 02.
 
-use cases::glam::DVec3;
 use cases::{Effect, Light, Ray, Scene};
+use glam::DVec3;
 
 use crate::light::to_light;
 use crate::nearest::nearest_hit;

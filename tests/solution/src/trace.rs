@@ -2,9 +2,9 @@
 //!
 //! Only what the scene's effects list is simulated, so a scene without mirrors never asks for the functions of that stage.
 
-use cases::glam::DVec3;
 use cases::ray_tree::{self, Met, RayKind};
 use cases::{Effect, Hit, Light, Ray, Scene};
+use glam::DVec3;
 
 use crate::nearest::nearest_hit;
 use crate::reflection::{goes_on, reflected_light};

@@ -1,7 +1,7 @@
 //! Between world space and an object's own space. Stage 05.
 
 use cases::Ray;
-use cases::glam::{DAffine3, DVec3};
+use glam::{DAffine3, DVec3};
 
 /// The same ray in object space. [rule 20]
 ///

@@ -1,7 +1,7 @@
 //! The triangle. Stage 01.
 
-use cases::glam::DVec3;
 use cases::{Ray, SurfaceHit};
+use glam::DVec3;
 
 /// The hit of `ray` with the triangle `a`, `b`, `c`, or `None`. [rule 16]
 ///
