@@ -7,6 +7,7 @@ pub mod exercise;
 pub mod files;
 pub mod grade;
 pub mod judge;
+pub mod lint;
 pub mod plain;
 pub mod record;
 pub mod report;

@@ -1,2 +1,28 @@
-//! grader
-fn main() {}
+//! `grader`: grades submissions of the ray-tracing assignment. Each command is a module; this is the table of contents.
+
+mod arguments;
+mod commands;
+mod exit;
+mod progress;
+
+use clap::Parser;
+
+use arguments::{Arguments, Command};
+
+fn main() -> std::process::ExitCode {
+    let arguments = Arguments::parse();
+    arguments.color.write_global();
+    grader::sandbox::catch_interrupts();
+    let talk = arguments.talk();
+    let outcome = match arguments.command {
+        Command::Grade(options) => commands::grade::run(&options, &talk),
+        Command::Images(options) => commands::images::run(&options, &talk),
+        Command::Compare(options) => commands::compare::run(&options),
+        Command::Explain(options) => commands::explain::run(&options, &talk),
+        Command::Lint(options) => commands::lint::run(&options, &talk),
+        Command::Doctor(options) => commands::doctor::run(&options),
+        Command::Completions(options) => commands::shell::completions(&options),
+        Command::Man(options) => commands::shell::man(&options),
+    };
+    exit::code(outcome)
+}

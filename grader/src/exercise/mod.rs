@@ -1,6 +1,7 @@
 //! Asks a program what the cases ask: each picture in a process and folder of its own, the unit checks of a stage in one
 //! process where it holds out.
 
+mod explain;
 mod pictures;
 mod probes;
 mod replies;
@@ -12,6 +13,7 @@ use std::time::Duration;
 use crate::build::Program;
 use crate::sandbox::{self, Call, Finished, Limits, Outcome};
 
+pub use explain::explain;
 pub use pictures::{NoPicture, Shot, read, shoot};
 pub use probes::{Probed, probe};
 pub use replies::Got;

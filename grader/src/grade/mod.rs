@@ -12,7 +12,7 @@ use cases::film::Image;
 
 use crate::build::{BuildError, Built, Workshop, build};
 use crate::exam::Exam;
-use crate::exercise::{PROBE, RENDER};
+use crate::exercise::{self, PROBE, RENDER};
 use crate::record::{Build, Finding, FindingKind, Record, Submission, Verdict};
 use crate::submission::{self, SubmissionError};
 
@@ -134,7 +134,6 @@ pub enum GradeError {
 pub fn grade(bench: &Bench, options: &Options, progress: &dyn Progress) -> Result<Graded, GradeError> {
     let plan = plan::Plan::new(&bench.exam, &options.stages, &options.cases).map_err(GradeError::Input)?;
     let epoch = bench.epoch()?;
-    progress.phase("reading the submission");
     let (digest, prepared) = prepare(bench, options, progress)?;
     let (answers, build) = match prepared {
         Ok((built, ignored)) => {
@@ -197,4 +196,30 @@ pub fn images(bench: &Bench, folder: &Path, options: &Options) -> Result<Graded,
     let mut record = write_up::record(bench.epoch()?, submission, build, stages);
     "nothing was run".clone_into(&mut record.sandbox);
     Ok(Graded { record, pictures })
+}
+
+/// The tree of rays behind a pixel of an image case as the submission tells it, or why it does not, in words for the student.
+///
+/// # Errors
+/// No such case, pixel or submission; the machine's fault.
+pub fn explain(
+    bench: &Bench,
+    path: &Path,
+    case: &str,
+    [x, y]: [u32; 2],
+    progress: &dyn Progress,
+) -> Result<Result<String, String>, GradeError> {
+    let mut cases = bench.exam.stages.iter().flat_map(|questions| &questions.stage.cases);
+    let case = cases.find(|one| one.id == case).ok_or_else(|| {
+        GradeError::Input(format!("there is no image case `{case}`; ids look like `02_shadows/two_lamps`"))
+    })?;
+    let (width, height) = (case.scene.render.width, case.scene.render.height);
+    if x >= width || y >= height {
+        return Err(GradeError::Input(format!("pixel ({x}, {y}) does not lie in a picture of {width}×{height}")));
+    }
+    match prepare(bench, &Options::new(path), progress)?.1 {
+        Ok((built, _)) => exercise::explain(&built.program, &case.scene, x, y)
+            .map_err(|why| GradeError::Machine(format!("the work folder: {why}"))),
+        Err(build) => Ok(Err(build.finding.map_or(String::new(), |finding| finding.message))),
+    }
 }

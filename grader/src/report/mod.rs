@@ -2,6 +2,8 @@
 
 pub mod class;
 pub mod html;
+pub mod junit;
 #[cfg(test)]
 pub(crate) mod sample;
+pub mod terminal;
 pub mod words;

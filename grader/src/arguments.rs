@@ -1,0 +1,254 @@
+//! The command line: what can be typed.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use grader::grade::{GradeError, Options};
+
+use crate::progress::Talk;
+
+const CODES: &str = "\
+Exit codes:
+  0    done, and everything passed
+  1    done, something did not pass
+  2    usage, or input that cannot be read
+  3    the machine or the grader failed
+  130  interrupted";
+
+/// Grades submissions of the ray-tracing assignment: builds them, runs them under limits, judges, scores and reports.
+#[derive(Debug, Parser)]
+#[command(name = "grader", version, after_help = CODES, propagate_version = true)]
+pub(crate) struct Arguments {
+    /// Colour in what is printed
+    #[arg(long, value_enum, default_value_t = Color::Auto, global = true, value_name = "WHEN")]
+    pub(crate) color: Color,
+    /// Say nothing but what was asked for
+    #[arg(short, long, global = true, conflicts_with = "verbose")]
+    quiet: bool,
+    /// Say more: compiler warnings, what programs print, what each check is about
+    #[arg(short, long, global = true)]
+    verbose: bool,
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+impl Arguments {
+    /// How much is to be said.
+    pub(crate) fn talk(&self) -> Talk {
+        Talk { is_quiet: self.quiet, is_verbose: self.verbose }
+    }
+}
+
+/// When to colour.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Color {
+    /// On a terminal, unless NO_COLOR is set
+    Auto,
+    /// Always
+    Always,
+    /// Never
+    Never,
+}
+
+impl Color {
+    pub(crate) fn write_global(self) {
+        let choice = match self {
+            Self::Auto => anstream::ColorChoice::Auto,
+            Self::Always => anstream::ColorChoice::Always,
+            Self::Never => anstream::ColorChoice::Never,
+        };
+        choice.write_global();
+    }
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    Grade(Grade),
+    Images(Images),
+    Compare(Compare),
+    Explain(Explain),
+    Lint(Lint),
+    Doctor(Doctor),
+    Completions(Completions),
+    Man(Man),
+}
+
+/// Which cases, and which part of them.
+#[derive(Debug, Args)]
+pub(crate) struct Selection {
+    /// Folder of the stages [default: cases/stages here, else beside the binary]
+    #[arg(long, value_name = "DIR")]
+    cases: Option<PathBuf>,
+    /// Only this stage, such as 02 or 02_shadows; may be repeated
+    #[arg(long, value_name = "STAGE")]
+    stage: Vec<String>,
+    /// Only cases and checks whose id begins so, such as 01_ray_casting/sphere; may be repeated
+    #[arg(long, value_name = "ID")]
+    case: Vec<String>,
+}
+
+impl Selection {
+    pub(crate) fn stages(&self) -> Result<PathBuf, GradeError> {
+        stages(self.cases.as_deref())
+    }
+
+    /// What is to be graded at `path`.
+    pub(crate) fn options(&self, path: &Path) -> Options {
+        Options { stages: self.stage.clone(), cases: self.case.clone(), ..Options::new(path) }
+    }
+}
+
+/// The folder of the stages: as given, `cases/stages` here, or the one nearest above the binary.
+pub(crate) fn stages(given: Option<&Path>) -> Result<PathBuf, GradeError> {
+    if let Some(given) = given {
+        return Ok(given.to_owned());
+    }
+    let binary = std::env::current_exe().unwrap_or_default();
+    let beside = binary.ancestors().map(|folder| folder.join("cases/stages")).find(|stages| stages.is_dir());
+    let here = Some(PathBuf::from("cases/stages")).filter(|stages| stages.is_dir());
+    let none = "there are no cases: neither cases/stages here nor beside the binary; say where with --cases DIR";
+    here.or(beside).ok_or_else(|| GradeError::Input(none.to_owned()))
+}
+
+/// Where reports go.
+#[derive(Debug, Args)]
+pub(crate) struct Reports {
+    /// Write the whole record as JSON; - is standard output
+    #[arg(long, value_name = "FILE")]
+    pub(crate) json: Option<PathBuf>,
+    /// Write a page with pictures and differences
+    #[arg(long, value_name = "FILE")]
+    pub(crate) html: Option<PathBuf>,
+    /// Write JUnit XML
+    #[arg(long, value_name = "FILE")]
+    pub(crate) junit: Option<PathBuf>,
+    /// Show the page in a browser
+    #[arg(long, requires = "html")]
+    pub(crate) open: bool,
+}
+
+/// Grade a submission: a folder or an archive
+///
+/// A submission is the template's folder, filled in; or a folder with a submission.toml that says how it is built and run;
+/// or a .zip or .tar.gz of either.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  grader grade                                   the folder you are in
+  grader grade handin.zip --html report.html --open
+  grader grade --stage 02 --case 01_ray_casting/sphere
+  grader grade tests/solution --json record.json --junit junit.xml
+
+Exit codes: 0 all right, 1 something is not, 2 no such submission, 3 the machine or the grader failed, 130 interrupted")]
+pub(crate) struct Grade {
+    /// Folder or archive
+    #[arg(default_value = ".")]
+    pub(crate) submission: PathBuf,
+    #[command(flatten)]
+    pub(crate) selection: Selection,
+    #[command(flatten)]
+    pub(crate) reports: Reports,
+    /// Programs that run at once [default: one a core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub(crate) jobs: Option<u16>,
+}
+
+/// Judge pictures that are rendered already: DIR/STAGE/CASE.png
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  grader images out                              judges out/01_ray_casting/boxes.png and so on
+  grader images out --stage 02 --html report.html
+
+Exit codes: 0 all right, 1 something is not, 2 usage, 3 the machine or the grader failed")]
+pub(crate) struct Images {
+    /// Folder of the pictures
+    pub(crate) folder: PathBuf,
+    #[command(flatten)]
+    pub(crate) selection: Selection,
+    #[command(flatten)]
+    pub(crate) reports: Reports,
+}
+
+/// Compare two pictures, or a picture and a stored answer
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  grader compare mine.png theirs.png
+  grader compare mine.png theirs.pfm --tolerance 2
+  grader compare mine.png --answer cases/stages/02_shadows/two_lamps.answer.exr
+
+Exit codes: 0 they agree, 1 they do not, 2 a picture cannot be read")]
+pub(crate) struct Compare {
+    /// A picture, .png or .pfm
+    pub(crate) a: PathBuf,
+    /// What it is compared with
+    #[arg(required_unless_present = "answer", conflicts_with = "answer")]
+    pub(crate) b: Option<PathBuf>,
+    /// 8-bit levels by which a channel may differ [default: 0, or what the answer says]
+    #[arg(long, value_name = "LEVELS")]
+    pub(crate) tolerance: Option<f64>,
+    /// A stored answer, .answer.exr, in place of the second picture
+    #[arg(long, value_name = "FILE")]
+    pub(crate) answer: Option<PathBuf>,
+}
+
+/// Print the tree of rays behind a pixel, as the submission traces it
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  grader explain . 04_refraction/prism 80 33     column 80 from the left, row 33 from the top
+
+Exit codes: 0 printed, 1 the submission does not build or cannot explain, 2 no such case or pixel")]
+pub(crate) struct Explain {
+    /// Folder or archive
+    pub(crate) submission: PathBuf,
+    /// Id of an image case
+    pub(crate) case: String,
+    /// Column from the left
+    pub(crate) x: u32,
+    /// Row from the top
+    pub(crate) y: u32,
+    /// Folder of the stages [default: cases/stages here, else beside the binary]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) cases: Option<PathBuf>,
+}
+
+/// Check case files and answers, and say everything that is wrong with them
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  grader lint                                    cases/stages
+  grader lint my-course/stages -v
+
+Exit codes: 0 nothing is wrong, 1 something is, 2 there are no cases")]
+pub(crate) struct Lint {
+    /// Folder of the stages [default: cases/stages here, else beside the binary]
+    pub(crate) folder: Option<PathBuf>,
+}
+
+/// Say what this machine has and lacks for grading
+#[derive(Debug, Args)]
+#[command(after_help = "Exit codes: 0 all is there, 3 something is missing")]
+pub(crate) struct Doctor {
+    /// Folder of the stages [default: cases/stages here, else beside the binary]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) cases: Option<PathBuf>,
+}
+
+/// Print completions for a shell
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  grader completions bash > ~/.local/share/bash-completion/completions/grader")]
+pub(crate) struct Completions {
+    /// The shell
+    #[arg(value_enum)]
+    pub(crate) shell: clap_complete::Shell,
+}
+
+/// Write man pages, one for each command
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  grader man ~/.local/share/man/man1")]
+pub(crate) struct Man {
+    /// Folder to write them to
+    pub(crate) folder: PathBuf,
+}

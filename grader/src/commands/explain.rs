@@ -1,0 +1,21 @@
+//! `grader explain`.
+
+use grader::grade::{Bench, explain};
+
+use crate::arguments::{Explain, stages};
+use crate::exit::{Done, Outcome};
+use crate::progress::{Bar, Talk};
+
+pub(crate) fn run(arguments: &Explain, talk: &Talk) -> Outcome {
+    let bench = Bench::open(&stages(arguments.cases.as_deref())?)?;
+    let pixel = [arguments.x, arguments.y];
+    let explained = {
+        let bar = Bar::new(talk);
+        explain(&bench, &arguments.submission, &arguments.case, pixel, &bar)?
+    };
+    match &explained {
+        Ok(tree) => anstream::println!("{}", tree.trim_end()),
+        Err(why) => anstream::eprintln!("{}", why.trim_end()),
+    }
+    Ok(Done::of(explained.is_ok()))
+}

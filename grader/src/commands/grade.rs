@@ -1,0 +1,19 @@
+//! `grader grade`.
+
+use grader::grade::{Bench, Options, grade};
+
+use crate::arguments::Grade;
+use crate::commands::publish;
+use crate::exit::Outcome;
+use crate::progress::{Bar, Talk};
+
+pub(crate) fn run(arguments: &Grade, talk: &Talk) -> Outcome {
+    let options = arguments.selection.options(&arguments.submission);
+    let jobs = arguments.jobs.map_or(options.jobs, usize::from);
+    let graded = {
+        let bar = Bar::new(talk);
+        let bench = Bench::open(&arguments.selection.stages()?)?;
+        grade(&bench, &Options { jobs, ..options }, &bar)?
+    };
+    publish::publish(&graded, &arguments.reports, talk)
+}

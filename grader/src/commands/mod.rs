@@ -1,0 +1,10 @@
+//! What each command does.
+
+pub(crate) mod compare;
+pub(crate) mod doctor;
+pub(crate) mod explain;
+pub(crate) mod grade;
+pub(crate) mod images;
+pub(crate) mod lint;
+pub(crate) mod publish;
+pub(crate) mod shell;

@@ -1,0 +1,150 @@
+//! What is wrong with a set of cases and its answers, beyond what keeps it from being read.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use cases::answer::{check_answers_path, expected_png_path, image_answer_path};
+use cases::effects;
+use cases::probe::Answer;
+use cases::stage::load_all;
+
+use crate::exam::{Exam, Questions};
+use crate::files;
+use crate::judge;
+use crate::record::Verdict;
+use crate::report::words::points;
+
+/// Fewer image cases leave too much of a stage to chance.
+const MIN_CASES: usize = 8;
+
+/// What there is to say.
+#[derive(Debug, Default)]
+pub struct Found {
+    /// Everything that is wrong; with escape codes for colour in those that quote a file.
+    pub problems: Vec<String>,
+    /// What there is, a line a stage.
+    pub summary: Vec<String>,
+}
+
+/// Checks the stages in `folder`. Where a file cannot be understood, nothing else is looked at.
+pub fn lint(folder: &Path) -> Found {
+    let stages = match load_all(folder) {
+        Ok(stages) => stages,
+        Err(problems) => return Found { problems: vec![problems.render(true)], summary: vec![] },
+    };
+    let exam = match Exam::new(folder, stages) {
+        Ok(exam) => exam,
+        Err(why) => return Found { problems: vec![format!("{}: {why}", folder.display())], summary: vec![] },
+    };
+    let mut problems = vec![];
+    let mut before = effects::Effects::NONE;
+    for questions in &exam.stages {
+        cases(questions, before, &mut problems);
+        answers(questions, &mut problems);
+        checks(questions, &mut problems);
+        before = questions.stage.allows;
+    }
+    unknown_files(&exam, &mut problems);
+    Found { problems, summary: summary(&exam) }
+}
+
+/// Enough cases, and among them one for each effect that the stage brings.
+fn cases(questions: &Questions, before: effects::Effects, problems: &mut Vec<String>) {
+    let stage = &questions.stage;
+    if stage.cases.len() < MIN_CASES {
+        problems.push(format!("{}: {} image cases, at least {MIN_CASES} are wanted", stage.id, stage.cases.len()));
+    }
+    for effect in stage.allows.iter().filter(|effect| !before.has(*effect)) {
+        if !stage.cases.iter().any(|case| effects::called_for(&case.scene).has(effect)) {
+            problems.push(format!("{}: allows `{effect}`, but no case of it calls for that", stage.id));
+        }
+    }
+    for id in stage.cases.iter().filter(|case| case.points == 0).map(|case| &case.id) {
+        problems.push(format!("{id}: is worth no points"));
+    }
+    if stage.checks.is_empty() != (stage.unit_points == 0) {
+        let (n, all) = (stage.checks.len(), points(stage.unit_points));
+        problems.push(format!("{}: {n} unit checks share {all} points", stage.id));
+    }
+}
+
+/// An answer for each question, and none left over.
+fn answers(questions: &Questions, problems: &mut Vec<String>) {
+    let hint = "`reference expect` writes answers";
+    for (id, answer) in &questions.images {
+        if let Err(why) = answer {
+            problems.push(format!("{id}: {why} ({hint})"));
+        }
+    }
+    if let Some(why) = &questions.units_missing {
+        problems.push(format!("{}: {why} ({hint})", questions.stage.id));
+        return;
+    }
+    let asked: BTreeSet<&str> = questions.stage.checks.iter().map(|check| check.id.as_str()).collect();
+    let answered: BTreeSet<&str> = questions.units.keys().map(String::as_str).collect();
+    problems.extend(asked.difference(&answered).map(|id| format!("{id}: has no stored answer ({hint})")));
+    problems.extend(answered.difference(&asked).map(|id| format!("{id}: is answered, but not asked ({hint})")));
+}
+
+/// Stored answers agree with those on paper, and can be judged.
+fn checks(questions: &Questions, problems: &mut Vec<String>) {
+    let mut seen = BTreeSet::new();
+    for check in &questions.stage.checks {
+        if !seen.insert(&check.id) {
+            problems.push(format!("{}: there are two checks of this name", check.id));
+        }
+        let Some(right) = questions.units.get(&check.id) else { continue };
+        if let Some(paper) = &check.paper
+            && judge::unit(paper, right, check.ask.function()).verdict != Verdict::Pass
+        {
+            let (paper, stored) = judge::lines(paper, &right.answer, right.allowed);
+            problems.push(format!("{}: paper and stored answer differ\non paper:\n{paper}stored:\n{stored}", check.id));
+        }
+        if !right.allowed.is_finite() || right.allowed < 0.0 {
+            problems.push(format!("{}: the allowed error is {}", check.id, right.allowed));
+        }
+        if right.either && !is_decision(&right.answer) {
+            problems.push(format!("{}: two answers are right, but one is stored: ask something firmer", check.id));
+        }
+    }
+}
+
+/// Whether an answer says one of two things, so that the other one can be told without being stored.
+fn is_decision(answer: &Answer) -> bool {
+    matches!(
+        answer,
+        Answer::Hit { .. } | Answer::Found { .. } | Answer::Miss(_) | Answer::GoesOn(_) | Answer::Facing { .. }
+    ) || matches!(answer, Answer::Vector(_))
+}
+
+/// Answers and pictures beside which there is no case.
+fn unknown_files(exam: &Exam, problems: &mut Vec<String>) {
+    let stages = exam.stages.iter().map(|questions| &questions.stage);
+    let mut known: BTreeSet<_> = stages.clone().map(|stage| check_answers_path(&exam.folder, &stage.id)).collect();
+    for case in stages.flat_map(|stage| &stage.cases) {
+        known.insert(image_answer_path(&exam.folder, &case.id));
+        known.insert(expected_png_path(&exam.folder, &case.id));
+    }
+    let is_answer =
+        |name: &str| [".answer.exr", ".expected.png", ".answers.json"].iter().any(|end| name.ends_with(end));
+    for file in files::below(&exam.folder).unwrap_or_default() {
+        let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if is_answer(&name) && !known.contains(&file) {
+            problems.push(format!("{}: belongs to no case", file.display()));
+        }
+    }
+}
+
+fn summary(exam: &Exam) -> Vec<String> {
+    let mut all = 0;
+    let line = |questions: &Questions| {
+        let stage = &questions.stage;
+        let possible = stage.cases.iter().map(|case| case.points).sum::<u64>() + stage.unit_points;
+        all += possible;
+        let (n_cases, n_checks) = (stage.cases.len(), stage.checks.len());
+        format!("{}: {n_cases} cases, {n_checks} unit checks, {} points", stage.id, points(possible))
+    };
+    let mut lines: Vec<String> = exam.stages.iter().map(line).collect();
+    lines.push(format!("{} points in all", points(all)));
+    lines
+}

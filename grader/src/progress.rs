@@ -1,0 +1,57 @@
+//! What is said while the work goes on: a bar on a terminal, lines elsewhere. All of it on standard error.
+
+use std::io::IsTerminal;
+
+use grader::grade::Progress;
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// How much is to be said.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Talk {
+    /// Only what was asked for.
+    pub(crate) is_quiet: bool,
+    /// More than usual.
+    pub(crate) is_verbose: bool,
+}
+
+/// Shows progress until it is dropped.
+pub(crate) struct Bar {
+    bar: ProgressBar,
+    says_lines: bool,
+}
+
+impl Bar {
+    pub(crate) fn new(talk: &Talk) -> Self {
+        let is_terminal = std::io::stderr().is_terminal();
+        let bar = if is_terminal && !talk.is_quiet { ProgressBar::new_spinner() } else { ProgressBar::hidden() };
+        bar.enable_steady_tick(std::time::Duration::from_millis(100));
+        Self { bar, says_lines: !is_terminal && !talk.is_quiet }
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+impl Progress for Bar {
+    fn phase(&self, what: &str) {
+        self.bar.set_message(what.to_owned());
+        if self.says_lines {
+            eprintln!("{what}");
+        }
+    }
+
+    fn begin(&self, n_checks: u64) {
+        self.bar.set_length(n_checks);
+        if let Ok(style) = ProgressStyle::with_template("{msg} [{bar:30}] {pos}/{len}, {eta} left") {
+            self.bar.set_style(style.progress_chars("=> "));
+        }
+        self.bar.set_position(0);
+    }
+
+    fn step(&self) {
+        self.bar.inc(1);
+    }
+}

@@ -1,0 +1,87 @@
+//! JUnit XML, for CI systems: wrong is a failure, what did not end well is an error, what was not run is skipped.
+
+use std::time::Duration;
+
+use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
+
+use super::words;
+use crate::plain::shown;
+use crate::record::{CheckRecord, FindingKind, Record, StageRecord, Verdict};
+
+/// The record as a JUnit document; the build is a suite of its own.
+///
+/// # Errors
+/// What the encoder says.
+pub fn to_string(record: &Record) -> Result<String, String> {
+    let mut report = Report::new(format!("grade of {}", shown(&record.submission.path)));
+    report.add_test_suite(build(record));
+    report.add_test_suites(record.stages.iter().map(suite));
+    report.to_string().map_err(|why| why.to_string())
+}
+
+fn build(record: &Record) -> TestSuite {
+    let status = match &record.build.finding {
+        None => TestCaseStatus::success(),
+        Some(finding) => bad(NonSuccessKind::Error, words::finding(finding.kind), &finding.message),
+    };
+    let mut suite = TestSuite::new("build");
+    suite.add_test_case(TestCase::new("build", status));
+    suite
+}
+
+fn suite(stage: &StageRecord) -> TestSuite {
+    let mut suite = TestSuite::new(shown(&stage.id));
+    suite.add_test_cases(stage.checks.iter().map(|check| case(&stage.id, check)));
+    suite
+}
+
+fn case(stage: &str, check: &CheckRecord) -> TestCase {
+    let mut case = TestCase::new(shown(&check.id), status(check));
+    case.set_classname(shown(stage)).set_time(Duration::from_secs_f64(check.time_s.max(0.0)));
+    if let Some(stderr) = check.finding.as_ref().and_then(|finding| finding.stderr.as_deref()) {
+        case.set_system_err(shown(stderr));
+    }
+    case
+}
+
+fn status(check: &CheckRecord) -> TestCaseStatus {
+    let kind = check.finding.as_ref().map_or(FindingKind::Remark, |finding| finding.kind);
+    let message = check.finding.as_ref().map_or("", |finding| finding.message.as_str());
+    match (check.verdict, kind) {
+        (Verdict::Pass, _) => TestCaseStatus::success(),
+        (Verdict::NotRun, _) => {
+            let mut status = TestCaseStatus::skipped();
+            status.set_message(shown(message));
+            status
+        }
+        (Verdict::Ours, _) => bad(NonSuccessKind::Error, words::finding(kind), message),
+        (_, FindingKind::Wrong | FindingKind::Size | FindingKind::Missing | FindingKind::Unreadable) => {
+            bad(NonSuccessKind::Failure, words::finding(kind), message)
+        }
+        _ => bad(NonSuccessKind::Error, words::finding(kind), message),
+    }
+}
+
+fn bad(kind: NonSuccessKind, name: &str, message: &str) -> TestCaseStatus {
+    let mut status = TestCaseStatus::non_success(kind);
+    status.set_type(name).set_message(shown(message));
+    status
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::sample;
+
+    #[test]
+    fn holds_every_check_and_no_control_character() {
+        let record = sample::record("some\u{1b}body");
+        let xml = to_string(&record).unwrap();
+        let n_checks = record.stages.iter().map(|stage| stage.checks.len()).sum::<usize>();
+        assert_eq!(xml.matches("<testcase ").count(), n_checks + 1);
+        assert!(xml.chars().all(|c| c == '\n' || !c.is_control()), "{xml:?}");
+        for part in ["<failure", "<error", "<skipped"] {
+            assert!(xml.contains(part), "no {part} in\n{xml}");
+        }
+    }
+}
