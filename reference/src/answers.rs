@@ -64,7 +64,7 @@ fn formula<R: RuleSource>(rules: R, ask: &Ask) -> Answer {
     match ask {
         Ask::Attenuation { light, r } => Answer::Value(Light::<f64>::of(light).attenuation(rules, *r)),
         Ask::FacingNormal { direction, normal } => {
-            let (normal, inside) = shade::facing_normal(v(*direction), v(*normal));
+            let (normal, inside) = shade::facing_normal(rules, v(*direction), v(*normal));
             Answer::Facing { normal: normal.f64(), inside }
         }
         Ask::Ambient { material, light, inside } => {

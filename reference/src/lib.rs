@@ -3,7 +3,7 @@
 //! | module | holds |
 //! |---|---|
 //! | [`real`], [`vec3`] | single and double precision from one source |
-//! | [`rules`] | the rules as a value, and the ways in which they are got wrong |
+//! | [`rules`], [`misconceptions`] | the rules as a value, and the ways in which they are got wrong |
 //! | [`ray`], [`roots`] | where a ray's interval begins and ends; the one solver of quadratics |
 //! | [`shapes`], [`mesh`] | where a ray meets a shape; no materials |
 //! | [`bounds`], [`bvh`], [`world`] | the nearest hit |
@@ -18,6 +18,7 @@ pub mod cli;
 pub mod expect;
 pub mod lights;
 pub mod mesh;
+pub mod misconceptions;
 pub mod optics;
 pub mod ray;
 pub mod real;

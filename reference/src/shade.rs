@@ -2,7 +2,7 @@
 
 use crate::lights::Light;
 use crate::real::Real;
-use crate::rules::{Ambient, Diffuse, Emission, Facing, Highlight, RuleSource};
+use crate::rules::{Ambient, Diffuse, Emission, Facing, Highlight, InsideBy, RuleSource, Turning};
 use crate::vec3::Vec3;
 use crate::world::Material;
 
@@ -10,9 +10,21 @@ use crate::world::Material;
 ///
 /// A ray along the surface (d·N = 0) is outside.
 #[inline(always)]
-pub fn facing_normal<T: Real>(d: Vec3<T>, normal: Vec3<T>) -> (Vec3<T>, bool) {
-    let is_inside = d.dot(normal) > T::ZERO;
-    (if is_inside { -normal } else { normal }, is_inside)
+pub fn facing_normal<T: Real, R: RuleSource>(rules: R, d: Vec3<T>, normal: Vec3<T>) -> (Vec3<T>, bool) {
+    let is_inside = is_inside(rules, d, normal);
+    (if turns(rules, is_inside) { -normal } else { normal }, is_inside)
+}
+
+/// Whether the ray is inside the object whose outward normal this is. [rule 11]
+#[inline(always)]
+pub fn is_inside<T: Real, R: RuleSource>(rules: R, d: Vec3<T>, outwards: Vec3<T>) -> bool {
+    rules.get().inside_by != InsideBy::Never && d.dot(outwards) > T::ZERO
+}
+
+/// Whether normals are negated: on the way out they are. [rule 11]
+#[inline(always)]
+pub fn turns<R: RuleSource>(rules: R, is_inside: bool) -> bool {
+    is_inside && rules.get().turning != Turning::Nowhere
 }
 
 /// ke, as often as it counts among `n_lights` lights. [rule 3]

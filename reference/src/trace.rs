@@ -160,12 +160,9 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
     #[inline(always)]
     fn turned(&self, d: Vec3<T>, hit: &Hit<T>) -> (Vec3<T>, (Vec3<T>, Vec3<T>), bool) {
         let n_shading = if self.does.smooth_normals { hit.n_shading } else { hit.n_geom };
-        let is_inside = match self.rules.get().inside_by {
-            InsideBy::Geometric => d.dot(hit.n_geom) > T::ZERO,
-            InsideBy::Interpolated => d.dot(n_shading) > T::ZERO,
-            InsideBy::Never => false,
-        };
-        let turns = is_inside && self.rules.get().turning != Turning::Nowhere;
+        let decides = if self.rules.get().inside_by == InsideBy::Interpolated { n_shading } else { hit.n_geom };
+        let is_inside = shade::is_inside(self.rules, d, decides);
+        let turns = shade::turns(self.rules, is_inside);
         (n_shading, if turns { (-hit.n_geom, -n_shading) } else { (hit.n_geom, n_shading) }, is_inside)
     }
 

@@ -1,0 +1,77 @@
+//! Every classic mistake is seen: it changes the picture of some case or the answer to some unit check.
+
+use cases::film::{Image, level};
+use cases::stage::{self, Stage};
+use reference::answers::answer;
+use reference::misconceptions::{MISCONCEPTIONS, Misconception};
+use reference::render::{Options, render};
+use reference::rules::{Lecture, RuleSource};
+use reference::world::World;
+
+fn stages() -> Vec<Stage> {
+    stage::load_all(concat!(env!("CARGO_MANIFEST_DIR"), "/../cases/stages").as_ref()).unwrap()
+}
+
+/// The cases of all stages, small, with the pictures that the lecture's rules give.
+fn worlds(stages: &[Stage]) -> Vec<(String, World<f64>, Image)> {
+    let cases = stages.iter().flat_map(|stage| stage.cases.clone());
+    cases
+        .map(|mut case| {
+            (case.scene.render.width, case.scene.render.height) = (48, 36);
+            let world = World::new(&case.scene);
+            let image = picture(&world, Lecture);
+            (case.id, world, image)
+        })
+        .collect()
+}
+
+fn picture(world: &World<f64>, rules: impl RuleSource) -> Image {
+    render(world, rules, &Options::of(world), |_| {}).0
+}
+
+/// Pixels that differ by more than a quarter of a level.
+fn n_changed(one: &Image, other: &Image) -> usize {
+    let is_close = |a: f64, b: f64| (level(a) - level(b)).abs() <= 0.25;
+    let differs = |(a, b): (&glam::DVec3, &glam::DVec3)| (0..3).any(|c| !is_close(a[c], b[c]));
+    one.pixels().iter().zip(other.pixels()).filter(|pair| differs(*pair)).count()
+}
+
+#[test]
+fn every_misconception_changes_some_case_or_check() {
+    let stages = stages();
+    let worlds = worlds(&stages);
+    let checks: Vec<_> = stages.iter().flat_map(|stage| &stage.checks).collect();
+    for (id, world, lecture) in &worlds {
+        let mine = picture(world, &reference::rules::Rules::LECTURE);
+        assert_eq!(mine.pixels(), lecture.pixels(), "{id}: rules as a value give other bits than rules as a constant");
+    }
+    let is_unseen = |m: &&Misconception| {
+        let rules = m.rules();
+        let asked = checks.iter().any(|check| answer(&rules, &check.ask) != answer(Lecture, &check.ask));
+        !asked && worlds.iter().all(|(_, world, lecture)| n_changed(&picture(world, &rules), lecture) == 0)
+    };
+    let unseen: Vec<_> = MISCONCEPTIONS.iter().filter(is_unseen).map(|m| m.id).collect();
+    assert!(unseen.is_empty(), "no case and no check shows {unseen:?}");
+}
+
+#[test]
+fn every_rule_has_a_misconception_and_every_id_is_its_own() {
+    for rule in 1..=21 {
+        assert!(MISCONCEPTIONS.iter().any(|m| m.rule == rule), "rule {rule} cannot be broken");
+    }
+    let mut ids: Vec<_> = MISCONCEPTIONS.iter().map(|m| m.id).collect();
+    ids.sort_unstable();
+    ids.dedup();
+    assert_eq!(ids.len(), MISCONCEPTIONS.len());
+    assert!(MISCONCEPTIONS.is_sorted_by_key(|m| m.rule));
+}
+
+#[test]
+fn every_function_to_look_at_is_one_of_the_template() {
+    let template = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../student_template/src");
+    for m in MISCONCEPTIONS {
+        let (file, function) = m.look_at.split_once(' ').unwrap();
+        let text = std::fs::read_to_string(template.join(file)).unwrap_or_else(|why| panic!("{}: {file}: {why}", m.id));
+        assert!(text.contains(&format!("pub fn {function}(")), "{}: {file} has no {function}", m.id);
+    }
+}
