@@ -9,6 +9,7 @@ use crate::scene::{Attenuation, Light, Object, Scene, Shape};
 
 /// Something a tracer may simulate beyond eye rays and local light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Effect {
     /// Surfaces hide lights. [rule 5]
@@ -70,6 +71,7 @@ impl fmt::Display for Effect {
 
 /// A set of effects. In JSON: a list of names.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(from = "Vec<Effect>", into = "Vec<Effect>")]
 pub struct Effects(u16);
 

@@ -31,6 +31,8 @@ pub mod ray;
 pub mod ray_tree;
 pub mod scene;
 #[cfg(feature = "authoring")]
+pub mod schema;
+#[cfg(feature = "authoring")]
 pub mod stage;
 
 pub use effects::{Effect, Effects};

@@ -8,6 +8,7 @@ use crate::scene::{Camera, Light, Material, Scene, json::affine};
 
 /// One line to a submission.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 pub struct Question {
     /// Comes back with the answer.
     pub id: String,
@@ -18,6 +19,7 @@ pub struct Question {
 
 /// One line from a submission.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 pub struct Reply {
     /// The question's.
     pub id: String,
@@ -30,6 +32,7 @@ pub struct Reply {
 ///
 /// Directions and normals are unit vectors unless a variant says otherwise.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(tag = "fn", rename_all = "snake_case")]
 pub enum Ask {
     /// The ray through the centre of a pixel. Answer: `ray`. [rule 1]
@@ -48,6 +51,7 @@ pub enum Ask {
         /// Direction of any length but zero.
         ray: Ray,
         /// Center.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         center: DVec3,
         /// Radius.
         radius: f64,
@@ -57,6 +61,7 @@ pub enum Ask {
         /// Direction of any length but zero.
         ray: Ray,
         /// N.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         normal: DVec3,
         /// k in N·X = k.
         k: f64,
@@ -71,8 +76,10 @@ pub enum Ask {
         /// Direction of any length but zero.
         ray: Ray,
         /// Least corner.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         min: DVec3,
         /// Greatest corner.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         max: DVec3,
     },
     /// Answer: `hit`, its normal along (b − a) × (c − a), or `miss`. [rule 16]
@@ -80,10 +87,13 @@ pub enum Ask {
         /// Direction of any length but zero.
         ray: Ray,
         /// A.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         a: DVec3,
         /// B.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         b: DVec3,
         /// C.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         c: DVec3,
     },
     /// The nearest hit in a scene. Answer: `found` or `miss`. [rule 2]
@@ -99,13 +109,16 @@ pub enum Ask {
         light: Light,
         /// Distance to it; infinite for a directional light.
         #[serde(with = "number")]
+        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
         r: f64,
     },
     /// The normal turned against the ray, and whether the ray is inside. Answer: `facing`. [rule 11]
     FacingNormal {
         /// Direction of the ray.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         direction: DVec3,
         /// Outward normal.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         normal: DVec3,
     },
     /// ka Ia_j, times kt from inside. Answer: `colour`. [rule 3] [rule 12]
@@ -122,12 +135,16 @@ pub enum Ask {
         /// The material.
         material: Material,
         /// S_j A_j I_j: the light that arrives.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         arriving: DVec3,
         /// N, turned against the ray.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         normal: DVec3,
         /// −d.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         to_viewer: DVec3,
         /// L_j.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         to_light: DVec3,
     },
     /// ke and all lights at a point. Answer: `colour`. [rule 3]
@@ -137,10 +154,13 @@ pub enum Ask {
         /// Index of the object that is shaded.
         object: usize,
         /// The point.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         point: DVec3,
         /// N, turned against the ray.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         normal: DVec3,
         /// −d.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         to_viewer: DVec3,
         /// Whether the point is seen from inside its object.
         inside: bool,
@@ -150,6 +170,7 @@ pub enum Ask {
         /// The light.
         light: Light,
         /// The point.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         point: DVec3,
     },
     /// S_j at a point. Answer: `colour`. [rule 5] [rule 6]
@@ -159,13 +180,16 @@ pub enum Ask {
         /// Index of the light.
         light: usize,
         /// The point.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         point: DVec3,
     },
     /// R. Answer: `vector`. [rule 7]
     Reflect {
         /// d.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         direction: DVec3,
         /// N.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         normal: DVec3,
     },
     /// Whether a ray of this depth and weight spawns more. Answer: `goes_on`. [rule 13]
@@ -175,6 +199,7 @@ pub enum Ask {
         /// The scene's limit.
         max_depth: u32,
         /// Product of the ks and kt along the path.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         weight: DVec3,
         /// The scene's threshold; 0 switches the test off.
         threshold: f64,
@@ -189,8 +214,10 @@ pub enum Ask {
     /// T. Answer: `vector`, or `miss` for total internal reflection. [rule 8] [rule 10]
     Refract {
         /// d.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         direction: DVec3,
         /// N, turned against the ray.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         normal: DVec3,
         /// Index on the side of the ray.
         eta_i: f64,
@@ -212,14 +239,17 @@ pub enum Ask {
         ray: Ray,
         /// M⁻¹.
         #[serde(with = "affine")]
+        #[cfg_attr(feature = "authoring", schemars(with = "[[f64; 4]; 4]"))]
         object_from_world: DAffine3,
     },
     /// N = A⁻ᵀ N′, normalised. Answer: `vector`. [rule 20]
     NormalToWorld {
         /// N′.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         normal: DVec3,
         /// M⁻¹.
         #[serde(with = "affine")]
+        #[cfg_attr(feature = "authoring", schemars(with = "[[f64; 4]; 4]"))]
         object_from_world: DAffine3,
     },
     /// The sphere of radius 0.5 about the origin under M. Answer: `hit` in world space, or `miss`. [rule 14] [rule 20]
@@ -228,45 +258,59 @@ pub enum Ask {
         ray: Ray,
         /// M.
         #[serde(with = "affine")]
+        #[cfg_attr(feature = "authoring", schemars(with = "[[f64; 4]; 4]"))]
         world_from_object: DAffine3,
         /// M⁻¹.
         #[serde(with = "affine")]
+        #[cfg_attr(feature = "authoring", schemars(with = "[[f64; 4]; 4]"))]
         object_from_world: DAffine3,
     },
     /// (α, β, γ) of a point in the plane of a triangle. Answer: `vector`. [rule 17]
     Barycentric {
         /// A.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         a: DVec3,
         /// B.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         b: DVec3,
         /// C.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         c: DVec3,
         /// Q.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         q: DVec3,
     },
     /// N̂ from three vertex normals. Answer: `vector`, of unit length. [rule 18]
     Interpolate {
         /// (α, β, γ).
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         weights: DVec3,
         /// The normals of A, B, C.
+        #[cfg_attr(feature = "authoring", schemars(with = "[[f64; 3]; 3]"))]
         normals: [DVec3; 3],
     },
     /// R where normals are interpolated. Answer: `vector`. [rule 19]
     SmoothReflect {
         /// d.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         direction: DVec3,
         /// Geometric normal, turned against the ray.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         n_geom: DVec3,
         /// Interpolated normal, turned along with it.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         n_shading: DVec3,
     },
     /// T where normals are interpolated. Answer: `vector`, or `miss` for total internal reflection. [rule 19]
     SmoothRefract {
         /// d.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         direction: DVec3,
         /// Geometric normal, turned against the ray.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         n_geom: DVec3,
         /// Interpolated normal, turned along with it.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         n_shading: DVec3,
         /// Index on the side of the ray.
         eta_i: f64,
@@ -277,21 +321,25 @@ pub enum Ask {
 
 /// What a function returned; the variant's name in snake case is the key.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Answer {
     /// A hit with a bare shape.
     Hit {
         /// Along the ray as given.
         #[serde(with = "number")]
+        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
         t: f64,
         /// Outward unit normal.
         #[serde(with = "numbers")]
+        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
         normal: DVec3,
     },
     /// A hit in a scene.
     Found {
         /// Along the ray as given.
         #[serde(with = "number")]
+        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
         t: f64,
         /// Index of the object.
         object: usize,
@@ -302,21 +350,36 @@ pub enum Answer {
     Ray {
         /// Where it starts.
         #[serde(with = "numbers")]
+        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
         origin: DVec3,
         /// Where it goes.
         #[serde(with = "numbers")]
+        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
         direction: DVec3,
     },
     /// A number.
-    Value(#[serde(with = "number")] f64),
+    Value(
+        #[serde(with = "number")]
+        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
+        f64,
+    ),
     /// A direction, a normal, or three weights.
-    Vector(#[serde(with = "numbers")] DVec3),
+    Vector(
+        #[serde(with = "numbers")]
+        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
+        DVec3,
+    ),
     /// Linear RGB.
-    Colour(#[serde(with = "numbers")] DVec3),
+    Colour(
+        #[serde(with = "numbers")]
+        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
+        DVec3,
+    ),
     /// The normal turned against a ray.
     Facing {
         /// That normal.
         #[serde(with = "numbers")]
+        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
         normal: DVec3,
         /// Whether the ray is inside the object.
         inside: bool,
@@ -325,18 +388,22 @@ pub enum Answer {
     ToLight {
         /// L_j.
         #[serde(with = "numbers")]
+        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
         direction: DVec3,
         /// t_light; "inf" for a directional light.
         #[serde(with = "number")]
+        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
         t: f64,
     },
     /// Indices on both sides.
     Indices {
         /// On the side of the ray.
         #[serde(with = "number")]
+        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
         eta_i: f64,
         /// On the other side.
         #[serde(with = "number")]
+        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
         eta_t: f64,
     },
     /// Whether the ray spawns more.

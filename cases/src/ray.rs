@@ -11,17 +11,22 @@ pub const RAY_EPSILON: f64 = 1e-6;
 /// The direction of an eye, shadow, reflected or refracted ray is a unit vector; after going to object space it has
 /// whatever length the matrix gives it. [rule 20]
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Ray {
     /// Where t = 0.
+    #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub origin: DVec3,
     /// Never the zero vector.
+    #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub direction: DVec3,
     /// Open lower end of the interval.
     #[serde(with = "crate::probe::number")]
+    #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
     pub t_min: f64,
     /// Open upper end of the interval; may be infinite.
     #[serde(with = "crate::probe::number")]
+    #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
     pub t_max: f64,
 }
 
@@ -49,12 +54,15 @@ impl Ray {
 
 /// What the intersection with a bare shape finds, in the frame of the ray. A miss is `None`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SurfaceHit {
     /// Parameter along the ray as given, its direction not normalised. [rule 20]
     #[serde(with = "crate::probe::number")]
+    #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
     pub t: f64,
     /// Unit vector; points outwards, from inside as well. [rule 11]
+    #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub normal: DVec3,
 }
 

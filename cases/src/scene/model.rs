@@ -7,6 +7,7 @@ use crate::effects::Effects;
 
 /// A picture to render, whole: settings, camera, lights, materials, objects.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
     /// Size of the picture and depth of the recursion.
@@ -16,6 +17,7 @@ pub struct Scene {
     /// Where the picture is taken from.
     pub camera: Camera,
     /// Colour of a ray that meets nothing.
+    #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub background: DVec3,
     /// Lights, in file order.
     pub lights: Vec<Light>,
@@ -29,6 +31,7 @@ pub struct Scene {
 
 /// Settings of a render.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Render {
     /// Pixels in a row; at least 1.
@@ -43,15 +46,20 @@ pub struct Render {
 
 /// A pinhole camera; `right`, `up`, `forward` are orthonormal, right × up = −forward. [rule 1]
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Camera {
     /// The pinhole, C.
+    #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub eye: DVec3,
     /// Unit vector to the right of the picture.
+    #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub right: DVec3,
     /// Unit vector to the top of the picture.
+    #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub up: DVec3,
     /// Unit vector into the scene.
+    #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub forward: DVec3,
     /// Vertical angle of view in degrees, above 0 and below 180; square pixels give the horizontal one.
     pub fov_y_deg: f64,
@@ -59,15 +67,19 @@ pub struct Camera {
 
 /// A source of light.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Light {
     /// A point that shines in all directions.
     Point {
         /// Where it is.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         position: DVec3,
         /// I_j. [rule 3]
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         colour: DVec3,
         /// Ia_j, this light's own ambient colour. [rule 3]
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         ambient: DVec3,
         /// How it weakens with distance. [rule 4]
         attenuation: Attenuation,
@@ -75,10 +87,13 @@ pub enum Light {
     /// A light infinitely far away.
     Directional {
         /// Unit vector in which the light travels: away from the light.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         direction: DVec3,
         /// I_j. [rule 3]
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         colour: DVec3,
         /// Ia_j, this light's own ambient colour. [rule 3]
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         ambient: DVec3,
     },
 }
@@ -101,6 +116,7 @@ impl Light {
 
 /// A_j = min(1, 1 / (quadratic · r² + linear · r + constant)); none negative, not all zero. [rule 4]
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Attenuation {
     /// a of rule 4.
@@ -118,21 +134,28 @@ impl Attenuation {
 
 /// How a surface answers light; colours are linear RGB, none negative. [rule 3]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// Its name in the case file.
     pub name: String,
     /// Emission.
+    #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub ke: DVec3,
     /// Ambient; equals `kd` unless the file says otherwise.
+    #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub ka: DVec3,
     /// Diffuse.
+    #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub kd: DVec3,
     /// Specular.
+    #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub ks: DVec3,
     /// Transmissive.
+    #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub kt: DVec3,
     /// Reflective: weight of the reflected ray; equals `ks` unless the file says otherwise. [rule 7]
+    #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub kr: DVec3,
     /// Specular exponent, at least 0.
     pub ns: f64,
@@ -142,6 +165,7 @@ pub struct Material {
 
 /// A thing in the scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Object {
     /// Its name in the file, else `objects[3]`.
@@ -152,9 +176,11 @@ pub struct Object {
     pub material: usize,
     /// M: object space to world space. [rule 20]
     #[serde(with = "super::json::affine")]
+    #[cfg_attr(feature = "authoring", schemars(with = "[[f64; 4]; 4]"))]
     pub world_from_object: DAffine3,
     /// M⁻¹.
     #[serde(with = "super::json::affine")]
+    #[cfg_attr(feature = "authoring", schemars(with = "[[f64; 4]; 4]"))]
     pub object_from_world: DAffine3,
 }
 
@@ -172,11 +198,13 @@ impl Object {
 
 /// A shape in object space. Sizes are positive.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Shape {
     /// ‖X − center‖ = radius; radius 0.5 about the origin unless the file says otherwise. [rule 14]
     Sphere {
         /// Center.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         center: DVec3,
         /// Radius.
         radius: f64,
@@ -184,6 +212,7 @@ pub enum Shape {
     /// N·X = k, N a unit vector. [rule 15]
     Plane {
         /// N.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         normal: DVec3,
         /// Signed distance of the plane from the origin along N.
         k: f64,
@@ -193,8 +222,10 @@ pub enum Shape {
     /// min ≤ X ≤ max; the unit cube about the origin unless the file says otherwise. [rule 15]
     Box {
         /// Least corner.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         min: DVec3,
         /// Greatest corner.
+        #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         max: DVec3,
     },
     /// x² + y² = radius², z_min ≤ z ≤ z_max.
@@ -230,12 +261,15 @@ pub enum Shape {
 
 /// Triangles over shared vertices; the normal of (A, B, C) is along (B − A) × (C − A). [rule 16]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
     /// Corners.
+    #[cfg_attr(feature = "authoring", schemars(with = "Vec<[f64; 3]>"))]
     pub vertices: Vec<DVec3>,
     /// Three indices into `vertices` each.
     pub triangles: Vec<[u32; 3]>,
     /// One unit normal a vertex, or none where the mesh is flat. [rule 18]
+    #[cfg_attr(feature = "authoring", schemars(with = "Option<Vec<[f64; 3]>>"))]
     pub normals: Option<Vec<DVec3>>,
 }

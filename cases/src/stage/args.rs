@@ -45,8 +45,8 @@ macro_rules! plain {
 
 plain! {
     Vector("[x, y, z]") Point => DVec3, |v, _| Some(v.get());
-    Unit("[x, y, z] of any length but zero, made a unit vector") Direction => DVec3, |v, _| Some(v.get());
-    Units("three directions, each made a unit vector") [Direction; 3] => [DVec3; 3], |all, _| Some(all.map(Direction::get));
+    Unit("a direction") Direction => DVec3, |v, _| Some(v.get());
+    Units("three directions") [Direction; 3] => [DVec3; 3], |all, _| Some(all.map(Direction::get));
     Rgb("[r, g, b], each at least 0") Colour => DVec3, |c, _| Some(c.get());
     Real("a number") Number => f64, |x, _| Some(x.get());
     Length("a number above 0") Size => f64, |x, _| Some(x.get());
@@ -58,7 +58,7 @@ plain! {
     Pixel("[column, row], from 0 at the top left") [Index; 2] => [u32; 2], |pixel, _| Some(pixel.map(|index| index.0));
     CameraTable("a camera, as in a scene") RawCamera => Camera, |raw, notes| resolve::camera(&raw, notes);
     LightTable("a light, as in a scene") RawLight => Light, |raw, notes| resolve::light(&raw, notes);
-    RayTable("`{ origin, direction }`, and if need be `t_min`, `t_max`") RawRay => Ray, |raw, notes| raw.resolve(notes);
+    RayTable("a ray") RawRay => Ray, |raw, notes| raw.resolve(notes);
 }
 
 table! {

@@ -197,7 +197,7 @@ table! {
 
 /// One factor, or one for each axis.
 #[derive(Clone, Debug, JsonSchema)]
-#[schemars(untagged)]
+#[schemars(untagged, inline)]
 pub(crate) enum RawScale {
     /// For all axes.
     Uniform(Factor),
