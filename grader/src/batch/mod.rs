@@ -11,8 +11,7 @@
 
 use std::io;
 use std::path::{Path, PathBuf};
-
-use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::files;
 use crate::grade::{GradeError, Graded};
@@ -20,12 +19,14 @@ use crate::plain;
 use crate::record::{FindingKind, Record, Verdict};
 use crate::report::class::{self, Entry};
 
+mod bench;
 mod progress;
 mod store;
 mod submissions;
 #[cfg(test)]
 mod tests;
 
+pub use bench::OnBench;
 pub use progress::{Listener, Shown};
 pub use submissions::{LeftAside, Submission};
 
@@ -123,9 +124,8 @@ pub fn run(grader: &impl Grader, options: &Options, listener: &dyn Listener) -> 
     }
     let store = Store::open(&options.out, grader.epoch()).map_err(unwritable)?;
     listener.begin(submissions.len());
-    let work =
-        || submissions.par_iter().map(|one| bring(grader, &store, one, listener)).collect::<io::Result<Vec<_>>>();
-    let brought = in_parallel(options.jobs, work).map_err(unwritable)?;
+    let brought = side_by_side(options.jobs, &submissions, |one| bring(grader, &store, one, listener));
+    let brought = brought.map_err(unwritable)?;
     listener.end();
     let summary = summarise(&submissions, &brought, left_aside);
     if summary.n_left == 0 {
@@ -134,9 +134,31 @@ pub fn run(grader: &impl Grader, options: &Options, listener: &dyn Listener) -> 
     Ok(summary)
 }
 
-fn in_parallel<T: Send>(jobs: usize, work: impl FnOnce() -> io::Result<T> + Send) -> io::Result<T> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs.max(1)).build().map_err(io::Error::other)?;
-    pool.install(work)
+/// What `work` makes of each item, in their order, `jobs` at a time; after an error no other is begun.
+///
+/// Not by rayon: a worker of it that waits for the programs of one submission would meanwhile begin another.
+fn side_by_side<T: Sync, R: Send>(
+    jobs: usize,
+    items: &[T],
+    work: impl Fn(&T) -> io::Result<R> + Sync,
+) -> io::Result<Vec<R>> {
+    let next = AtomicUsize::new(0);
+    let worker = || {
+        let mut done = Vec::new();
+        loop {
+            let n = next.fetch_add(1, Ordering::Relaxed);
+            let Some(item) = items.get(n) else { return Ok(done) };
+            let result = work(item).inspect_err(|_| next.store(items.len(), Ordering::Relaxed))?;
+            done.push((n, result));
+        }
+    };
+    let mut done: Vec<(usize, R)> = std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..jobs.clamp(1, items.len().max(1))).map(|_| scope.spawn(worker)).collect();
+        let ended = workers.into_iter().map(|one| one.join().expect("panics of the grader are caught one by one"));
+        ended.collect::<io::Result<Vec<_>>>().map(|parts| parts.into_iter().flatten().collect())
+    })?;
+    done.sort_by_key(|(n, _)| *n);
+    Ok(done.into_iter().map(|(_, result)| result).collect())
 }
 
 /// What became of one submission.

@@ -48,6 +48,9 @@ impl Grader for Fake {
         let record = &mut graded.record;
         record.epoch = self.epoch.to_owned();
         record.submission.digest = self.digest(&submission.path).unwrap_or_default();
+        if let Ok(title) = fs::read_to_string(submission.path.join("title")) {
+            record.stages[0].title = format!("title: {title}");
+        }
         let ours = |message: &str| Finding { message: message.to_owned(), ..sample::finding(FindingKind::Internal) };
         match text.as_str() {
             "machine" => return Err(GradeError::Machine("the disk is full".to_owned())),
@@ -150,6 +153,23 @@ fn a_changed_submission_is_graded_again() {
     class.run(&again, 1);
     assert_eq!(again.graded(), ["bob", "dave"]);
     assert!(fs::read_to_string(class.out("class.csv")).unwrap().contains("bob,bob,3,"));
+}
+
+#[test]
+fn what_cannot_be_read_is_looked_at_every_time() {
+    let class = Class::new(&[]);
+    let folder = class.place.path().join("in/alice");
+    fs::create_dir_all(&folder).unwrap();
+    for title in ["one", "two"] {
+        fs::write(folder.join("title"), title).unwrap();
+        let grader = Fake::new("1", ALL);
+        class.run(&grader, 1);
+        assert_eq!(grader.graded(), ["alice"]);
+        for path in ["records/alice.json", "reports/alice.html"] {
+            let text = fs::read_to_string(class.out(path)).unwrap();
+            assert!(text.contains(&format!("title: {title}")), "{path} is of an earlier run");
+        }
+    }
 }
 
 #[test]

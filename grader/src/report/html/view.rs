@@ -49,6 +49,8 @@ struct Stage {
     unit_failed: Vec<Check>,
     unit_passed: Vec<Check>,
     n_cases_right: usize,
+    /// About the program that answered the unit checks.
+    remarks: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -136,6 +138,7 @@ fn stage(stage: &StageRecord, graded: &Graded) -> Stage {
         title: shown(&stage.title),
         score: points(Score { earned: stage.earned, possible: stage.possible }),
         n_cases_right: cases.iter().filter(|one| one.is_right).count(),
+        remarks: stage.remarks.iter().map(|text| shown(text)).collect(),
         cases,
         unit_failed,
         unit_passed,

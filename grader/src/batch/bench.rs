@@ -1,0 +1,52 @@
+//! Grading a class on one bench: the exam is read and the crates are compiled once for all.
+
+use std::path::Path;
+
+use super::{Grader, Submission};
+use crate::grade::{self, Bench, GradeError, Graded, Options, Silent};
+use crate::{sandbox, submission};
+
+/// The real grader of a class.
+#[derive(Debug)]
+pub struct OnBench<'a> {
+    bench: &'a Bench,
+    stages: Vec<String>,
+    epoch: String,
+}
+
+impl<'a> OnBench<'a> {
+    /// Grades the stages selected by what their ids begin with; none: all.
+    ///
+    /// # Errors
+    /// No compiler.
+    pub fn new(bench: &'a Bench, stages: &[String]) -> Result<Self, GradeError> {
+        let mut stages = stages.to_vec();
+        stages.sort();
+        let epoch = format!("{} {stages:?}", bench.epoch()?);
+        Ok(Self { bench, stages, epoch })
+    }
+}
+
+impl Grader for OnBench<'_> {
+    fn epoch(&self) -> &str {
+        &self.epoch
+    }
+
+    fn digest(&self, path: &Path) -> Option<String> {
+        submission::read(path, &self.bench.workshop.template).ok().map(|submission| submission.digest)
+    }
+
+    fn grade(&self, submission: &Submission) -> Result<Graded, GradeError> {
+        let options = Options {
+            name: submission.name.clone(),
+            stages: self.stages.clone(),
+            jobs: 1,
+            ..Options::new(&submission.path)
+        };
+        grade::grade(self.bench, &options, &Silent)
+    }
+
+    fn is_stopped(&self) -> bool {
+        sandbox::interrupted()
+    }
+}
