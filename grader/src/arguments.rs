@@ -64,6 +64,7 @@ impl Color {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     Grade(Grade),
+    Batch(Batch),
     Images(Images),
     Compare(Compare),
     Explain(Explain),
@@ -151,6 +152,35 @@ pub(crate) struct Grade {
     /// Programs that run at once [default: one a core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(crate) jobs: Option<u16>,
+}
+
+/// Grade a class: every folder and archive in DIR
+///
+/// Writes a record and a report for each submission, and the table of the class as CSV and HTML. What has been graded and
+/// has not changed since is not graded again, so a run that was interrupted or killed goes on where it was.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  grader batch handins -o results
+  grader batch handins -o results --stage 02 --jobs 4
+
+Exit codes: 0 all are graded (however well), 2 no submissions, 3 some could not be graded, 130 interrupted")]
+pub(crate) struct Batch {
+    /// Folder of the submissions
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: PathBuf,
+    /// Folder of the results
+    #[arg(short, long, value_name = "OUT")]
+    pub(crate) out: PathBuf,
+    /// Submissions that are graded at once [default: one a core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub(crate) jobs: Option<u16>,
+    /// Folder of the stages [default: cases/stages here, else beside the binary]
+    #[arg(long, value_name = "STAGES")]
+    pub(crate) cases: Option<PathBuf>,
+    /// Only this stage, such as 02 or 02_shadows; may be repeated
+    #[arg(long, value_name = "STAGE")]
+    pub(crate) stage: Vec<String>,
 }
 
 /// Judge pictures that are rendered already: DIR/STAGE/CASE.png

@@ -17,6 +17,7 @@ fn main() -> std::process::ExitCode {
     let outcome = match arguments.command {
         Command::Grade(options) => commands::grade::run(&options, &talk),
         Command::Images(options) => commands::images::run(&options, &talk),
+        Command::Batch(options) => commands::batch::run(&options, &talk),
         Command::Compare(options) => commands::compare::run(&options),
         Command::Explain(options) => commands::explain::run(&options, &talk),
         Command::Lint(options) => commands::lint::run(&options, &talk),

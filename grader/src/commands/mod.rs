@@ -1,5 +1,6 @@
 //! What each command does.
 
+pub(crate) mod batch;
 pub(crate) mod compare;
 pub(crate) mod doctor;
 pub(crate) mod explain;
