@@ -11,7 +11,7 @@ use crate::probe::Answer;
 /// The answer to an image case, stored as `CASE.answer.exr` beside it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImageAnswer {
-    /// The picture in linear light, as f32.
+    /// The picture in linear light; the file has it rounded to a 64th of an 8-bit level, which makes it a third of the size.
     pub expected: Image,
     /// How far from it a right picture may be.
     pub tolerance: Tolerance,
@@ -19,6 +19,8 @@ pub struct ImageAnswer {
 
 /// The layer that holds [`ImageAnswer::expected`].
 const EXPECTED: &str = "expected";
+/// Light is stored as multiples of 1/STEPS.
+const STEPS: f64 = 16384.0;
 
 impl ImageAnswer {
     /// The bytes to store: an OpenEXR file with the layer `expected` and the tolerance as a note. They depend on the answer alone.
@@ -27,7 +29,9 @@ impl ImageAnswer {
     /// What the encoder says.
     pub fn encode(&self) -> Result<Vec<u8>, PictureError> {
         let notes = serde_json::to_string(&self.tolerance).map_err(|why| PictureError::Broken(why.to_string()))?;
-        exr::encode(&[Layer { name: EXPECTED.to_owned(), image: self.expected.clone() }], &notes)
+        let light = |i, j| (self.expected.pixel(i, j) * STEPS).round() / STEPS;
+        let image = Image::from_fn(self.expected.width(), self.expected.height(), light);
+        exr::encode(&[Layer { name: EXPECTED.to_owned(), image }], &notes)
     }
 
     /// The answer that `bytes` hold, demanded to be `width` × `height` before anything is decoded.
