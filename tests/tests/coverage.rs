@@ -1,22 +1,185 @@
-//! The cases as a whole: every rule is covered, every case shows what it is about, and points add up.
+//! The cases as a whole: every rule is covered, every case shows what it says it shows, points add up, answers are current.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
-use cases::stage::{self, Stage};
+use cases::answer::{self, CheckAnswer, ImageAnswer};
+use cases::film::Image;
+use cases::glam::DAffine3;
+use cases::stage::{self, Case, Stage};
+use cases::{Effect, Effects, Scene};
+use grader::judge;
+use grader::record::Verdict;
+use reference::misconceptions::{MISCONCEPTIONS, Misconception};
+use reference::real::Real;
+use reference::render::{self, Options};
+use reference::rules::{Lecture, RuleSource, Rules};
+use reference::world::World;
+use reference::{answers, expect};
 
-fn stages_dir() -> PathBuf {
+/// The rules that stages test; the rest are extras.
+const RULES: std::ops::RangeInclusive<u8> = 1..=21;
+
+static STAGES: LazyLock<Vec<Stage>> =
+    LazyLock::new(|| stage::load_all(&folder()).unwrap_or_else(|problems| panic!("{}", problems.render(false))));
+
+fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages")
 }
 
-fn stages() -> Vec<Stage> {
-    stage::load_all(&stages_dir()).unwrap_or_else(|problems| panic!("{}", problems.render(false)))
+fn image_cases() -> impl Iterator<Item = &'static Case> {
+    STAGES.iter().flat_map(|stage| &stage.cases)
+}
+
+fn broken(rule: u8) -> impl Iterator<Item = &'static Misconception> {
+    MISCONCEPTIONS.iter().filter(move |wrong| wrong.rule == rule)
+}
+
+fn stored(case: &Case) -> ImageAnswer {
+    let path = answer::image_answer_path(&folder(), &case.id);
+    let bytes = std::fs::read(&path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
+    let render = case.scene.render;
+    ImageAnswer::decode(&bytes, render.width, render.height).unwrap_or_else(|why| panic!("{}: {why}", path.display()))
+}
+
+fn picture<T: Real, R: RuleSource>(scene: &Scene, rules: R, effects: Effects) -> Image {
+    let world = World::<T>::new(scene);
+    render::render(&world, rules, &Options { effects, ..Options::of(&world) }, |_| {}).0
+}
+
+fn passes(case: &Case, actual: &Image) -> bool {
+    judge::picture(actual, &stored(case)).verdict == Verdict::Pass
+}
+
+/// Whether the case would let a program pass that follows `rules` instead of the lecture's.
+fn forgives(case: &Case, rules: &Rules) -> bool {
+    passes(case, &picture::<f64, _>(&case.scene, rules, case.scene.effects))
+}
+
+/// Fails with all the lines there are.
+fn none(wrong: Vec<String>) {
+    assert!(wrong.is_empty(), "{} wrong:\n{}", wrong.len(), wrong.join("\n"));
 }
 
 /// 25 points a stage, in thousandths.
 #[test]
 fn every_stage_is_worth_25_points() {
-    for stage in stages() {
+    for stage in STAGES.iter() {
         let images: u64 = stage.cases.iter().map(|case| case.points).sum();
         assert_eq!(images + stage.unit_points, 25_000, "{}", stage.id);
     }
+}
+
+#[test]
+fn every_rule_has_a_picture_and_a_question() {
+    let pictures: BTreeSet<u8> = image_cases().flat_map(|case| case.rules.iter().copied()).collect();
+    let questions: BTreeSet<u8> =
+        STAGES.iter().flat_map(|stage| &stage.checks).flat_map(|check| check.rules.iter().copied()).collect();
+    assert_eq!(pictures, RULES.collect(), "rules named by image cases");
+    assert_eq!(questions, RULES.collect(), "rules named by unit checks");
+}
+
+#[test]
+fn every_rule_that_a_case_names_can_be_seen_broken_in_it() {
+    none(
+        image_cases()
+            .flat_map(|case| case.rules.iter().map(move |rule| (case, *rule)))
+            .filter(|(case, rule)| broken(*rule).all(|wrong| forgives(case, &wrong.rules())))
+            .map(|(case, rule)| format!("{}: no known way of breaking rule {rule} shows in it", case.id))
+            .collect(),
+    );
+}
+
+/// The cases that name its rule first: the others are rendered only where those do not show it.
+#[test]
+fn every_misconception_is_caught() {
+    none(
+        MISCONCEPTIONS
+            .iter()
+            .filter(|wrong| {
+                let names_it = |case: &&Case| case.rules.contains(&wrong.rule);
+                let (first, rest): (Vec<_>, Vec<_>) = image_cases().partition(names_it);
+                let rules = wrong.rules();
+                first.into_iter().all(|case| forgives(case, &rules))
+                    && !fails_a_question(&rules)
+                    && rest.into_iter().all(|case| forgives(case, &rules))
+            })
+            .map(|wrong| format!("{} (rule {}) passes every case and every check", wrong.id, wrong.rule))
+            .collect(),
+    );
+}
+
+fn fails_a_question(rules: &Rules) -> bool {
+    STAGES.iter().any(|stage| {
+        let stored = check_answers(stage);
+        stage.checks.iter().zip(&stored).any(|(check, right)| {
+            judge::unit(&answers::answer(rules, &check.ask), right, check.ask.function()).verdict != Verdict::Pass
+        })
+    })
+}
+
+fn check_answers(stage: &Stage) -> Vec<CheckAnswer> {
+    if stage.checks.is_empty() {
+        return Vec::new();
+    }
+    let path = answer::check_answers_path(&folder(), &stage.id);
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
+    answer::check_answers_from_str(&text).unwrap_or_else(|why| panic!("{}: {why}", path.display()))
+}
+
+/// What a stage adds to the one before it.
+fn added(stages: &[Stage; 2]) -> Vec<Effect> {
+    stages[1].allows.iter().filter(|effect| !stages[0].allows.has(*effect)).collect()
+}
+
+/// The first stage adds nothing to another one, so its cases have nothing to fail without.
+#[test]
+fn no_case_passes_without_what_its_stage_adds() {
+    let pairs = STAGES.array_windows::<2>();
+    none(
+        pairs
+            .flat_map(|pair| pair[1].cases.iter().map(move |case| (added(pair), case)))
+            .filter(|(added, case)| passes(case, &picture_without(case, added)))
+            .map(|(added, case)| format!("{} passes without {added:?}", case.id))
+            .collect(),
+    );
+}
+
+fn picture_without(case: &Case, added: &[Effect]) -> Image {
+    let effects = added.iter().fold(case.scene.effects, |effects, effect| effects.without(*effect));
+    let mut scene = case.scene.clone();
+    if added.contains(&Effect::Transforms) {
+        for object in &mut scene.objects {
+            (object.world_from_object, object.object_from_world) = (DAffine3::IDENTITY, DAffine3::IDENTITY);
+        }
+    }
+    picture::<f64, _>(&scene, Lecture, effects)
+}
+
+/// Fairness: rounding to single precision costs no point.
+#[test]
+fn a_program_in_single_precision_passes_every_case() {
+    none(
+        image_cases()
+            .filter(|case| !passes(case, &picture::<f32, _>(&case.scene, Lecture, case.scene.effects)))
+            .map(|case| format!("{} fails in single precision", case.id))
+            .collect(),
+    );
+}
+
+#[test]
+fn the_stored_answers_are_what_the_reference_gives() {
+    let stages = folder();
+    let pictures = image_cases().flat_map(|case| expect::of_case(&stages, case).unwrap_or_else(|why| panic!("{why}")));
+    let checks = STAGES
+        .iter()
+        .filter_map(|stage| expect::of_checks(&stages, stage).unwrap_or_else(|wrong| panic!("{}", wrong.join("\n"))));
+    none(
+        pictures
+            .chain(checks)
+            .filter(|expected| !expected.is_stored())
+            .map(|expected| format!("{} is not current: run `reference expect`", expected.path.display()))
+            .collect(),
+    );
 }
