@@ -1,0 +1,183 @@
+//! The program from outside: exit codes, messages, files.
+
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+const SCENE: &str = r#"
+[render]
+size = [8, 6]
+max_depth = 1
+[scene.camera]
+eye = [0, 0, 4]
+look_at = [0, 0, 0]
+up = [0, 1, 0]
+fov_y_deg = 40
+[scene.materials]
+m = { kd = [0.5, 0.5, 0.5] }
+[[scene.lights]]
+directional = { direction = [0, 0, -1], colour = [1, 1, 1] }
+[[scene.objects]]
+sphere = {}
+material = "m"
+"#;
+
+/// Runs the program in `folder`.
+fn run(folder: &Path, args: &[&str], input: &str) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_reference"))
+        .current_dir(folder)
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let _ = child.stdin.take().unwrap().write_all(input.as_bytes()); // a program that reads nothing may be gone
+    child.wait_with_output().unwrap()
+}
+
+/// A folder with `scene.toml` and the stages `stages/01_one` (a case and a check).
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, text).unwrap();
+    };
+    write("scene.toml", SCENE);
+    let case = format!(
+        "title = \"t\"\nabout = \"a\"\nrules = [3]\npoints = 2\n{}",
+        SCENE.replace("sphere = {}", "square = {}")
+    );
+    for root in ["stages", "cases/stages"] {
+        write(
+            &format!("{root}/01_one/stage.toml"),
+            "title = \"One\"\nabout = \"a\"\nallows = []\nneeds = []\nunit_points = 1\n",
+        );
+        write(&format!("{root}/01_one/card.toml"), &case);
+        write(&format!("{root}/01_one/checks/sphere.toml"), &check("1.5"));
+    }
+    folder
+}
+
+fn check(t: &str) -> String {
+    format!(
+        "[[check]]\nname = \"ahead\"\nabout = \"a\"\nrules = [14]\n\
+         ask = {{ fn = \"sphere\", ray = {{ origin = [0, 0, 2], direction = [0, 0, -1] }}, center = [0, 0, 0], radius = 0.5 }}\n\
+         paper = {{ hit = {{ t = {t}, normal = [0, 0, 1] }} }}\n"
+    )
+}
+
+#[track_caller]
+fn expect(output: &Output, code: i32, said: &str) {
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(code), "stderr: {errors}");
+    assert!(errors.contains(said), "stderr lacks {said:?}: {errors}");
+}
+
+#[test]
+fn renders_to_every_kind_of_file_and_to_the_stream() {
+    let folder = folder();
+    for (out, magic) in [("a.png", &b"\x89PNG"[..]), ("a.pfm", b"PF\n8 6\n"), ("a.exr", b"\x76\x2f\x31\x01")] {
+        expect(&run(folder.path(), &["render", "scene.toml", "-o", out], ""), 0, "");
+        assert!(std::fs::read(folder.path().join(out)).unwrap().starts_with(magic), "{out}");
+    }
+    let streamed = run(folder.path(), &["render", "scene.toml", "-o", "-"], "");
+    assert_eq!(streamed.stdout, std::fs::read(folder.path().join("a.png")).unwrap());
+    expect(&run(folder.path(), &["render", "scene.toml", "positional.png"], ""), 0, "");
+    assert_eq!(streamed.stdout, std::fs::read(folder.path().join("positional.png")).unwrap());
+}
+
+#[test]
+fn stats_count_rays() {
+    let folder = folder();
+    let output = run(folder.path(), &["render", "scene.toml", "a.png", "--samples", "2", "--stats", "json"], "");
+    let stats: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(stats["rays"]["eye"], 8 * 6 * 4);
+    assert_eq!(stats["rays"]["reflected"], 0);
+}
+
+#[test]
+fn what_cannot_be_read_is_2_and_what_cannot_be_written_is_3() {
+    let folder = folder();
+    let render = |args: &[&str]| run(folder.path(), &[&["render"], args].concat(), "");
+    expect(&render(&["none.toml", "a.png"]), 2, "there is no file `none.toml`");
+    expect(&render(&["01_one/cart", "a.png"]), 2, "did you mean `01_one/card`?");
+    expect(&render(&["scene.toml", "a.bmp"]), 2, ".png, .pfm or .exr");
+    expect(&render(&["scene.toml", "a.png", "--effects", "shadow"]), 2, "the effects are shadows,");
+    expect(&render(&["scene.toml", "a.png", "--size", "0x9"]), 2, "such as 640x480");
+    expect(&render(&["scene.toml"]), 2, "required");
+    expect(&render(&["scene.toml", "no/such/folder/a.png"]), 3, "cannot write");
+    std::fs::write(folder.path().join("bad.toml"), SCENE.replace("fov_y_deg", "fov_deg")).unwrap();
+    let bad = render(&["bad.toml", "a.png"]);
+    expect(&bad, 2, "bad.toml:9:1");
+    assert!(!bad.stderr.contains(&0x1b), "no colour where no terminal is");
+    assert!(!folder.path().join("a.png").exists(), "nothing was rendered");
+}
+
+#[test]
+fn explains_a_pixel() {
+    let folder = folder();
+    let output = run(folder.path(), &["explain", "scene.toml", "4", "3"], "");
+    assert!(String::from_utf8_lossy(&output.stdout).starts_with("eye ray, depth 0\n"));
+    let json = run(folder.path(), &["explain", "01_one/card", "4", "3", "--json"], "");
+    let tree: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!(tree["kind"], "eye");
+    expect(&run(folder.path(), &["explain", "scene.toml", "8", "0"], ""), 2, "pixel (8, 0)");
+}
+
+#[test]
+fn answers_questions_in_order() {
+    let folder = folder();
+    let questions = concat!(
+        r#"{"id":"b","fn":"reflect","direction":[0.6,-0.8,0],"normal":[0,1,0]}"#,
+        "\n\n",
+        r#"{"id":"a","fn":"sphere","ray":{"origin":[0,0,2],"direction":[0,0,1],"t_min":0,"t_max":"inf"},"center":[0,0,0],"radius":0.5}"#,
+        "\n"
+    );
+    let output = run(folder.path(), &["probe"], questions);
+    let lines = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(lines, "{\"id\":\"b\",\"vector\":[0.6,0.8,0.0]}\n{\"id\":\"a\",\"miss\":true}\n");
+    expect(&run(folder.path(), &["probe"], "{}\n"), 2, "cannot understand the question {}");
+}
+
+#[test]
+fn writes_answers_once_and_checks_them() {
+    let folder = folder();
+    let stages = folder.path().join("stages/01_one");
+    expect(&run(folder.path(), &["expect", "stages", "--check"], ""), 1, "card.answer.exr is missing");
+    assert!(!stages.join("card.answer.exr").exists(), "--check writes nothing");
+    expect(&run(folder.path(), &["expect", "stages"], ""), 0, "3 written");
+    expect(&run(folder.path(), &["expect", "stages", "--check"], ""), 0, "3 files as stored, 0 written");
+    expect(&run(folder.path(), &["expect", "stages/01_one/card.toml"], ""), 0, "2 files as stored, 0 written");
+    expect(&run(folder.path(), &["expect"], ""), 0, "3 written");
+    expect(&run(folder.path(), &["expect", "01_one/card"], ""), 0, "2 files as stored, 0 written");
+    expect(&run(folder.path(), &["expect", "01_one", "--check"], ""), 0, "3 files as stored");
+    let stored = std::fs::read(stages.join("card.answer.exr")).unwrap();
+    let answer = cases::answer::ImageAnswer::decode(&stored, 8, 6).unwrap();
+    assert_eq!(answer.tolerance, cases::answer::Tolerance { levels: 2.0, out_pixels: 0 }); // 0.5 % of 48
+    std::fs::write(stages.join("card.expected.png"), "x").unwrap();
+    expect(&run(folder.path(), &["expect", "stages", "--check"], ""), 1, "card.expected.png differs");
+    expect(&run(folder.path(), &["expect", "nowhere"], ""), 2, "no case, no stage and no folder of stages");
+}
+
+#[test]
+fn an_answer_on_paper_must_be_right() {
+    let folder = folder();
+    std::fs::write(folder.path().join("stages/01_one/checks/sphere.toml"), check("1.25")).unwrap();
+    let output = run(folder.path(), &["expect", "stages"], "");
+    expect(&output, 1, "01_one/sphere/ahead: on paper the answer is");
+    assert!(!folder.path().join("stages/01_one/checks.answers.json").exists());
+}
+
+#[test]
+fn prints_completions_and_pages() {
+    let folder = folder();
+    for args in [&["completions", "bash"][..], &["man"], &["man", "render"], &["render", "--help"], &["--version"]] {
+        let output = run(folder.path(), args, "");
+        expect(&output, 0, "");
+        assert!(String::from_utf8_lossy(&output.stdout).contains("reference"), "{args:?}");
+    }
+    expect(&run(folder.path(), &["man", "dance"], ""), 2, "no command `dance`");
+    expect(&run(folder.path(), &["dance"], ""), 2, "dance");
+}

@@ -1,0 +1,123 @@
+//! Trees find what a walk through the whole list finds, bit for bit; threads change nothing; single precision stays close.
+
+mod common;
+
+use std::fmt::Write;
+
+use cases::film::level;
+use common::{Random, scene};
+use reference::ray::Ray;
+use reference::real::Real;
+use reference::render::{Options, render};
+use reference::rules::Lecture;
+use reference::vec3::Vec3;
+use reference::world::{Search, World};
+
+/// Many shapes in disorder, some meshes with triangles that share edges, some without area.
+fn disorder(random: &mut Random) -> cases::Scene {
+    let mut text = String::from(
+        "[scene.materials.m]\nkd = [0.5, 0.6, 0.7]\n[[scene.lights]]\ndirectional = { direction = [0, -1, -1], colour = [1, 1, 1] }\n",
+    );
+    let shapes = [
+        "sphere = {}",
+        "square = {}",
+        "box = {}",
+        "cylinder = {}",
+        "cone = {}",
+        "cone = { bottom_radius = 0.2, top_radius = 0.4, capped = false }",
+        "plane = { normal = [0, 1, 0.5], k = -4 }",
+    ];
+    for n in 0..30 {
+        let mut number = |scale: f64| random.signed() * scale;
+        let at = [number(2.0), number(2.0), number(2.0)];
+        let (turn, size) = (number(180.0), 0.3 + number(0.25));
+        let shape = shapes[n % shapes.len()];
+        write!(
+            text,
+            "[[scene.objects]]\n{shape}\nmaterial = \"m\"\ntransforms = [{{ scale = [{size}, 0.5, {size}] }}, {{ rotate = {{ axis = [1, 2, 3], angle_deg = {turn} }} }}, {{ translate = {at:?} }}]\n"
+        )
+        .unwrap();
+    }
+    let vertices: Vec<[f64; 3]> = (0..60).map(|_| [random.signed(), random.signed(), random.signed()]).collect();
+    let triangles: Vec<[usize; 3]> = (0..58).map(|i| [i, i + 1, if i % 9 == 0 { i } else { i + 2 }]).collect();
+    write!(
+        text,
+        "[[scene.objects]]\nmaterial = \"m\"\nmesh = {{ vertices = {vertices:?}, triangles = {triangles:?} }}\n"
+    )
+    .unwrap();
+    scene(&text)
+}
+
+fn trees_find_what_lists_find<T: Real>() {
+    let mut random = Random(0x0dd_b1a5_ed00_d1ce);
+    let mut n_hits = 0;
+    for _ in 0..8 {
+        let scene = disorder(&mut random);
+        let (tree, scan) =
+            (World::<T>::with_search(&scene, Search::Tree), World::<T>::with_search(&scene, Search::Scan));
+        let vertices = &scene.meshes[0].vertices;
+        for n in 0..1500 {
+            let origin = random.unit() * 4.0;
+            // Half of the rays go anywhere, half straight at a vertex, where several triangles tie.
+            let direction =
+                if n % 2 == 0 { random.unit() } else { (vertices[n % vertices.len()] - origin).normalize() };
+            let ray = Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(direction));
+            let describe = |world: &World<T>| format!("{:?}", world.nearest(Lecture, &ray));
+            assert_eq!(describe(&tree), describe(&scan), "from {origin} along {direction}");
+            assert_eq!(tree.occluded(Lecture, &ray), scan.occluded(Lecture, &ray));
+            n_hits += usize::from(tree.occluded(Lecture, &ray));
+        }
+    }
+    assert!(n_hits > 3000, "only {n_hits} rays hit anything: the scenes test nothing");
+}
+
+#[test]
+fn trees_find_what_lists_find_in_double_precision() {
+    trees_find_what_lists_find::<f64>();
+}
+
+#[test]
+fn trees_find_what_lists_find_in_single_precision() {
+    trees_find_what_lists_find::<f32>();
+}
+
+#[test]
+fn the_number_of_threads_changes_nothing() {
+    let scene = disorder(&mut Random(0xabc));
+    let world = World::<f64>::new(&scene);
+    let options = Options { samples: 2, ..Options::of(&world) };
+    let with = |n| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(n).build().unwrap();
+        pool.install(|| render(&world, Lecture, &options, |_| {}))
+    };
+    let (image, stats) = with(1);
+    assert_eq!(stats.rays.eye, 24 * 18 * 4);
+    for n in [2, 3, 7] {
+        assert_eq!(with(n), (image.clone(), stats), "{n} threads");
+    }
+}
+
+#[test]
+fn single_precision_is_close_to_double() {
+    let scene = disorder(&mut Random(0xabc));
+    let single = World::<f32>::new(&scene);
+    let double = World::<f64>::new(&scene);
+    let (single, _) = render(&single, Lecture, &Options::of(&single), |_| {});
+    let (double, _) = render(&double, Lecture, &Options::of(&double), |_| {});
+    let pairs = single.pixels().iter().zip(double.pixels());
+    let differs = |(a, b): &(&glam::DVec3, &glam::DVec3)| (0..3).any(|c| (level(a[c]) - level(b[c])).abs() > 0.5);
+    let n_out = pairs.filter(differs).count();
+    assert!(n_out <= 4, "{n_out} of 432 pixels differ by more than half a level"); // at silhouettes
+    assert_ne!(single, double, "both pictures are in the same precision");
+}
+
+#[test]
+fn a_ray_of_a_kind_that_is_off_is_never_cast() {
+    let scene = disorder(&mut Random(0xabc));
+    let world = World::<f64>::new(&scene);
+    let options = Options { effects: cases::Effects::NONE, samples: 1 };
+    let (_, stats) = render(&world, Lecture, &options, |_| {});
+    assert_eq!(stats.rays.total(), stats.rays.eye);
+    let (_, stats) = render(&world, Lecture, &Options::of(&world), |_| {});
+    assert!(stats.rays.shadow > 0);
+}
