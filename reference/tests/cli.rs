@@ -181,3 +181,16 @@ fn prints_completions_and_pages() {
     expect(&run(folder.path(), &["man", "dance"], ""), 2, "no command `dance`");
     expect(&run(folder.path(), &["dance"], ""), 2, "dance");
 }
+
+#[test]
+fn prints_schemas_and_the_format_as_documented() {
+    let folder = folder();
+    for kind in ["case", "scene-file", "stage", "scene", "probe"] {
+        let output = run(folder.path(), &["schema", kind], "");
+        let schema: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert!(schema.is_object(), "{kind}");
+    }
+    let page = run(folder.path(), &["schema", "--markdown"], "");
+    let stored = std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/scene-format.md")).unwrap();
+    assert!(page.stdout == stored, "docs/scene-format.md is not what `reference schema --markdown` prints");
+}

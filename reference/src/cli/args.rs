@@ -48,6 +48,7 @@ pub(super) enum Command {
     )]
     Probe,
     Expect(ExpectArgs),
+    Schema(SchemaArgs),
     /// Prints the completions for a shell
     #[command(
         after_help = "Example:\n  reference completions bash > ~/.local/share/bash-completion/completions/reference"
@@ -145,6 +146,35 @@ pub(super) struct ExpectArgs {
     /// Compare with what is stored, byte for byte, and write nothing
     #[arg(long)]
     pub check: bool,
+}
+
+/// Prints the JSON Schema of case files, resolved scenes or the probe protocol
+#[derive(Debug, Parser)]
+#[command(after_help = "\
+Examples:
+  reference schema case > case.schema.json
+  reference schema --markdown > docs/scene-format.md")]
+pub(super) struct SchemaArgs {
+    /// What to describe
+    #[arg(default_value = "case")]
+    pub kind: SchemaKind,
+    /// The format of scene files as a page for people
+    #[arg(long, conflicts_with = "kind")]
+    pub markdown: bool,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum SchemaKind {
+    /// A case: a TOML file in the folder of a stage
+    Case,
+    /// A scene in TOML, outside of any stage
+    SceneFile,
+    /// The `stage.toml` of a stage
+    Stage,
+    /// A resolved scene in JSON, as submissions get it
+    Scene,
+    /// The lines of the probe protocol
+    Probe,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]

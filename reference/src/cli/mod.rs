@@ -9,6 +9,7 @@ mod pages;
 mod probe;
 mod progress;
 mod render;
+mod schema;
 
 use std::io::Write;
 use std::process::ExitCode;
@@ -76,6 +77,7 @@ fn dispatch(command: &Command, talk: Talk) -> Result<(), Stop> {
         Command::Explain(args) => explain::run(args),
         Command::Probe => probe::run(),
         Command::Expect(args) => expect::run(args, talk),
+        Command::Schema(args) => schema::run(args),
         Command::Completions { shell } => pages::completions(*shell),
         Command::Man { command } => pages::man(command.as_deref()),
     }
