@@ -159,8 +159,8 @@ fn a_slab_of_glass_shifts_a_ray_and_keeps_its_direction() {
     let eye = tree(slab, -d, d); // enters at the origin
     let inside = &eye.children[0];
     let outside = &inside.children[0];
-    let sin_t = 0.6 * 1.0003 / 1.5; // Snell
-    let cos_t = (1.0 - sin_t * sin_t as f64).sqrt();
+    let sin_t: f64 = 0.6 * 1.0003 / 1.5; // Snell
+    let cos_t = (1.0 - sin_t * sin_t).sqrt();
     assert!(inside.direction.distance(DVec3::new(sin_t, -cos_t, 0.0)) < 1e-15);
     assert!(outside.direction.distance(d) < 1e-15);
     let shift = outside.origin.cross(d).length(); // from the line on which the ray came
