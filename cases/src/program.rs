@@ -37,31 +37,43 @@ pub trait Tracer {
 pub fn run(tracer: &dyn Tracer) -> ExitCode {
     remember_panics();
     let args: Vec<String> = std::env::args().skip(1).collect();
-    let outcome = match args.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["render", scene, out] => render(tracer, Path::new(scene), Path::new(out)),
-        ["probe"] => probe(tracer),
-        ["explain", scene, x, y] => explain(tracer, Path::new(scene), x, y),
-        _ => Err(Stop::Input(USAGE.to_owned())),
-    };
-    match outcome {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(Stop::Panicked) => ExitCode::from(1),
-        Err(Stop::Input(message)) => {
-            eprintln!("{message}");
-            ExitCode::from(2)
-        }
-        Err(Stop::Todo(function)) => {
-            eprintln!("todo: {function}");
-            ExitCode::from(EXIT_TODO)
-        }
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    let outcome = call(tracer, &args, &mut std::io::stdin().lock(), &mut std::io::stdout().lock());
+    let Err(stop) = outcome else { return ExitCode::SUCCESS };
+    match &stop {
+        Stop::Panicked => {}
+        Stop::Input(message) => eprintln!("{message}"),
+        Stop::Todo(function) => eprintln!("todo: {function}"),
     }
+    ExitCode::from(stop.exit_code())
 }
 
 /// Why a call ended early.
+#[derive(Debug)]
 enum Stop {
     Todo(String),
     Panicked,
     Input(String),
+}
+
+impl Stop {
+    fn exit_code(&self) -> u8 {
+        match self {
+            Self::Panicked => 1,
+            Self::Input(_) => 2,
+            Self::Todo(_) => EXIT_TODO,
+        }
+    }
+}
+
+/// The call that `args` describe; `input` and `out` are its standard streams.
+fn call(tracer: &dyn Tracer, args: &[&str], input: &mut dyn BufRead, out: &mut dyn Write) -> Result<(), Stop> {
+    match args {
+        ["render", scene, picture] => render(tracer, Path::new(scene), Path::new(picture)),
+        ["probe"] => probe(tracer, input, out),
+        ["explain", scene, x, y] => explain(tracer, Path::new(scene), x, y, out),
+        _ => Err(Stop::Input(USAGE.to_owned())),
+    }
 }
 
 fn render(tracer: &dyn Tracer, scene: &Path, out: &Path) -> Result<(), Stop> {
@@ -70,7 +82,7 @@ fn render(tracer: &dyn Tracer, scene: &Path, out: &Path) -> Result<(), Stop> {
     film::write(out, &image).map_err(|why| Stop::Input(format!("cannot write {}: {why}", out.display())))
 }
 
-fn explain(tracer: &dyn Tracer, scene: &Path, x: &str, y: &str) -> Result<(), Stop> {
+fn explain(tracer: &dyn Tracer, scene: &Path, x: &str, y: &str, out: &mut dyn Write) -> Result<(), Stop> {
     let scene = read(scene)?;
     let inside = |text: &str, size: u32| text.parse().ok().filter(|n: &u32| *n < size);
     let (Some(i), Some(j)) = (inside(x, scene.render.width), inside(y, scene.render.height)) else {
@@ -82,16 +94,13 @@ fn explain(tracer: &dyn Tracer, scene: &Path, x: &str, y: &str) -> Result<(), St
             tracer.pixel(&scene, i, j);
         })
     })?;
-    match tree {
-        Some(tree) => print!("{tree}"),
-        None => println!("no ray was recorded"),
-    }
-    Ok(())
+    let text = tree.map_or_else(|| "no ray was recorded\n".to_owned(), |tree| tree.to_string());
+    write!(out, "{text}").map_err(|why| Stop::Input(format!("cannot write the ray tree: {why}")))
 }
 
-fn probe(tracer: &dyn Tracer) -> Result<(), Stop> {
-    let mut out = std::io::stdout().lock();
-    for line in std::io::stdin().lock().lines() {
+/// Answers are flushed one by one, so that a function that never returns costs no answer given before.
+fn probe(tracer: &dyn Tracer, input: &mut dyn BufRead, out: &mut dyn Write) -> Result<(), Stop> {
+    for line in input.lines() {
         let line = line.map_err(|why| Stop::Input(format!("cannot read a question: {why}")))?;
         if line.trim().is_empty() {
             continue;
@@ -148,4 +157,128 @@ fn guarded<T>(call: impl FnOnce() -> T) -> Result<T, Stop> {
             None => Stop::Panicked,
         }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ray_tree::RayKind;
+    use crate::{Effects, Ray};
+
+    /// Does as the red of the scene's background says, or as the function asked for.
+    struct Mixed;
+
+    #[expect(clippy::todo, reason = "functions still to be written are what is tested")]
+    impl Tracer for Mixed {
+        fn pixel(&self, scene: &Scene, i: u32, j: u32) -> DVec3 {
+            match scene.background.x {
+                0.0 => todo!("eye_ray [rule 1]: src/camera.rs"),
+                1.0 => panic!("index out of bounds"),
+                _ => {
+                    ray_tree::enter(RayKind::Eye, 0, &Ray::new(DVec3::ZERO, DVec3::NEG_Z));
+                    ray_tree::leave(DVec3::new(f64::from(i), f64::from(j), 0.5))
+                }
+            }
+        }
+
+        fn answer(&self, ask: &Ask) -> Answer {
+            match ask {
+                Ask::Reflect { direction, .. } => Answer::Vector(-*direction),
+                Ask::Indices { .. } => panic!("no such index"),
+                _ => todo!(),
+            }
+        }
+    }
+
+    fn scene(red: f64) -> String {
+        let camera =
+            scene::Camera { eye: DVec3::ZERO, right: DVec3::X, up: DVec3::Y, forward: DVec3::NEG_Z, fov_y_deg: 45.0 };
+        scene::json::to_string(&Scene {
+            render: scene::Render { width: 2, height: 1, max_depth: 0, threshold: 0.0 },
+            effects: Effects::NONE,
+            camera,
+            background: DVec3::new(red, 0.0, 0.0),
+            lights: vec![],
+            materials: vec![],
+            meshes: vec![],
+            objects: vec![],
+        })
+    }
+
+    /// What the call writes, or the exit code with which it ends.
+    fn check(args: &[&str], input: &str) -> Result<String, u8> {
+        remember_panics();
+        let mut out = Vec::new();
+        match call(&Mixed, args, &mut input.as_bytes(), &mut out) {
+            Ok(()) => Ok(String::from_utf8(out).unwrap()),
+            Err(stop) => Err(stop.exit_code()),
+        }
+    }
+
+    /// The same for a scene with that much red, in a folder of its own; a picture goes to `out.pfm` there.
+    fn check_scene(red: f64, args: impl FnOnce(&str, &str) -> Vec<String>) -> (Result<String, u8>, Option<Vec<u8>>) {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, picture) = (folder.path().join("scene.json"), folder.path().join("out.pfm"));
+        std::fs::write(&file, scene(red)).unwrap();
+        let args = args(file.to_str().unwrap(), picture.to_str().unwrap());
+        let outcome = check(&args.iter().map(String::as_str).collect::<Vec<_>>(), "");
+        (outcome, std::fs::read(picture).ok())
+    }
+
+    fn render(red: f64) -> (Result<String, u8>, Option<Vec<u8>>) {
+        check_scene(red, |scene, picture| ["render", scene, picture].map(str::to_owned).to_vec())
+    }
+
+    fn explain(red: f64, x: &'static str, y: &'static str) -> Result<String, u8> {
+        check_scene(red, |scene, _| ["explain", scene, x, y].map(str::to_owned).to_vec()).0
+    }
+
+    #[test]
+    fn a_question_is_answered_or_todo_or_a_panic_and_the_next_one_still_answered() {
+        let questions = r#"{"id":"a","fn":"indices","inside":true,"index":1.5}
+
+{"id":"b","fn":"goes_on","depth":0,"max_depth":1,"weight":[1,1,1],"threshold":0}
+{"id":"c","fn":"reflect","direction":[0,-1,0],"normal":[0,1,0]}
+"#;
+        let replies = check(&["probe"], questions).unwrap();
+        let replies: Vec<Reply> = replies.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        assert_eq!(replies.iter().map(|reply| reply.id.as_str()).collect::<Vec<_>>(), ["a", "b", "c"]);
+        assert!(matches!(&replies[0].answer, Answer::Panic(why) if why.starts_with("no such index (")), "{replies:?}");
+        assert_eq!(replies[1].answer, Answer::Todo(true));
+        assert_eq!(replies[2].answer, Answer::Vector(DVec3::Y));
+    }
+
+    #[test]
+    fn a_line_that_is_no_question_ends_the_probe() {
+        assert_eq!(check(&["probe"], "{\"id\":\"a\",\"fn\":\"fly\"}\n"), Err(2));
+        assert_eq!(check(&["probe"], ""), Ok(String::new()));
+    }
+
+    #[test]
+    fn a_picture_is_written_whole_or_not_at_all() {
+        let (outcome, picture) = render(2.0);
+        assert_eq!(outcome, Ok(String::new()));
+        let image = film::read_exact(&picture.unwrap(), 2, 1).unwrap();
+        assert_eq!(image.pixels(), [DVec3::new(0.0, 0.0, 0.5), DVec3::new(1.0, 0.0, 0.5)]);
+        assert_eq!(render(0.0), (Err(EXIT_TODO), None));
+        assert_eq!(render(1.0), (Err(1), None));
+    }
+
+    #[test]
+    fn a_pixel_is_explained_if_there_is_one() {
+        let tree = explain(2.0, "1", "0").unwrap();
+        assert!(tree.starts_with("eye ray, depth 0\n") && tree.contains("colour (1, 0, 0.5)"), "{tree}");
+        assert_eq!(explain(0.0, "0", "0"), Err(EXIT_TODO));
+        for (x, y) in [("2", "0"), ("0", "1"), ("-1", "0"), ("a", "0")] {
+            assert_eq!(explain(2.0, x, y), Err(2));
+        }
+    }
+
+    #[test]
+    fn other_calls_are_refused() {
+        for args in [&[][..], &["probe", "x"], &["render", "scene.json"], &["render", "no such scene.json", "out.png"]]
+        {
+            assert_eq!(check(args, ""), Err(2), "{args:?}");
+        }
+    }
 }

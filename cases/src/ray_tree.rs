@@ -1,7 +1,8 @@
 //! The tree of rays behind a pixel, recorded while it is traced, and its text.
 //!
-//! The template's `trace` opens a node with [`enter`] and fills it with [`hit`] and [`shaded`]; where nobody records, each of
-//! these does nothing. The text shows six significant digits, so that rounding alone never makes two trees differ.
+//! The template's `trace` opens a node with [`enter`], fills it with [`hit`], closes it with [`leave`]; where nobody records,
+//! each of these does nothing. The text shows six digits after the point: enough to compare by eye, and few enough that
+//! rounding seldom shows.
 
 use std::cell::RefCell;
 use std::fmt;
@@ -163,4 +164,62 @@ fn digits(x: f64) -> String {
     let text = format!("{x:.6}");
     let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ray(y: f64) -> Ray {
+        Ray::new(DVec3::new(0.0, y, 0.0), DVec3::NEG_Y)
+    }
+
+    fn met() -> Met {
+        Met {
+            object: "floor".to_owned(),
+            t: 2.0 / 3.0,
+            point: DVec3::ZERO,
+            normal: DVec3::Y,
+            inside: false,
+            direct: DVec3::splat(0.25),
+        }
+    }
+
+    #[test]
+    fn children_are_kept_in_the_order_in_which_they_were_cast() {
+        let tree = record(|| {
+            enter(RayKind::Eye, 0, &ray(1.0));
+            hit(met);
+            for (kind, red) in [(RayKind::Reflected, 0.5), (RayKind::Refracted, -0.0)] {
+                enter(kind, 1, &ray(0.0));
+                leave(DVec3::new(red, 0.0, 1e-9));
+            }
+            assert_eq!(leave(DVec3::ONE), DVec3::ONE);
+        });
+        let expected = "\
+eye ray, depth 0
+  origin (0, 1, 0) direction (0, -1, 0)
+  meets floor from outside at t 0.666667
+  point (0, 0, 0) normal (0, 1, 0)
+  direct light (0.25, 0.25, 0.25)
+  colour (1, 1, 1)
+  reflected ray, depth 1
+    origin (0, 0, 0) direction (0, -1, 0)
+    meets nothing
+    colour (0.5, 0, 0)
+  refracted ray, depth 1
+    origin (0, 0, 0) direction (0, -1, 0)
+    meets nothing
+    colour (0, 0, 0)
+";
+        assert_eq!(tree.unwrap().to_string(), expected);
+    }
+
+    #[test]
+    fn nothing_is_recorded_where_nobody_asks() {
+        enter(RayKind::Eye, 0, &ray(1.0));
+        hit(|| panic!("nobody records"));
+        assert_eq!(leave(DVec3::X), DVec3::X);
+        assert_eq!(record(|| ()), None);
+    }
 }

@@ -1,0 +1,108 @@
+//! The template is the solution with the bodies taken out, and `template.toml` says whose each file is.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::PathBuf;
+
+use serde::Deserialize;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Manifest {
+    pristine: Vec<String>,
+    student: Vec<String>,
+    stages: BTreeMap<String, Vec<String>>,
+}
+
+fn root(path: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
+}
+
+fn text(path: &str) -> String {
+    fs::read_to_string(root(path)).unwrap_or_else(|why| panic!("{path}: {why}"))
+}
+
+fn manifest() -> Manifest {
+    toml::from_str(&text("student_template/template.toml")).unwrap()
+}
+
+/// The names of the files in a folder, as paths below `src`.
+fn sources(folder: &str) -> BTreeSet<String> {
+    let entries = fs::read_dir(root(folder)).unwrap();
+    entries.map(|entry| format!("src/{}", entry.unwrap().file_name().into_string().unwrap())).collect()
+}
+
+/// Every public function of a file: its doc comment and signature.
+fn contracts(source: &str) -> Vec<String> {
+    let mut found = vec![];
+    let mut contract = String::new();
+    for line in source.lines() {
+        let is_open = contract.contains("pub fn ");
+        if line.starts_with("///") || line.starts_with("pub fn ") || is_open {
+            contract += line;
+            contract += "\n";
+        } else {
+            contract.clear();
+        }
+        if contract.contains("pub fn ") && line.ends_with('{') {
+            found.push(std::mem::take(&mut contract));
+        }
+    }
+    found
+}
+
+#[test]
+fn every_file_is_either_given_or_the_students() {
+    let manifest = manifest();
+    let listed = || manifest.pristine.iter().chain(&manifest.student);
+    let sources = sources("student_template/src");
+    assert_eq!(listed().filter(|file| file.starts_with("src/")).cloned().collect::<BTreeSet<_>>(), sources);
+    assert_eq!(listed().count(), listed().collect::<BTreeSet<_>>().len(), "a file is listed twice");
+    for file in listed() {
+        assert!(root("student_template").join(file).is_file(), "{file}");
+    }
+}
+
+#[test]
+fn every_file_of_the_students_belongs_to_one_stage() {
+    let manifest = manifest();
+    let by_stage: Vec<&String> = manifest.stages.values().flatten().collect();
+    assert_eq!(by_stage.len(), manifest.student.len());
+    assert_eq!(by_stage.into_iter().collect::<BTreeSet<_>>(), manifest.student.iter().collect());
+    for stage in manifest.stages.keys() {
+        assert!(root("cases/stages").join(stage).join("stage.toml").is_file(), "{stage}");
+    }
+}
+
+#[test]
+fn given_files_are_the_same_in_the_solution() {
+    for file in manifest().pristine.iter().filter(|file| *file != "Cargo.toml") {
+        assert_eq!(text(&format!("student_template/{file}")), text(&format!("tests/solution/{file}")), "{file}");
+    }
+}
+
+#[test]
+fn the_solution_keeps_the_contracts_of_the_template() {
+    let mut n_functions = 0;
+    for file in manifest().student {
+        let handed_out = contracts(&text(&format!("student_template/{file}")));
+        assert_eq!(handed_out, contracts(&text(&format!("tests/solution/{file}"))), "{file}");
+        n_functions += handed_out.len();
+    }
+    assert_eq!(n_functions, 26);
+}
+
+/// A body says which function it is, by which rule, and where; and there is nothing else in it.
+#[test]
+fn nothing_in_the_template_is_written_yet() {
+    for file in manifest().student {
+        let source = text(&format!("student_template/{file}"));
+        let names = source.lines().filter_map(|line| line.strip_prefix("pub fn ")?.split_once('(')).map(|(name, _)| name);
+        for name in names {
+            let opening = format!("    todo!(\"{name} [rule ");
+            let body = source.lines().find(|line| line.starts_with(&opening));
+            assert!(body.is_some_and(|line| line.ends_with(&format!("]: {file}\")"))), "{file}: {name}");
+        }
+        assert_eq!(source.matches("todo!(").count(), source.matches("\nfn ").count() + source.matches("pub fn ").count());
+    }
+}
