@@ -97,12 +97,16 @@ fn the_solution_keeps_the_contracts_of_the_template() {
 fn nothing_in_the_template_is_written_yet() {
     for file in manifest().student {
         let source = text(&format!("student_template/{file}"));
-        let names = source.lines().filter_map(|line| line.strip_prefix("pub fn ")?.split_once('(')).map(|(name, _)| name);
+        let names =
+            source.lines().filter_map(|line| line.strip_prefix("pub fn ")?.split_once('(')).map(|(name, _)| name);
         for name in names {
             let opening = format!("    todo!(\"{name} [rule ");
             let body = source.lines().find(|line| line.starts_with(&opening));
             assert!(body.is_some_and(|line| line.ends_with(&format!("]: {file}\")"))), "{file}: {name}");
         }
-        assert_eq!(source.matches("todo!(").count(), source.matches("\nfn ").count() + source.matches("pub fn ").count());
+        assert_eq!(
+            source.matches("todo!(").count(),
+            source.matches("\nfn ").count() + source.matches("pub fn ").count()
+        );
     }
 }
