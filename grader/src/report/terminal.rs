@@ -83,7 +83,7 @@ fn check(check: &CheckRecord, is_verbose: bool, text: &mut String) {
 fn details(check: &CheckRecord, finding: &Finding, text: &mut String) {
     indented(text, &check.about);
     if let Some(asked) = &finding.asked {
-        let question = asked.to_string();
+        let question = shown(&asked.to_string());
         let cut: String = question.chars().take(400).collect();
         indented(text, &format!("asked: {cut}{}", if cut.len() < question.len() { " […]" } else { "" }));
     }
