@@ -11,7 +11,7 @@ use super::{PROBE, run};
 use crate::build::Program;
 use crate::sandbox::{Finished, Outcome};
 
-/// Questions to one function that may hang, before it is not asked any more.
+/// Questions at which one function may have to be stopped, before it is not asked any more.
 const MAX_HANGS: usize = 2;
 /// Time by the clock for all processes of a stage, after which no more are started.
 const MAX_TIME: Duration = Duration::from_secs(120);
@@ -36,7 +36,8 @@ pub struct Probed {
 /// Asks all questions.
 ///
 /// Where the program ends early, the first question behind the last answer is to blame. Where not one answer came, it may
-/// just not have sent off its answers; so the suspect is asked alone before it is blamed.
+/// just not have sent off its answers; so the suspect is asked alone before it is blamed, unless answers have been seen to
+/// come out of a process that died.
 ///
 /// # Errors
 /// A folder that cannot be made: the machine's fault.
@@ -44,6 +45,7 @@ pub fn probe(program: &Program, questions: &[Question]) -> std::io::Result<Probe
     let mut probed = Probed::default();
     let mut open: Vec<&Question> = questions.iter().collect();
     let mut hangs: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut sends_off = false;
     while !open.is_empty() {
         if probed.time >= MAX_TIME {
             let why = format!("not asked: the questions before it took more than {} s", MAX_TIME.as_secs());
@@ -51,9 +53,11 @@ pub fn probe(program: &Program, questions: &[Question]) -> std::io::Result<Probe
             break;
         }
         let (finished, behind) = ask(program, &open, &mut probed)?;
-        let is_through = finished.outcome == Outcome::Exited(0) && (behind == 0 || behind == open.len());
+        let answers_nothing = behind == 0 && probed.got.is_empty();
+        let is_through = finished.outcome == Outcome::Exited(0) && (answers_nothing || behind == open.len());
+        sends_off |= behind > 0 && finished.outcome != Outcome::Exited(0);
         let suspect = open.get(behind).or(open.first()).copied();
-        let is_alone = behind > 0 || open.len() == 1;
+        let is_sure = behind > 0 || open.len() == 1 || sends_off;
         open.retain(|question| !probed.got.contains_key(&question.id));
         if is_through || cannot_go_on(&finished) {
             probed.ended.extend(open.drain(..).map(|question| (question.id.clone(), finished.clone())));
@@ -62,12 +66,12 @@ pub fn probe(program: &Program, questions: &[Question]) -> std::io::Result<Probe
         let Some(suspect) = suspect.filter(|suspect| open.iter().any(|question| question.id == suspect.id)) else {
             continue;
         };
-        let ended = if is_alone { finished } else { ask(program, &[suspect], &mut probed)?.0 };
+        let ended = if is_sure { finished } else { ask(program, &[suspect], &mut probed)?.0 };
         open.retain(|question| question.id != suspect.id);
         if probed.got.contains_key(&suspect.id) {
             continue;
         }
-        if matches!(ended.outcome, Outcome::TimedOut(_)) {
+        if !matches!(ended.outcome, Outcome::Exited(_) | Outcome::Signalled(_)) {
             *hangs.entry(suspect.ask.function()).or_default() += 1;
         }
         probed.ended.insert(suspect.id.clone(), ended);
@@ -109,13 +113,13 @@ fn cannot_go_on(finished: &Finished) -> bool {
     matches!(finished.outcome, Outcome::CouldNotStart(_) | Outcome::Interrupted)
 }
 
-/// Asks no more of a function that hangs again and again.
+/// Asks no more of a function that has to be stopped again and again.
 fn give_up(open: &mut Vec<&Question>, hangs: &BTreeMap<&str, usize>, probed: &mut Probed) {
     open.retain(|question| {
         let function = question.ask.function();
         let n = hangs.get(function).copied().unwrap_or(0);
         if n >= MAX_HANGS {
-            let why = format!("not asked: `{function}` did not end on {n} questions before it");
+            let why = format!("not asked: `{function}` had to be stopped on {n} questions before it");
             probed.not_asked.insert(question.id.clone(), why);
         }
         n < MAX_HANGS

@@ -52,6 +52,7 @@ fn a_question_that_kills_costs_only_itself() {
     let kill = "case $id in q1|q4) kill -SEGV $$;; esac;";
     let probed = check_probe(&answering(kill), &["q0", "q2", "q3"], &["q1", "q4"]);
     assert_eq!(probed.ended["q1"].outcome, Outcome::Signalled(libc::SIGSEGV));
+    check_probe(&answering("case $id in q1|q2) exit 0;; esac;"), &["q0", "q3", "q4"], &["q1", "q2"]);
     check_probe(&answering("case $id in q0) exit 3;; esac;"), &["q1", "q2", "q3", "q4"], &["q0"]);
 }
 

@@ -1,0 +1,91 @@
+//! The command line from outside: exit codes, streams, files.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use cases::film::{self, Image};
+use cases::glam::DVec3;
+
+fn grader(arguments: &[&str], folder: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_grader")).args(arguments).current_dir(folder).output().unwrap()
+}
+
+/// Runs the command in `folder`; its code, and a part of what it prints on either stream.
+fn check(arguments: &[&str], folder: &Path, code: i32, part: &str) {
+    let output = grader(arguments, folder);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {text}");
+    assert!(text.contains(part), "{arguments:?}: no {part:?} in\n{text}");
+}
+
+fn picture(path: &Path, width: u32, light: f64) {
+    film::write(path, &Image::from_fn(width, 3, |_, _| DVec3::splat(light))).unwrap();
+}
+
+#[test]
+fn pictures_are_compared() {
+    let home = tempfile::tempdir().unwrap();
+    let at = |name: &str| home.path().join(name);
+    picture(&at("a.png"), 4, 0.2);
+    picture(&at("b.png"), 4, 0.2 + 3.0 / 255.0);
+    picture(&at("a.pfm"), 4, 0.2);
+    picture(&at("wide.png"), 5, 0.2);
+    std::fs::write(at("text.png"), "no picture").unwrap();
+    check(&["compare", "a.png", "a.png"], home.path(), 0, "they agree");
+    check(&["compare", "a.png", "a.pfm", "--tolerance", "1"], home.path(), 0, "they agree");
+    check(&["compare", "a.png", "b.png"], home.path(), 1, "12 pixels of 12 differ");
+    check(&["compare", "a.png", "b.png", "--tolerance", "3.01"], home.path(), 0, "they agree");
+    check(&["compare", "a.png", "wide.png"], home.path(), 2, "nothing to compare");
+    check(&["compare", "a.png", "text.png"], home.path(), 2, "not a PNG or PFM image");
+    check(&["compare", "a.png", "missing.png"], home.path(), 2, "missing.png");
+    check(&["compare", "a.png"], home.path(), 2, "required");
+}
+
+#[test]
+fn what_cannot_be_read_is_code_2() {
+    let home = tempfile::tempdir().unwrap();
+    check(&["grade", "--cases", "nowhere"], home.path(), 2, "nowhere");
+    check(&["lint", "nowhere"], home.path(), 2, "no such folder");
+    check(&["images", "nowhere"], home.path(), 2, "no such folder");
+    check(&["bake"], home.path(), 2, "unrecognized");
+    check(&["grade", "--open"], home.path(), 2, "--html");
+}
+
+#[test]
+fn lint_says_what_is_missing() {
+    let home = tempfile::tempdir().unwrap();
+    let stage = home.path().join("01_ray_casting");
+    std::fs::create_dir(&stage).unwrap();
+    let text = "title = 'Ray casting'\nabout = 'Rays.'\nallows = ['attenuation']\nneeds = []\nunit_points = 9\n";
+    std::fs::write(stage.join("stage.toml"), text).unwrap();
+    std::fs::write(stage.join("gone.answer.exr"), "").unwrap();
+    check(&["lint", "."], home.path(), 1, "0 image cases, at least 8 are wanted");
+    check(&["lint", "."], home.path(), 1, "allows `attenuation`, but no case of it calls for that");
+    check(&["lint", "."], home.path(), 1, "gone.answer.exr: belongs to no case");
+    std::fs::write(stage.join("stage.toml"), text.replace("unit_points", "unit_pionts")).unwrap();
+    check(&["lint", "."], home.path(), 1, "did you mean `unit_points`?");
+}
+
+#[test]
+fn every_command_shows_examples() {
+    let home = tempfile::tempdir().unwrap();
+    for command in ["grade", "images", "compare", "explain", "lint", "completions", "man"] {
+        check(&[command, "--help"], home.path(), 0, "Example");
+    }
+    check(&["--help"], home.path(), 0, "130  interrupted");
+    check(&["completions", "bash"], home.path(), 0, "_grader");
+    check(&["man", "pages"], home.path(), 0, "");
+    let page = std::fs::read_to_string(home.path().join("pages/grader-grade.1")).unwrap();
+    assert!(page.contains("submission"), "{page}");
+}
+
+#[test]
+fn doctor_looks_at_everything() {
+    let home = tempfile::tempdir().unwrap();
+    let output = grader(&["doctor", "--cases", "nowhere"], home.path());
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(3), "{text}");
+    for name in ["compiler:", "linker:", "workspace:", "store:", "cores:", "protection:", "missing  cases:"] {
+        assert!(text.contains(name), "no {name} in\n{text}");
+    }
+}
