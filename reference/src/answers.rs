@@ -1,4 +1,4 @@
-//! The reference's answers to the questions of the unit checks, in f64. `docs/protocol.md` explains each question.
+//! The reference's answers to the questions of the unit checks, in either precision. `docs/protocol.md` explains each question.
 
 use cases::probe::{Answer, Ask};
 use glam::DVec3;
@@ -8,6 +8,7 @@ use crate::lights::Light;
 use crate::mesh;
 use crate::optics;
 use crate::ray::Ray;
+use crate::real::Real;
 use crate::rules::RuleSource;
 use crate::shade;
 use crate::shapes::{self, Cuboid, Plane, Shear, Solid, Sphere, Square, Triangle};
@@ -16,34 +17,39 @@ use crate::vec3::{Affine, Vec3};
 use crate::watch::Counts;
 use crate::world::{Frame, Material, World};
 
-type V = Vec3<f64>;
-
-fn v(v: DVec3) -> V {
+fn v<T: Real>(v: DVec3) -> Vec3<T> {
     Vec3::of(v)
 }
 
-/// What the function that `ask` names returns under these rules.
+/// What the function that `ask` names returns under these rules, in double precision.
 pub fn answer<R: RuleSource>(rules: R, ask: &Ask) -> Answer {
+    answer_in::<f64, R>(rules, ask)
+}
+
+/// What the function that `ask` names returns under these rules, worked out in the precision `T`.
+pub fn answer_in<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
     match ask {
         Ask::EyeRay { .. } | Ask::Nearest { .. } | Ask::Shade { .. } | Ask::Shadow { .. } | Ask::Trace { .. } => {
-            of_scene(rules, ask)
+            of_scene::<T, R>(rules, ask)
         }
         Ask::Sphere { ray, center, radius } => {
-            solid(rules, ray, Solid::Sphere(Sphere { center: v(*center), radius: *radius }))
+            solid(rules, ray, Solid::<T>::Sphere(Sphere { center: v(*center), radius: T::of(*radius) }))
         }
-        Ask::Plane { ray, normal, k } => solid(rules, ray, Solid::Plane(Plane { normal: v(*normal), k: *k })),
-        Ask::Square { ray } => solid(rules, ray, Solid::Square(Square)),
-        Ask::Box { ray, min, max } => solid(rules, ray, Solid::Cuboid(Cuboid { min: v(*min), max: v(*max) })),
-        Ask::Triangle { ray, a, b, c } => triangle(rules, ray, [*a, *b, *c].map(v)),
+        Ask::Plane { ray, normal, k } => {
+            solid(rules, ray, Solid::<T>::Plane(Plane { normal: v(*normal), k: T::of(*k) }))
+        }
+        Ask::Square { ray } => solid(rules, ray, Solid::<T>::Square(Square)),
+        Ask::Box { ray, min, max } => solid(rules, ray, Solid::<T>::Cuboid(Cuboid { min: v(*min), max: v(*max) })),
+        Ask::Triangle { ray, a, b, c } => triangle(rules, ray, [*a, *b, *c].map(v::<T>)),
         Ask::TransformedSphere { ray, world_from_object, object_from_world } => {
             let frame = Frame {
                 world_from_object: Affine::of(world_from_object),
                 object_from_world: Affine::of(object_from_world),
             };
-            transformed_sphere(rules, &Ray::of(ray), &frame)
+            transformed_sphere::<T, R>(rules, &Ray::of(ray), &frame)
         }
         Ask::RayToObject { ray, object_from_world } => {
-            let ray = Frame::ray_to_object(rules, &Affine::of(object_from_world), &Ray::<f64>::of(ray));
+            let ray = Frame::ray_to_object(rules, &Affine::of(object_from_world), &Ray::<T>::of(ray));
             Answer::Ray { origin: ray.origin.f64(), direction: ray.direction.f64() }
         }
         Ask::NormalToWorld { normal, object_from_world } => {
@@ -51,81 +57,82 @@ pub fn answer<R: RuleSource>(rules: R, ask: &Ask) -> Answer {
                 world_from_object: Affine::of(&object_from_world.inverse()),
                 object_from_world: Affine::of(object_from_world),
             };
-            vector(frame.normal_to_world(rules, v(*normal)))
+            vector::<T>(frame.normal_to_world(rules, v(*normal)))
         }
-        Ask::Barycentric { a, b, c, q } => vector(shapes::barycentric([*a, *b, *c].map(v), v(*q))),
-        Ask::Interpolate { weights, normals } => direction(mesh::interpolate(rules, v(*weights), normals.map(v))),
-        _ => formula(rules, ask),
+        Ask::Barycentric { a, b, c, q } => vector(shapes::barycentric([*a, *b, *c].map(v::<T>), v(*q))),
+        Ask::Interpolate { weights, normals } => direction(mesh::interpolate(rules, v::<T>(*weights), normals.map(v))),
+        _ => formula::<T, R>(rules, ask),
     }
 }
 
 /// Questions to the formulas of light.
-fn formula<R: RuleSource>(rules: R, ask: &Ask) -> Answer {
+fn formula<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
     match ask {
-        Ask::Attenuation { light, r } => Answer::Value(Light::<f64>::of(light).attenuation(rules, *r)),
+        Ask::Attenuation { light, r } => Answer::Value(Light::<T>::of(light).attenuation(rules, T::of(*r)).f64()),
         Ask::FacingNormal { direction, normal } => {
-            let (normal, inside) = shade::facing_normal(rules, v(*direction), v(*normal));
+            let (normal, inside) = shade::facing_normal(rules, v::<T>(*direction), v(*normal));
             Answer::Facing { normal: normal.f64(), inside }
         }
         Ask::Ambient { material, light, inside } => {
-            colour(shade::ambient(rules, &Material::of(material), &Light::<f64>::of(light), 0, *inside))
+            colour(shade::ambient(rules, &Material::of(material), &Light::<T>::of(light), 0, *inside))
         }
         Ask::LightTerm { material, arriving, normal, to_viewer, to_light } => {
-            let [arriving, normal, to_viewer, to_light] = [*arriving, *normal, *to_viewer, *to_light].map(v);
+            let [arriving, normal, to_viewer, to_light] = [*arriving, *normal, *to_viewer, *to_light].map(v::<T>);
             colour(shade::light_term(rules, &Material::of(material), arriving, normal, to_viewer, to_light))
         }
-        Ask::ToLight { light, point } => match Light::<f64>::of(light).seen_from(rules, v(*point)) {
-            Some((direction, t)) => Answer::ToLight { direction: direction.f64(), t },
+        Ask::ToLight { light, point } => match Light::<T>::of(light).seen_from(rules, v(*point)) {
+            Some((direction, t)) => Answer::ToLight { direction: direction.f64(), t: t.f64() },
             None => Answer::Miss(true),
         },
-        Ask::Reflect { direction, normal } => vector(optics::reflect(rules, v(*direction), v(*normal))),
+        Ask::Reflect { direction, normal } => vector(optics::reflect(rules, v::<T>(*direction), v(*normal))),
         Ask::GoesOn { depth, max_depth, weight, threshold } => {
-            Answer::GoesOn(trace::goes_on(rules, *depth, *max_depth, v(*weight), *threshold))
+            Answer::GoesOn(trace::goes_on(rules, *depth, *max_depth, v::<T>(*weight), T::of(*threshold)))
         }
         Ask::Indices { inside, index } => {
-            let (eta_i, eta_t) = optics::indices(rules, *inside, *index);
-            Answer::Indices { eta_i, eta_t }
+            let (eta_i, eta_t) = optics::indices(rules, *inside, T::of(*index));
+            Answer::Indices { eta_i: eta_i.f64(), eta_t: eta_t.f64() }
         }
         Ask::Refract { direction: d, normal, eta_i, eta_t } => {
-            direction(optics::refract(rules, v(*d), v(*normal), *eta_i, *eta_t))
+            direction(optics::refract(rules, v::<T>(*d), v(*normal), T::of(*eta_i), T::of(*eta_t)))
         }
         Ask::SmoothReflect { direction, n_geom, n_shading } => {
-            vector(optics::smooth_reflect(rules, v(*direction), v(*n_geom), v(*n_shading)))
+            vector(optics::smooth_reflect(rules, v::<T>(*direction), v(*n_geom), v(*n_shading)))
         }
         Ask::SmoothRefract { direction: d, n_geom, n_shading, eta_i, eta_t } => {
-            direction(optics::smooth_refract(rules, v(*d), v(*n_geom), v(*n_shading), (*eta_i, *eta_t)))
+            let etas = (T::of(*eta_i), T::of(*eta_t));
+            direction(optics::smooth_refract(rules, v(*d), v(*n_geom), v(*n_shading), etas))
         }
         _ => unreachable!("`answer` hands over formulas alone"),
     }
 }
 
 /// Questions that bring a scene or a camera.
-fn of_scene<R: RuleSource>(rules: R, ask: &Ask) -> Answer {
+fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
     match ask {
         Ask::EyeRay { camera, width, height, pixel: [i, j] } => {
-            let ray = Lens::<f64>::new(rules, camera, *width, *height).eye_ray(rules, (*i, *j), (0.5, 0.5));
+            let ray = Lens::<T>::new(rules, camera, *width, *height).eye_ray(rules, (*i, *j), (T::of(0.5), T::of(0.5)));
             Answer::Ray { origin: ray.origin.f64(), direction: ray.direction.f64() }
         }
-        Ask::Nearest { scene, ray } => match World::<f64>::new(scene).first(rules, &Ray::of(ray)) {
-            Some((object, met)) => Answer::Found { t: met.t, object },
+        Ask::Nearest { scene, ray } => match World::<T>::new(scene).first(rules, &Ray::of(ray)) {
+            Some((object, met)) => Answer::Found { t: met.t.f64(), object },
             None => Answer::Miss(true),
         },
         Ask::Shade { scene, object, point, normal, to_viewer, inside } => {
             let Some(object) = scene.objects.get(*object) else { return no_such("object") };
-            let [point, normal, to_viewer] = [*point, *normal, *to_viewer].map(v);
+            let [point, normal, to_viewer] = [*point, *normal, *to_viewer].map(v::<T>);
             let seen = Seen { point, normal, to_viewer, is_inside: *inside, material: object.material };
-            let world = World::<f64>::new(scene);
+            let world = World::<T>::new(scene);
             colour(Kernel::new(&world, rules, scene.effects).shade(&seen, &mut Counts::default()))
         }
         Ask::Shadow { scene, light, point } => {
-            let world = World::<f64>::new(scene);
+            let world = World::<T>::new(scene);
             let Some(light) = world.lights.get(*light) else { return no_such("light") };
-            let Some((to_light, r)) = light.seen_from(rules, v(*point)) else { return colour(Vec3::ONE) };
+            let Some((to_light, r)) = light.seen_from(rules, v(*point)) else { return colour(Vec3::<T>::ONE) };
             let kernel = Kernel::new(&world, rules, scene.effects);
             colour(kernel.shadow(v(*point), to_light, r, &mut Counts::default()))
         }
         Ask::Trace { scene, ray, depth } => {
-            let world = World::<f64>::new(scene);
+            let world = World::<T>::new(scene);
             let kernel = Kernel::new(&world, rules, scene.effects);
             colour(kernel.trace(&Ray::of(ray), Path::eye(*depth), &mut Counts::default()))
         }
@@ -133,7 +140,7 @@ fn of_scene<R: RuleSource>(rules: R, ask: &Ask) -> Answer {
     }
 }
 
-fn solid<R: RuleSource>(rules: R, ray: &cases::Ray, solid: Solid<f64>) -> Answer {
+fn solid<T: Real, R: RuleSource>(rules: R, ray: &cases::Ray, solid: Solid<T>) -> Answer {
     let ray = Ray::of(ray);
     match solid.meet(rules, &ray) {
         Some(met) => hit(met.t, solid.normal(rules, ray.at(met.t), met.part)),
@@ -141,14 +148,14 @@ fn solid<R: RuleSource>(rules: R, ray: &cases::Ray, solid: Solid<f64>) -> Answer
     }
 }
 
-fn triangle<R: RuleSource>(rules: R, ray: &cases::Ray, corners: [V; 3]) -> Answer {
+fn triangle<T: Real, R: RuleSource>(rules: R, ray: &cases::Ray, corners: [Vec3<T>; 3]) -> Answer {
     let (ray, triangle) = (Ray::of(ray), Triangle { corners });
     let met = if triangle.has_area() { triangle.meet(rules, &ray, &Shear::of(&ray), 0) } else { None };
     met.map_or(Answer::Miss(true), |met| hit(met.t, triangle.normal(rules)))
 }
 
-fn transformed_sphere<R: RuleSource>(rules: R, ray: &Ray<f64>, frame: &Frame<f64>) -> Answer {
-    let sphere = Solid::Sphere(Sphere { center: Vec3::ZERO, radius: 0.5 });
+fn transformed_sphere<T: Real, R: RuleSource>(rules: R, ray: &Ray<T>, frame: &Frame<T>) -> Answer {
+    let sphere = Solid::Sphere(Sphere { center: Vec3::ZERO, radius: T::of(0.5) });
     let moved = Frame::ray_to_object(rules, &frame.object_from_world, ray);
     match sphere.meet(rules, &moved) {
         Some(met) => hit(met.t, frame.normal_to_world(rules, sphere.normal(rules, moved.at(met.t), met.part))),
@@ -160,18 +167,18 @@ fn no_such(what: &str) -> Answer {
     Answer::Panic(format!("the scene has no such {what}"))
 }
 
-fn hit(t: f64, normal: V) -> Answer {
-    Answer::Hit { t, normal: normal.f64() }
+fn hit<T: Real>(t: T, normal: Vec3<T>) -> Answer {
+    Answer::Hit { t: t.f64(), normal: normal.f64() }
 }
 
-fn colour(colour: V) -> Answer {
+fn colour<T: Real>(colour: Vec3<T>) -> Answer {
     Answer::Colour(colour.f64())
 }
 
-fn vector(vector: V) -> Answer {
+fn vector<T: Real>(vector: Vec3<T>) -> Answer {
     Answer::Vector(vector.f64())
 }
 
-fn direction(direction: Option<V>) -> Answer {
-    Answer::from_direction(direction.map(V::f64))
+fn direction<T: Real>(direction: Option<Vec3<T>>) -> Answer {
+    Answer::from_direction(direction.map(Vec3::f64))
 }

@@ -169,6 +169,22 @@ fn a_program_in_single_precision_passes_every_case() {
 }
 
 #[test]
+fn a_program_in_single_precision_passes_every_check() {
+    none(
+        STAGES
+            .iter()
+            .flat_map(|stage| stage.checks.iter().zip(check_answers(stage)))
+            .filter_map(|(check, right)| {
+                let judged =
+                    judge::unit(&answers::answer_in::<f32, _>(Lecture, &check.ask), &right, check.ask.function());
+                let finding = judged.finding.map(|finding| finding.message).unwrap_or_default();
+                (judged.verdict != Verdict::Pass).then(|| format!("{} fails in single precision: {finding}", check.id))
+            })
+            .collect(),
+    );
+}
+
+#[test]
 fn the_stored_answers_are_what_the_reference_gives() {
     let stages = folder();
     let pictures = image_cases().flat_map(|case| expect::of_case(&stages, case).unwrap_or_else(|why| panic!("{why}")));
