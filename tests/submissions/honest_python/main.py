@@ -1,0 +1,5 @@
+"""Right in everything: the control of all the others."""
+
+import honest
+
+honest.main()

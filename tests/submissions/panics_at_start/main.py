@@ -1,0 +1,3 @@
+"""Never gets as far as its arguments."""
+
+raise RuntimeError("no configuration found")
