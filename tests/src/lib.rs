@@ -1,1 +1,51 @@
-//! Placeholder.
+//! What the proofs across crates share: where the workspace is, and its source files.
+
+use std::path::{Path, PathBuf};
+
+/// The root of the workspace.
+pub fn workspace() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate lies in the workspace")
+}
+
+/// All files below `folder` of the workspace whose names end in `.ending`, ordered, without build output.
+///
+/// # Panics
+/// Where a folder cannot be listed.
+pub fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    collect(&workspace().join(folder), ending, &mut found);
+    found.sort();
+    found
+}
+
+fn collect(folder: &Path, ending: &str, found: &mut Vec<PathBuf>) {
+    let entries = std::fs::read_dir(folder).unwrap_or_else(|why| panic!("{}: {why}", folder.display()));
+    for entry in entries {
+        let path = entry.expect("a folder entry").path();
+        let hidden = path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'));
+        if path.is_dir() && !path.ends_with("target") && !hidden {
+            collect(&path, ending, found);
+        } else if path.extension().is_some_and(|extension| extension == ending) {
+            found.push(path);
+        }
+    }
+}
+
+/// `path` below the workspace, with forward slashes.
+pub fn name(path: &Path) -> String {
+    path.strip_prefix(workspace()).unwrap_or(path).to_string_lossy().replace('\\', "/")
+}
+
+/// The lines of a Rust source file that are code: comments are cut, and so is everything from `#[cfg(test)]` on.
+///
+/// # Panics
+/// Where the file cannot be read.
+pub fn code_lines(path: &Path) -> Vec<(usize, String)> {
+    let text = std::fs::read_to_string(path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
+    text.lines()
+        .enumerate()
+        .take_while(|(_, line)| line.trim() != "#[cfg(test)]")
+        .map(|(i, line)| (i + 1, line.split("//").next().unwrap_or_default().to_owned()))
+        .filter(|(_, line)| !line.trim().is_empty())
+        .collect()
+}
