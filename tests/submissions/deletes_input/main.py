@@ -1,6 +1,5 @@
-"""Deletes the scene it was given, its own source, and all else it can reach nearby."""
+"""Deletes the scene it was given, and all else in its folder but the picture."""
 
-import glob
 import os
 import sys
 
@@ -9,9 +8,10 @@ import honest
 
 def render(scene, out):
     honest.render(scene, out)
-    for path in [sys.argv[2], *glob.glob("*")]:
-        if not os.path.samefile(path, out):
-            os.remove(path)
+    os.remove(sys.argv[2])
+    for entry in os.scandir("."):
+        if entry.is_file() and not (os.path.exists(out) and os.path.samefile(entry, out)):
+            os.remove(entry)
 
 
 honest.main(render)
