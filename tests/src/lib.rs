@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use grader::grade::{Bench, Graded, Options, Silent, grade};
+
 /// The root of the workspace.
 pub fn workspace() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate lies in the workspace")
@@ -48,4 +50,18 @@ pub fn code_lines(path: &Path) -> Vec<(usize, String)> {
         .map(|(i, line)| (i + 1, line.split("//").next().unwrap_or_default().to_owned()))
         .filter(|(_, line)| !line.trim().is_empty())
         .collect()
+}
+
+/// Grades the submission in `folder` on the whole public exam.
+///
+/// # Panics
+/// Where the grader itself fails.
+pub fn grade_all(folder: &Path) -> Graded {
+    let bench = Bench::open(&public_stages()).unwrap_or_else(|why| panic!("{why}"));
+    grade(&bench, &Options::new(folder), &Silent).unwrap_or_else(|why| panic!("{why}"))
+}
+
+/// The folder of the public stages.
+pub fn public_stages() -> PathBuf {
+    workspace().join("cases/stages")
 }

@@ -1,0 +1,5 @@
+//! Has no effect: nothing runs it.
+
+fn main() {
+    panic!("a build script was run");
+}

@@ -1,0 +1,1 @@
+//! Not a file of the template: it has no effect.
