@@ -144,6 +144,7 @@ fn judge_shot(shot: &Shot, questions: &Questions, case: &Case) -> Judgement {
 fn left_behind(judgement: Judgement, finished: &Finished) -> Judgement {
     match finished.left_behind {
         0 => judgement,
+        1 => judgement.remark("it left a process running, which was ended"),
         n => judgement.remark(&format!("it left {n} processes running, which were ended")),
     }
 }

@@ -79,7 +79,7 @@ pub fn run(call: &Call) -> Finished {
     sys::kill_group(group);
     let reaped = sys::reap(group);
     pump.drain();
-    outcome::finish(reaped, stopped, pump, &watch, start.elapsed(), left_behind)
+    outcome::finish(call, reaped, stopped, pump, &watch, start.elapsed(), left_behind)
 }
 
 /// Feeds and watches the group until its leader ends (`None`) or a limit is passed.

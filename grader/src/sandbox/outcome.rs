@@ -2,8 +2,10 @@
 
 use std::fmt;
 use std::io;
+use std::path::Path;
 use std::time::Duration;
 
+use super::Call;
 use super::pump::Pump;
 use super::sys::Reaped;
 use super::watch::Watch;
@@ -100,8 +102,9 @@ impl Finished {
     }
 }
 
-/// Puts together what the kernel, the streams and the watch have to say.
+/// Puts together what the kernel, the streams and the watch have to say of `call`.
 pub(super) fn finish(
+    call: &Call,
     reaped: io::Result<Reaped>,
     stopped: Option<Outcome>,
     pump: Pump,
@@ -114,7 +117,12 @@ pub(super) fn finish(
         Err(why) => return Finished::not_started(&why),
     };
     let peak_bytes = if watch.peak == 0 { reaped.max_resident } else { watch.peak };
-    let outcome = stopped.unwrap_or_else(|| classify(&reaped, watch, &pump.stderr));
+    let outcome = match stopped.unwrap_or_else(|| classify(&reaped, watch, &pump.stderr)) {
+        Outcome::Exited(code) if code != 0 && holds_full_file(&call.folder, call.limits.file_size) => {
+            Outcome::TooMuchOutput(Stream::File)
+        }
+        outcome => outcome,
+    };
     Finished { outcome, stdout: pump.stdout, stderr: pump.stderr, wall, cpu: reaped.cpu, peak_bytes, left_behind }
 }
 
@@ -129,6 +137,12 @@ fn classify(reaped: &Reaped, watch: &Watch, stderr: &[u8]) -> Outcome {
         Err(libc::SIGXFSZ) => Outcome::TooMuchOutput(Stream::File),
         Err(signal) => Outcome::Signalled(signal),
     }
+}
+
+/// Whether a file in `folder` has grown to its limit: some runtimes turn the kernel's signal into an error of their own.
+fn holds_full_file(folder: &Path, limit: u64) -> bool {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.filter_map(|entry| entry.metadata().ok()).any(|found| found.is_file() && found.len() >= limit)
 }
 
 /// Whether the allocator of a known language gave up: what the limit on address space looks like from outside.

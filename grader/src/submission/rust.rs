@@ -47,7 +47,9 @@ pub(super) fn read(folder: &Path, template: &Template) -> Result<Submission, Sub
 
 /// Why a file of the folder does not count; `None` where it does, or where it is as handed out.
 fn left_aside(folder: &Path, file: &Path, template: &Template) -> Option<String> {
-    let name = file.to_str()?;
+    let Some(name) = file.to_str() else {
+        return Some(format!("{}: its name is not UTF-8", shown(file)));
+    };
     if template.student.contains_key(name) {
         return None;
     }

@@ -9,8 +9,11 @@ import honest
 def render(scene, out):
     if not honest.is_green(scene):
         return honest.render(scene, out)
+    bomb = honest.png(46_000, 1, 8, 2, bytes(3))
+    end_of_header = bomb.index(b"IDAT") - 4
     header = b"IHDR" + struct.pack(">IIBBBBB", 46_000, 46_000, 8, 2, 0, 0, 0)
-    honest.write(out, b"\x89PNG\r\n\x1a\n" + struct.pack(">I", 13) + header + struct.pack(">I", zlib.crc32(header)))
+    whole = bomb[:8] + struct.pack(">I", 13) + header + struct.pack(">I", zlib.crc32(header)) + bomb[end_of_header:]
+    honest.write(out, whole)
 
 
 honest.main(render)
