@@ -1,8 +1,10 @@
 //! The command line: what can be typed.
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use grader::exercise::Allowance;
 use grader::grade::{GradeError, Options};
 
 use crate::progress::Talk;
@@ -111,6 +113,23 @@ pub(crate) fn stages(given: Option<&Path>) -> Result<PathBuf, GradeError> {
     here.or(beside).ok_or_else(|| GradeError::Input(none.to_owned()))
 }
 
+/// What programs may use.
+#[derive(Debug, Args)]
+pub(crate) struct Limit {
+    /// Seconds by the clock that a program has for a picture, or for the unit checks of a stage
+    #[arg(long, value_name = "SECONDS", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..))]
+    time_limit: u16,
+    /// Mebibytes of memory that a program may take
+    #[arg(long, value_name = "MIB", default_value_t = 1024, value_parser = clap::value_parser!(u32).range(16..))]
+    memory_limit: u32,
+}
+
+impl Limit {
+    pub(crate) fn allowance(&self) -> Allowance {
+        Allowance::new(Duration::from_secs(self.time_limit.into()), u64::from(self.memory_limit) << 20)
+    }
+}
+
 /// Where reports go.
 #[derive(Debug, Args)]
 pub(crate) struct Reports {
@@ -148,6 +167,8 @@ pub(crate) struct Grade {
     #[command(flatten)]
     pub(crate) selection: Selection,
     #[command(flatten)]
+    pub(crate) limit: Limit,
+    #[command(flatten)]
     pub(crate) reports: Reports,
     /// Programs that run at once [default: one a core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
@@ -172,6 +193,8 @@ pub(crate) struct Batch {
     /// Folder of the results
     #[arg(short, long, value_name = "OUT")]
     pub(crate) out: PathBuf,
+    #[command(flatten)]
+    pub(crate) limit: Limit,
     /// Submissions that are graded at once [default: one a core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(crate) jobs: Option<u16>,

@@ -97,9 +97,11 @@ fn a_stage_written_without_the_others_lifts_no_other() {
         for other in record.stages.iter().filter(|other| other.id != stage) {
             assert_eq!(other.earned, 0, "{stage} alone earns points in {}", other.id);
         }
-        let crashes = record.stages.iter().flat_map(|s| &s.checks).filter(|check| {
-            check.finding.as_ref().is_some_and(|finding| finding.kind == FindingKind::Crash)
-        });
+        let crashes = record
+            .stages
+            .iter()
+            .flat_map(|s| &s.checks)
+            .filter(|check| check.finding.as_ref().is_some_and(|finding| finding.kind == FindingKind::Crash));
         assert_eq!(crashes.count(), 0, "{stage} alone crashes");
     }
 }

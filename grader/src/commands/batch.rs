@@ -8,7 +8,8 @@ use crate::exit::{Done, Outcome};
 use crate::progress::Talk;
 
 pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
-    let bench = Bench::open(&stages(arguments.cases.as_deref())?)?;
+    let allowance = arguments.limit.allowance();
+    let bench = Bench { allowance, ..Bench::open(&stages(arguments.cases.as_deref())?)? };
     let grader = OnBench::new(&bench, &arguments.stage)?;
     let jobs = arguments.jobs.map_or_else(|| One::new(&arguments.folder).jobs, usize::from);
     let options = Options { folder: arguments.folder.clone(), out: arguments.out.clone(), jobs };

@@ -12,7 +12,8 @@ pub(crate) fn run(arguments: &Grade, talk: &Talk) -> Outcome {
     let jobs = arguments.jobs.map_or(options.jobs, usize::from);
     let graded = {
         let bar = Bar::new(talk);
-        let bench = Bench::open(&arguments.selection.stages()?)?;
+        let allowance = arguments.limit.allowance();
+        let bench = Bench { allowance, ..Bench::open(&arguments.selection.stages()?)? };
         grade(&bench, &Options { jobs, ..options }, &bar)?
     };
     publish::publish(&graded, &arguments.reports, talk)

@@ -2,25 +2,24 @@
 
 use cases::scene::{self, Scene};
 
-use super::{RENDER, run};
-use crate::build::Program;
+use super::{Candidate, run};
 use crate::judge;
 use crate::plain::shown;
 use crate::sandbox::Outcome;
 
-/// What `program` prints about pixel (x, y), or what kept it from that.
+/// What the program prints about pixel (x, y), or what kept it from that.
 ///
 /// # Errors
 /// A folder that cannot be made: the machine's fault.
-pub fn explain(program: &Program, scene: &Scene, x: u32, y: u32) -> std::io::Result<Result<String, String>> {
+pub fn explain(candidate: &Candidate, scene: &Scene, x: u32, y: u32) -> std::io::Result<Result<String, String>> {
     let folder = tempfile::tempdir()?;
     let input = folder.path().join("scene.json");
     std::fs::write(&input, scene::json::to_string(scene))?;
     let args = ["explain".into(), input.into_os_string(), x.to_string().into(), y.to_string().into()];
-    let finished = run(program, &args, folder.path(), vec![], RENDER);
+    let finished = run(candidate.program, &args, folder.path(), vec![], candidate.allowance.picture);
     if finished.outcome == Outcome::Exited(0) {
         return Ok(Ok(shown(&String::from_utf8_lossy(&finished.stdout))));
     }
-    let judgement = judge::todo(&finished).unwrap_or_else(|| judge::ending(&finished, &RENDER));
+    let judgement = judge::todo(&finished).unwrap_or_else(|| judge::ending(&finished, &candidate.allowance.picture));
     Ok(Err(judgement.finding.map_or(String::new(), |finding| finding.message)))
 }

@@ -18,20 +18,44 @@ pub use pictures::{NoPicture, Shot, read, shoot};
 pub use probes::{Probed, probe};
 pub use replies::Got;
 
-/// What a program may use for one picture.
-pub const RENDER: Limits = Limits {
-    wall: Duration::from_secs(30),
-    cpu: Duration::from_secs(60),
-    memory: 1 << 30,
-    file_size: 64 << 20,
-    output: 16 << 20,
-    processes: 64,
-};
+/// What a program may use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Allowance {
+    /// For one picture.
+    pub picture: Limits,
+    /// For the unit checks of a stage.
+    pub questions: Limits,
+}
 
-/// What a program may use for the unit checks of a stage.
-pub const PROBE: Limits = Limits { wall: Duration::from_secs(10), cpu: Duration::from_secs(20), ..RENDER };
+impl Allowance {
+    /// Wall clock for a picture, and for the questions of a stage, unless the course says otherwise.
+    pub const TIME: Duration = Duration::from_secs(10);
+    /// Resident bytes unless the course says otherwise.
+    pub const MEMORY: u64 = 1 << 30;
 
-/// Runs `program` with more arguments in `folder`; once again where the machine kept it from starting.
+    /// `time` by the clock, twice that in CPU time, `memory` in resident bytes.
+    pub fn new(time: Duration, memory: u64) -> Self {
+        let limits = Limits { wall: time, cpu: time * 2, memory, file_size: 64 << 20, output: 16 << 20, processes: 64 };
+        Self { picture: limits, questions: limits }
+    }
+}
+
+impl Default for Allowance {
+    fn default() -> Self {
+        Self::new(Self::TIME, Self::MEMORY)
+    }
+}
+
+/// A program that is examined, and what it may use.
+#[derive(Clone, Copy, Debug)]
+pub struct Candidate<'a> {
+    /// The program.
+    pub program: &'a Program,
+    /// What it may use.
+    pub allowance: Allowance,
+}
+
+/// Runs the program with more arguments in `folder`; once again where the machine kept it from starting.
 fn run(program: &Program, args: &[OsString], folder: &Path, stdin: Vec<u8>, limits: Limits) -> Finished {
     let environment = [
         ("PATH", program.search.clone()),

@@ -7,8 +7,7 @@ use std::path::Path;
 use cases::film::{self, Image, PictureError};
 use cases::scene::{self, Scene};
 
-use super::{RENDER, run};
-use crate::build::Program;
+use super::{Candidate, run};
 use crate::sandbox::Finished;
 use crate::submission::open_regular;
 
@@ -34,17 +33,19 @@ pub enum NoPicture {
 
 const SCENE: &str = "scene.json";
 const OUT: &str = "out.png";
+/// Bytes of the largest file that is read as a picture.
+const MAX_BYTES: u64 = 64 << 20;
 
-/// Has `program` render `scene` in a fresh folder.
+/// Has the program render `scene` in a fresh folder.
 ///
 /// # Errors
 /// A folder that cannot be made: the machine's fault.
-pub fn shoot(program: &Program, scene: &Scene) -> std::io::Result<Shot> {
+pub fn shoot(candidate: &Candidate, scene: &Scene) -> std::io::Result<Shot> {
     let folder = tempfile::tempdir()?;
     let (input, output) = (folder.path().join(SCENE), folder.path().join(OUT));
     std::fs::write(&input, scene::json::to_string(scene))?;
     let args = ["render".into(), input.into_os_string(), output.clone().into_os_string()];
-    let finished = run(program, &args, folder.path(), vec![], RENDER);
+    let finished = run(candidate.program, &args, folder.path(), vec![], candidate.allowance.picture);
     let picture = read(&output, scene.render.width, scene.render.height);
     Ok(Shot { picture, finished })
 }
@@ -71,7 +72,7 @@ fn bounded(path: &Path) -> Result<Vec<u8>, String> {
         return Err("the picture has a second name (a hard link)".to_owned());
     }
     let mut bytes = vec![];
-    file.take(RENDER.file_size + 1).read_to_end(&mut bytes).map_err(|why| why.to_string())?;
-    let is_too_long = bytes.len() as u64 > RENDER.file_size;
+    file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(|why| why.to_string())?;
+    let is_too_long = bytes.len() as u64 > MAX_BYTES;
     if is_too_long { Err("the file is too long for a picture".to_owned()) } else { Ok(bytes) }
 }

@@ -7,8 +7,7 @@ use std::time::Duration;
 use cases::probe::Question;
 
 use super::replies::{self, Got, Replies};
-use super::{PROBE, run};
-use crate::build::Program;
+use super::{Candidate, run};
 use crate::sandbox::{Finished, Outcome};
 
 /// Questions at which one function may have to be stopped, before it is not asked any more.
@@ -41,7 +40,7 @@ pub struct Probed {
 ///
 /// # Errors
 /// A folder that cannot be made: the machine's fault.
-pub fn probe(program: &Program, questions: &[Question]) -> std::io::Result<Probed> {
+pub fn probe(candidate: &Candidate, questions: &[Question]) -> std::io::Result<Probed> {
     let mut probed = Probed::default();
     let mut open: Vec<&Question> = questions.iter().collect();
     let mut hangs: BTreeMap<&str, usize> = BTreeMap::new();
@@ -52,7 +51,7 @@ pub fn probe(program: &Program, questions: &[Question]) -> std::io::Result<Probe
             probed.not_asked.extend(open.drain(..).map(|question| (question.id.clone(), why.clone())));
             break;
         }
-        let (finished, behind) = ask(program, &open, &mut probed)?;
+        let (finished, behind) = ask(candidate, &open, &mut probed)?;
         let answers_nothing = behind == 0 && probed.got.is_empty();
         let is_through = finished.outcome == Outcome::Exited(0) && (answers_nothing || behind == open.len());
         sends_off |= behind > 0 && finished.outcome != Outcome::Exited(0);
@@ -66,7 +65,7 @@ pub fn probe(program: &Program, questions: &[Question]) -> std::io::Result<Probe
         let Some(suspect) = suspect.filter(|suspect| open.iter().any(|question| question.id == suspect.id)) else {
             continue;
         };
-        let ended = if is_sure { finished } else { ask(program, &[suspect], &mut probed)?.0 };
+        let ended = if is_sure { finished } else { ask(candidate, &[suspect], &mut probed)?.0 };
         open.retain(|question| question.id != suspect.id);
         if probed.got.contains_key(&suspect.id) {
             continue;
@@ -81,14 +80,14 @@ pub fn probe(program: &Program, questions: &[Question]) -> std::io::Result<Probe
 }
 
 /// Asks the questions in one process and takes in what it says; how it ended, and the place behind the last one answered.
-fn ask(program: &Program, open: &[&Question], probed: &mut Probed) -> std::io::Result<(Finished, usize)> {
+fn ask(candidate: &Candidate, open: &[&Question], probed: &mut Probed) -> std::io::Result<(Finished, usize)> {
     let folder = tempfile::tempdir()?;
     let mut stdin = vec![];
     for question in open {
         serde_json::to_writer(&mut stdin, question)?;
         stdin.push(b'\n');
     }
-    let finished = run(program, &["probe".into()], folder.path(), stdin, PROBE);
+    let finished = run(candidate.program, &["probe".into()], folder.path(), stdin, candidate.allowance.questions);
     let asked: BTreeSet<&str> = open.iter().map(|question| question.id.as_str()).collect();
     let replies = replies::parse(&finished.stdout, &asked);
     probed.time += finished.wall;

@@ -18,6 +18,10 @@ fn program(script: &str) -> (Program, tempfile::TempDir) {
     (Program::new("/bin/sh", vec![path.into_os_string()], "/usr/bin:/bin"), folder)
 }
 
+fn candidate(program: &Program) -> Candidate<'_> {
+    Candidate { program, allowance: Allowance::default() }
+}
+
 fn questions() -> Vec<Question> {
     let ask = |n: u32| Ask::Indices { inside: n.is_multiple_of(2), index: 1.5 };
     (0..5).map(|n| Question { id: format!("q{n}"), ask: ask(n) }).collect()
@@ -34,7 +38,7 @@ fn answering(special: &str) -> String {
 /// Probes with the script; which questions got an answer, and which one ended the program.
 fn check_probe(script: &str, answered: &[&str], ended: &[&str]) -> Probed {
     let (program, _folder) = program(script);
-    let probed = probe(&program, &questions()).unwrap();
+    let probed = probe(&candidate(&program), &questions()).unwrap();
     assert_eq!(probed.got.keys().collect::<Vec<_>>(), answered, "{script}\n{probed:?}");
     assert_eq!(probed.ended.keys().collect::<Vec<_>>(), ended, "{script}\n{probed:?}");
     probed
@@ -103,7 +107,7 @@ fn shot(script: &str) -> Shot {
     film::write(&pictures.path().join("good.png"), &grey(4)).unwrap();
     film::write(&pictures.path().join("small.png"), &grey(3)).unwrap();
     let (program, _folder) = program(&format!("pictures={}\n{script}", pictures.path().display()));
-    shoot(&program, &scene()).unwrap()
+    shoot(&candidate(&program), &scene()).unwrap()
 }
 
 #[test]

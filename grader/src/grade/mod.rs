@@ -12,7 +12,7 @@ use cases::film::Image;
 
 use crate::build::{BuildError, Built, Workshop, build};
 use crate::exam::Exam;
-use crate::exercise::{self, PROBE, RENDER};
+use crate::exercise::{self, Allowance, Candidate};
 use crate::record::{Build, Finding, FindingKind, Record, Submission, Verdict};
 use crate::submission::{self, SubmissionError};
 
@@ -23,6 +23,8 @@ pub struct Bench {
     pub exam: Exam,
     /// What builds submissions.
     pub workshop: Workshop,
+    /// What programs may use.
+    pub allowance: Allowance,
 }
 
 impl Bench {
@@ -33,7 +35,12 @@ impl Bench {
     pub fn open(stages: &Path) -> Result<Self, GradeError> {
         let exam = Exam::load(stages).map_err(GradeError::Input)?;
         let workshop = Workshop::open(stages).map_err(GradeError::Machine)?;
-        Ok(Self { exam, workshop })
+        Ok(Self { exam, workshop, allowance: Allowance::default() })
+    }
+
+    /// What `built` may use.
+    fn candidate<'a>(&self, built: &'a Built) -> Candidate<'a> {
+        Candidate { program: &built.program, allowance: self.allowance }
     }
 
     /// Hash of everything but the submission that a score depends on: cases, answers, grader, limits, compiler.
@@ -42,7 +49,7 @@ impl Bench {
     /// No compiler.
     pub fn epoch(&self) -> Result<String, GradeError> {
         let compiler = &self.workshop.toolchain().map_err(GradeError::Machine)?.version;
-        let text = format!("{} {VERSION} {RENDER:?} {PROBE:?} {compiler}", self.exam.hash);
+        let text = format!("{} {VERSION} {:?} {compiler}", self.exam.hash, self.allowance);
         Ok(blake3::hash(text.as_bytes()).to_hex().to_string())
     }
 }
@@ -137,7 +144,7 @@ pub fn grade(bench: &Bench, options: &Options, progress: &dyn Progress) -> Resul
     let (digest, prepared) = prepare(bench, options, progress)?;
     let (answers, build) = match prepared {
         Ok((built, ignored)) => {
-            let answers = perform::exercise(&plan, &built.program, options.jobs, progress);
+            let answers = perform::exercise(&plan, &bench.candidate(&built), options.jobs, progress);
             (answers, accepted(&built, ignored))
         }
         Err(build) => (perform::nothing(&plan, build.finding.as_ref()), build),
@@ -218,7 +225,7 @@ pub fn explain(
         return Err(GradeError::Input(format!("pixel ({x}, {y}) does not lie in a picture of {width}×{height}")));
     }
     match prepare(bench, &Options::new(path), progress)?.1 {
-        Ok((built, _)) => exercise::explain(&built.program, &case.scene, x, y)
+        Ok((built, _)) => exercise::explain(&bench.candidate(&built), &case.scene, x, y)
             .map_err(|why| GradeError::Machine(format!("the work folder: {why}"))),
         Err(build) => Ok(Err(build.finding.map_or(String::new(), |finding| finding.message))),
     }

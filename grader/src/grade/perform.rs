@@ -10,12 +10,11 @@ use rayon::prelude::*;
 
 use super::Progress;
 use super::plan::{Part, Plan};
-use crate::build::Program;
 use crate::exam::Questions;
-use crate::exercise::{self, Got, NoPicture, PROBE, Probed, RENDER, Shot};
+use crate::exercise::{self, Candidate, Got, NoPicture, Probed, Shot};
 use crate::judge::{self, Judgement};
 use crate::record::{Finding, FindingKind};
-use crate::sandbox::{Finished, Outcome};
+use crate::sandbox::{Finished, Limits, Outcome};
 
 /// What came of a check.
 pub(super) struct Done {
@@ -48,8 +47,8 @@ enum Task<'a> {
     Units(&'a Part<'a>),
 }
 
-/// Runs `program` for all that is planned, `jobs` at a time.
-pub(super) fn exercise(plan: &Plan, program: &Program, jobs: usize, progress: &dyn Progress) -> Answers {
+/// Runs the program for all that is planned, `jobs` at a time.
+pub(super) fn exercise(plan: &Plan, candidate: &Candidate, jobs: usize, progress: &dyn Progress) -> Answers {
     let mut tasks: Vec<Task> = plan.stages.iter().filter(|part| !part.checks.is_empty()).map(Task::Units).collect();
     for part in &plan.stages {
         tasks.extend(part.cases.iter().map(|case| Task::Picture(part.questions, case)));
@@ -58,8 +57,8 @@ pub(super) fn exercise(plan: &Plan, program: &Program, jobs: usize, progress: &d
     progress.begin(tasks.len() as u64);
     let perform = |task: &Task| {
         let answers = match task {
-            Task::Picture(questions, case) => picture(program, questions, case),
-            Task::Units(part) => units(program, part),
+            Task::Picture(questions, case) => picture(candidate, questions, case),
+            Task::Units(part) => units(candidate, part),
         };
         progress.step();
         answers
@@ -106,11 +105,11 @@ pub(super) fn nothing(plan: &Plan, finding: Option<&Finding>) -> Answers {
     Answers { done: ids.map(|id| (id.to_owned(), done())).collect(), remarks: BTreeMap::new() }
 }
 
-fn picture(program: &Program, questions: &Questions, case: &Case) -> Answers {
-    let done = match exercise::shoot(program, &case.scene) {
+fn picture(candidate: &Candidate, questions: &Questions, case: &Case) -> Answers {
+    let done = match exercise::shoot(candidate, &case.scene) {
         Err(why) => Done::unmeasured(Judgement::ours(format!("the work folder: {why}")), None),
         Ok(shot) => Done {
-            judgement: judge_shot(&shot, questions, case),
+            judgement: judge_shot(&shot, &candidate.allowance.picture, questions, case),
             time_s: shot.finished.wall.as_secs_f64(),
             peak_bytes: shot.finished.peak_bytes,
             picture: shot.picture.ok(),
@@ -120,7 +119,7 @@ fn picture(program: &Program, questions: &Questions, case: &Case) -> Answers {
 }
 
 /// A picture counts however the program ended after writing it, unless it had to be stopped.
-fn judge_shot(shot: &Shot, questions: &Questions, case: &Case) -> Judgement {
+fn judge_shot(shot: &Shot, limits: &Limits, questions: &Questions, case: &Case) -> Judgement {
     let finished = &shot.finished;
     let is_over = matches!(finished.outcome, Outcome::Exited(_) | Outcome::Signalled(_));
     let judgement = match &shot.picture {
@@ -129,13 +128,13 @@ fn judge_shot(shot: &Shot, questions: &Questions, case: &Case) -> Judgement {
             Judgement::fail(no_picture(why)).with_stderr(finished.stderr_text())
         }
         _ => {
-            return judge::todo(finished).unwrap_or_else(|| judge::ending(finished, &RENDER));
+            return judge::todo(finished).unwrap_or_else(|| judge::ending(finished, limits));
         }
     };
     match finished.outcome {
         Outcome::Exited(0) => left_behind(judgement, finished),
         _ => {
-            let end = judge::ending(finished, &RENDER).finding.map_or(String::new(), |finding| finding.message);
+            let end = judge::ending(finished, limits).finding.map_or(String::new(), |finding| finding.message);
             judgement.remark(&format!("{end}, after writing its picture")).with_stderr(finished.stderr_text())
         }
     }
@@ -167,16 +166,16 @@ fn no_picture(why: &NoPicture) -> Finding {
     }
 }
 
-fn units(program: &Program, part: &Part) -> Answers {
+fn units(candidate: &Candidate, part: &Part) -> Answers {
     let question = |(check, _): &(&Check, u64)| Question { id: check.id.clone(), ask: check.ask.clone() };
     let questions: Vec<Question> = part.checks.iter().map(question).collect();
     let mut answers = Answers::default();
-    let probed = exercise::probe(program, &questions);
+    let probed = exercise::probe(candidate, &questions);
     for question in &questions {
         let done = match &probed {
             Err(why) => Done::unmeasured(Judgement::ours(format!("the work folder: {why}")), None),
             Ok(probed) => Done {
-                judgement: judge_answer(question, probed, part.questions),
+                judgement: judge_answer(question, probed, &candidate.allowance.questions, part.questions),
                 picture: None,
                 time_s: probed.time.as_secs_f64(),
                 peak_bytes: probed.peak_bytes,
@@ -189,7 +188,7 @@ fn units(program: &Program, part: &Part) -> Answers {
     answers
 }
 
-fn judge_answer(question: &Question, probed: &Probed, questions: &Questions) -> Judgement {
+fn judge_answer(question: &Question, probed: &Probed, limits: &Limits, questions: &Questions) -> Judgement {
     let Some(right) = questions.units.get(&question.id) else {
         return Judgement::ours(questions.units_missing.as_deref().unwrap_or("there is no stored answer"));
     };
@@ -201,7 +200,7 @@ fn judge_answer(question: &Question, probed: &Probed, questions: &Questions) -> 
         (None, Some(finished)) if finished.outcome == Outcome::Exited(0) => {
             wrong(FindingKind::Missing, "it gave no answer to this question".to_owned())
         }
-        (None, Some(finished)) => judge::ending(finished, &PROBE),
+        (None, Some(finished)) => judge::ending(finished, limits),
         (None, None) => {
             let why = probed.not_asked.get(&question.id).map_or("not asked", String::as_str);
             wrong(FindingKind::Timeout, why.to_owned())

@@ -3,7 +3,9 @@
 //! Every number x of the question is moved by a relative u = 2⁻²³, one at a time. If the answer f moves by Δ, then a program in single
 //! precision, which cannot even store x closer than that, may be off by as much. A well-made formula rounds a handful of times:
 //!
-//!     allowed = 8 (u ‖f‖ + Σ_x max |Δ|)
+//! ```text
+//! allowed = 8 (u ‖f‖ + Σ_x max |Δ|)
+//! ```
 //!
 //! where u ‖f‖ is the rounding of the answer itself. Integers (pixels, indices, depths) are exact and stay.
 
