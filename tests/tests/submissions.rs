@@ -100,7 +100,7 @@ fn check(bench: &Bench, folder: &Path) -> Result<(), String> {
 
 #[test]
 fn every_submission_gets_the_record_it_deserves() {
-    let allowance = Allowance::new(Duration::from_secs(4), Allowance::MEMORY);
+    let allowance = Allowance::new(Duration::from_secs(6), 256 << 20);
     let bench = Bench::open(&workspace().join("tests/exam")).unwrap_or_else(|why| panic!("{why}"));
     let bench = Bench { allowance, ..bench };
     let folders = submissions();
