@@ -7,13 +7,15 @@ use std::path::Path;
 use glam::DVec3;
 use image::{ColorType, DynamicImage, ImageDecoder, ImageEncoder, codecs::png};
 
-use super::{Image, byte};
+use super::{Image, byte, word};
 
 /// The kinds of file that hold a picture of ours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// 8 bits a channel when written; any PNG is read.
     Png,
+    /// A PNG of 16 bits a channel.
+    DeepPng,
     /// Linear float.
     Pfm,
 }
@@ -66,7 +68,8 @@ pub fn write(path: &Path, image: &Image) -> Result<(), PictureError> {
 /// What the encoder says.
 pub fn encode(kind: Kind, image: &Image) -> Result<Vec<u8>, PictureError> {
     match kind {
-        Kind::Png => encode_png(image),
+        Kind::Png => encode_png(image, image::ExtendedColorType::Rgb8, |light| [byte(light)]),
+        Kind::DeepPng => encode_png(image, image::ExtendedColorType::Rgb16, |light| word(light).to_ne_bytes()),
         Kind::Pfm => Ok(encode_pfm(image)),
     }
 }
@@ -117,11 +120,16 @@ fn describe(bytes: &[u8]) -> String {
     name.to_owned()
 }
 
-fn encode_png(image: &Image) -> Result<Vec<u8>, PictureError> {
-    let levels: Vec<u8> = image.pixels().iter().flat_map(|pixel| pixel.to_array()).map(byte).collect();
+/// `levels` are the bytes of a channel; of two the encoder wants them in the machine's own order.
+fn encode_png<const N: usize>(
+    image: &Image,
+    colour: image::ExtendedColorType,
+    levels: impl Fn(f64) -> [u8; N],
+) -> Result<Vec<u8>, PictureError> {
+    let levels: Vec<u8> = image.pixels().iter().flat_map(|pixel| pixel.to_array()).flat_map(levels).collect();
     let mut out = Vec::new();
     png::PngEncoder::new_with_quality(&mut out, png::CompressionType::Fast, png::FilterType::Adaptive)
-        .write_image(&levels, image.width(), image.height(), image::ExtendedColorType::Rgb8)
+        .write_image(&levels, image.width(), image.height(), colour)
         .map_err(|why| PictureError::Broken(why.to_string()))?;
     Ok(out)
 }

@@ -79,9 +79,12 @@ pub(super) struct RenderArgs {
     /// Where the picture goes, as with -o
     #[arg(value_name = "OUT", conflicts_with = "output")]
     pub out: Option<PathBuf>,
-    /// Where the picture goes: .png (8 bits), .pfm or .exr (linear float); `-` is a PNG to the output stream
+    /// Where the picture goes: .png, .pfm or .exr (linear float); `-` is a PNG to the output stream
     #[arg(short, long, value_name = "OUT", required_unless_present = "out")]
     pub output: Option<PathBuf>,
+    /// Bits a channel of a PNG
+    #[arg(long, value_name = "BITS", default_value = "8")]
+    pub bits: Bits,
     /// Pixels, such as 640x480, in the place of the scene's
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<(u32, u32)>,
@@ -188,6 +191,14 @@ pub(super) enum Colour {
 pub(super) enum Precision {
     F32,
     F64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Bits {
+    #[value(name = "8")]
+    Eight,
+    #[value(name = "16")]
+    Sixteen,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -8,7 +8,7 @@ use cases::film::{self, Image, PictureError};
 use cases::{Effect, Effects, Scene};
 use serde::Serialize;
 
-use super::args::{Form, Precision, RenderArgs};
+use super::args::{Bits, Form, Precision, RenderArgs};
 use super::progress::Bar;
 use super::{Stop, Talk, find, print};
 use crate::real::Real;
@@ -36,7 +36,7 @@ struct Report {
 /// Carries out the command.
 pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     let out = args.output.as_ref().or(args.out.as_ref()).ok_or_else(|| Stop::Usage("OUT is missing".to_owned()))?;
-    let kind = Kind::of(out)?;
+    let kind = Kind::of(out, args.bits)?;
     let mut clock = Clock(Instant::now());
     let mut scene = find::scene(&args.scene)?;
     adjust(&mut scene, args);
@@ -64,11 +64,12 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
         render_s,
         write_s: clock.lap(),
     };
-    if talk >= Talk::Verbose && kind != Kind::Stream {
+    let is_stream = matches!(kind, Kind::Stream(_));
+    if talk >= Talk::Verbose && !is_stream {
         anstream::eprintln!("wrote {}", out.display());
     }
     match args.stats {
-        Some(form) => say(&report, form, kind == Kind::Stream),
+        Some(form) => say(&report, form, is_stream),
         None => Ok(()),
     }
 }
@@ -161,18 +162,19 @@ fn table(report: &Report) -> String {
 enum Kind {
     File(film::Kind),
     Exr,
-    Stream,
+    Stream(film::Kind),
 }
 
 impl Kind {
-    fn of(out: &Path) -> Result<Self, Stop> {
+    fn of(out: &Path, bits: Bits) -> Result<Self, Stop> {
+        let deep = |kind| if kind == film::Kind::Png && bits == Bits::Sixteen { film::Kind::DeepPng } else { kind };
         if out == Path::new("-") {
-            return Ok(Self::Stream);
+            return Ok(Self::Stream(deep(film::Kind::Png)));
         }
         if out.extension().is_some_and(|end| end.eq_ignore_ascii_case("exr")) {
             return Ok(Self::Exr);
         }
-        let kind = film::Kind::of(out).map(Self::File);
+        let kind = film::Kind::of(out).map(deep).map(Self::File);
         kind.ok_or_else(|| {
             Stop::Usage(format!("{}: the name must end in .png, .pfm or .exr, or be `-`", out.display()))
         })
@@ -181,7 +183,7 @@ impl Kind {
     fn write(self, out: &Path, image: &Image) -> Result<(), Stop> {
         let machine = |why: PictureError| Stop::Machine(format!("cannot write {}: {why}", out.display()));
         let bytes = match self {
-            Self::Stream => return print(&film::encode(film::Kind::Png, image).map_err(machine)?),
+            Self::Stream(kind) => return print(&film::encode(kind, image).map_err(machine)?),
             Self::File(kind) => film::encode(kind, image),
             Self::Exr => film::exr::encode(&[Layer { name: "colour".to_owned(), image: image.clone() }], ""),
         };
