@@ -98,6 +98,23 @@ fn stats_count_rays() {
 }
 
 #[test]
+fn a_greater_depth_calls_for_what_the_file_does_not_within_the_stage() {
+    let folder = folder();
+    let mirror = SCENE.replace("max_depth = 1", "max_depth = 0").replace("m = {", "m = { kr = [1, 1, 1],");
+    std::fs::write(folder.path().join("mirror.toml"), &mirror).unwrap();
+    let head = "title = \"t\"\nabout = \"a\"\nrules = [3]\npoints = 2\n";
+    std::fs::write(folder.path().join("stages/01_one/mirror.toml"), format!("{head}{mirror}")).unwrap();
+    let n_reflected = |args: &[&str]| {
+        let output = run(folder.path(), &[&["render"], args, &["a.png", "--stats", "json"]].concat(), "");
+        let stats: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        stats["rays"]["reflected"].as_u64().unwrap()
+    };
+    assert_eq!(n_reflected(&["mirror.toml"]), 0);
+    assert!(n_reflected(&["mirror.toml", "--max-depth", "1"]) > 0);
+    assert_eq!(n_reflected(&["stages/01_one/mirror.toml", "--max-depth", "1"]), 0); // the stage allows none
+}
+
+#[test]
 fn what_cannot_be_read_is_2_and_what_cannot_be_written_is_3() {
     let folder = folder();
     let render = |args: &[&str]| run(folder.path(), &[&["render"], args].concat(), "");

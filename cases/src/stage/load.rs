@@ -42,6 +42,14 @@ pub fn load_case(path: &Path) -> Result<Case, Problems> {
     both(raw, case).map(|(_, case)| case)
 }
 
+/// The effects that the stage around the file at `path` allows; all of them for a file outside any stage.
+///
+/// # Errors
+/// Everything that is wrong with the `stage.toml`.
+pub fn allowed_at(path: &Path) -> Result<Effects, Problems> {
+    if is_case(path) { Ok(allowed(&raw_stage(&path.with_file_name("stage.toml"), None)?)) } else { Ok(Effects::all()) }
+}
+
 /// Both values, or the problems of both.
 fn both<A, B>(a: Result<A, Problems>, b: Result<B, Problems>) -> Result<(A, B), Problems> {
     match (a, b) {

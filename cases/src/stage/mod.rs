@@ -6,7 +6,7 @@ mod checks;
 mod load;
 pub(crate) mod raw;
 
-pub use load::{is_case, load_all, load_case};
+pub use load::{allowed_at, is_case, load_all, load_case};
 
 use crate::effects::Effects;
 use crate::probe::Ask;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use cases::problem::did_you_mean;
-use cases::{Scene, scene};
+use cases::{Effects, Scene, scene, stage};
 
 use super::Stop;
 
@@ -13,6 +13,13 @@ pub(super) const STAGES: &str = "cases/stages";
 /// The scene that `named` names: a file, or the id of a case below ./cases/stages.
 pub(super) fn scene(named: &str) -> Result<Scene, Stop> {
     Ok(scene::load(&path(named)?)?)
+}
+
+/// The effects that may be simulated in it: those that its stage allows; those that the file lists, where it is JSON.
+pub(super) fn allowed(named: &str, scene: &Scene) -> Result<Effects, Stop> {
+    let path = path(named)?;
+    let lists_them = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("json"));
+    if lists_them { Ok(scene.effects) } else { Ok(stage::allowed_at(&path)?) }
 }
 
 fn path(named: &str) -> Result<PathBuf, Stop> {

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use cases::film::exr::Layer;
 use cases::film::{self, Image, PictureError};
-use cases::{Effect, Effects, Scene};
+use cases::{Effect, Effects, Scene, effects};
 use serde::Serialize;
 
 use super::args::{Bits, Form, Precision, RenderArgs};
@@ -39,8 +39,9 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     let kind = Kind::of(out, args.bits)?;
     let mut clock = Clock(Instant::now());
     let mut scene = find::scene(&args.scene)?;
-    adjust(&mut scene, args);
-    scene.effects = effects(&scene, &args.effects)?;
+    let allowed = find::allowed(&args.scene, &scene)?;
+    adjust(&mut scene, args, allowed);
+    scene.effects = asked_for(&scene, &args.effects)?;
     let load_s = clock.lap();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads.map_or(0, |n| n.get() as usize)).build();
     let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
@@ -74,17 +75,21 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     }
 }
 
-fn adjust(scene: &mut Scene, args: &RenderArgs) {
+/// A greater depth may call for effects that the file's own does not.
+fn adjust(scene: &mut Scene, args: &RenderArgs, allowed: Effects) {
     if let Some((width, height)) = args.size {
         (scene.render.width, scene.render.height) = (width, height);
     }
     if let Some(max_depth) = args.max_depth {
+        let before = effects::called_for(scene);
         scene.render.max_depth = max_depth;
+        let new = effects::called_for(scene).intersection(allowed).iter().filter(|effect| !before.has(*effect));
+        scene.effects = new.fold(scene.effects, Effects::with);
     }
 }
 
 /// The effects that `--effects` asks for.
-fn effects(scene: &Scene, asked: &str) -> Result<Effects, Stop> {
+fn asked_for(scene: &Scene, asked: &str) -> Result<Effects, Stop> {
     let effect = |name: &str| {
         Effect::from_name(name.trim()).ok_or_else(|| {
             let known: Vec<_> = Effect::ALL.iter().map(|effect| effect.name()).collect();
