@@ -30,8 +30,8 @@ impl<T: Real> Ray<T> {
         Self { origin, direction, t_min: rules.epsilon(), t_max }
     }
 
-    /// The rest of this ray behind its crossing at `t`. A crossing nearer than RAY_EPSILON behind another is the same one: a ray
-    /// through an edge that two triangles share crosses one surface. [rule 6]
+    /// The rest of this ray behind its crossing of an object at `t`. A crossing of that object nearer than RAY_EPSILON behind is
+    /// the same one: a ray through an edge that two triangles share crosses one surface. [rule 6]
     #[inline(always)]
     pub fn beyond<R: RuleSource>(&self, rules: R, t: T) -> Self {
         Self { t_min: t + rules.epsilon::<T>().greatest(t.abs() * T::ULP), ..*self }

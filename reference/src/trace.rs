@@ -242,29 +242,23 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         let reach = if self.rules.get().shadow_reach == ShadowReach::Unbounded { T::INFINITY } else { r };
         let ray = Ray::until(self.rules, point, to_light, reach);
         if self.does.tinted_shadows && self.rules.get().tint != Tint::Opaque {
-            return self.tint(ray);
+            return self.tint(&ray);
         }
         if self.world.occluded(self.rules, &ray) { Vec3::ZERO } else { Vec3::ONE }
     }
 
     /// The product of kt over all crossings of the ray, in order of t. [rule 6]
-    fn tint(&self, mut ray: Ray<T>) -> Vec3<T> {
-        let mut light = Vec3::ONE;
-        let mut crossed = Vec::new();
-        while let Some((object, met)) = self.world.first(self.rules, &ray) {
-            let kt = self.world.materials[self.world.objects[object].material].kt;
-            let is_again = self.rules.get().tint == Tint::PerObject && crossed.contains(&object);
-            if !is_again {
-                light = light * if self.rules.get().tint == Tint::Clear && kt != Vec3::ZERO { Vec3::ONE } else { kt };
-            }
-            if light == Vec3::ZERO || self.rules.get().tint == Tint::FirstCrossing {
-                break;
-            }
-            if self.rules.get().tint == Tint::PerObject {
-                crossed.push(object);
-            }
-            ray = ray.beyond(self.rules, met.t);
-        }
-        light
+    fn tint(&self, ray: &Ray<T>) -> Vec3<T> {
+        let tint = self.rules.get().tint;
+        let kt = |object: usize| self.world.materials[self.world.objects[object].material].kt;
+        let blocks = |object| tint != Tint::FirstCrossing && kt(object) == Vec3::ZERO;
+        let Some(crossings) = self.world.crossings(self.rules, ray, blocks) else { return Vec3::ZERO };
+        let counts = |n: usize| match tint {
+            Tint::PerObject => crossings[..n].iter().all(|before| before.1 != crossings[n].1),
+            Tint::FirstCrossing => n == 0,
+            Tint::Clear => false,
+            Tint::PerCrossing | Tint::Opaque => true,
+        };
+        (0..crossings.len()).filter(|n| counts(*n)).fold(Vec3::ONE, |light, n| light * kt(crossings[n].1))
     }
 }

@@ -235,6 +235,29 @@ impl<T: Real> World<T> {
         found
     }
 
+    /// Every crossing of the ray with a surface, as (t, object) in order of t, at one t in the scene's order; `None` where an object
+    /// that `blocks` is crossed. [rule 6]
+    pub fn crossings<R: RuleSource>(
+        &self,
+        rules: R,
+        ray: &Ray<T>,
+        blocks: impl Fn(usize) -> bool,
+    ) -> Option<Vec<(T, usize)>> {
+        let mut crossings = Vec::new();
+        let mut is_blocked = false;
+        self.each(ray, &mut |i, limit| {
+            let (object, mut rest) = (i as usize, *ray);
+            while !is_blocked && let Some(met) = self.meet(rules, &rest, object) {
+                is_blocked = blocks(object);
+                crossings.push((met.t, object));
+                rest = rest.beyond(rules, met.t);
+            }
+            if is_blocked { -T::INFINITY } else { limit }
+        });
+        crossings.sort_by(|(t, i), (u, j)| t.f64().total_cmp(&u.f64()).then(i.cmp(j)));
+        (!is_blocked).then_some(crossings)
+    }
+
     /// Calls `visit` for every object that the ray may meet before the limit; `visit` returns the new limit.
     #[inline(always)]
     fn each(&self, ray: &Ray<T>, visit: &mut impl FnMut(u32, T) -> T) {

@@ -112,6 +112,22 @@ fn glass_tints_a_shadow_on_the_way_in_and_on_the_way_out() {
     check(shadow(4.0), [1.0, 1.0, 1.0]);
 }
 
+/// S at (0, 0, −1) of a lamp at (0, 0, 4) behind unit squares in one place, z = 0.
+fn behind_squares(materials: [&str; 2]) -> DVec3 {
+    let head = "[scene.materials]\nglass = { kt = [0.5, 0.25, 1], index = 1.5 }\nwood = { kd = [1, 1, 1] }\n";
+    let lamp = "[[scene.lights]]\npoint = { position = [0, 0, 4], colour = [1, 1, 1] }\n";
+    let squares = materials.map(|m| format!("[[scene.objects]]\nsquare = {{}}\nmaterial = \"{m}\"\n"));
+    let scene = scene(&format!("{head}{lamp}{}", squares.concat()));
+    colour(&Ask::Shadow { scene: Box::new(scene), light: 0, point: DVec3::new(0.0, 0.0, -1.0) })
+}
+
+#[test]
+fn of_two_surfaces_in_one_place_both_count() {
+    check(behind_squares(["glass", "glass"]), [0.25, 0.0625, 1.0]);
+    check(behind_squares(["glass", "wood"]), [0.0; 3]);
+    check(behind_squares(["wood", "glass"]), [0.0; 3]);
+}
+
 #[test]
 fn from_inside_kt_scales_the_ambient_term_alone() {
     let text = r#"

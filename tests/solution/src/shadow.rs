@@ -4,7 +4,7 @@ use cases::{Effect, Light, Ray, Scene};
 use glam::DVec3;
 
 use crate::light::to_light;
-use crate::nearest::nearest_hit;
+use crate::object::intersect_object;
 
 /// S, the share of `light` that reaches `point`, a colour: (1, 1, 1) if nothing is in the way, black behind an opaque
 /// object. [rule 5] [rule 6]
@@ -20,14 +20,17 @@ pub fn shadow_attenuation(scene: &Scene, light: &Light, point: DVec3) -> DVec3 {
     if t_light == 0.0 {
         return DVec3::ONE;
     }
-    let mut ray = Ray::until(point, direction, t_light);
     let mut share = DVec3::ONE;
-    while share != DVec3::ZERO
-        && let Some(hit) = nearest_hit(scene, &ray)
-    {
-        share *= if tinted { scene.materials[scene.objects[hit.object].material].kt } else { DVec3::ZERO };
-        // The interval is open: this leaves the surface just met behind, and nothing else.
-        ray.t_min = hit.t;
+    for (index, object) in scene.objects.iter().enumerate() {
+        let kt = if tinted { scene.materials[object.material].kt } else { DVec3::ZERO };
+        let mut ray = Ray::until(point, direction, t_light);
+        while share != DVec3::ZERO
+            && let Some(hit) = intersect_object(scene, index, &ray)
+        {
+            share *= kt;
+            // The interval is open: this leaves the surface just met behind, and nothing else.
+            ray.t_min = hit.t;
+        }
     }
     share
 }
