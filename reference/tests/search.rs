@@ -4,8 +4,10 @@ mod common;
 
 use std::fmt::Write;
 
+use cases::Effect;
 use cases::film::level;
 use common::{Random, scene};
+use glam::DVec3;
 use reference::ray::Ray;
 use reference::real::Real;
 use reference::render::{Options, render};
@@ -46,6 +48,55 @@ fn disorder(random: &mut Random) -> cases::Scene {
     )
     .unwrap();
     scene(&text)
+}
+
+/// Flat things along the axes, in one place or side by side: boxes without thickness, faces that touch, triangles that lie on one another.
+fn order() -> cases::Scene {
+    let mut text = String::from("[scene.materials.m]\nkd = [0.5, 0.6, 0.7]\n");
+    for n in 0..16 {
+        let (x, y) = (n % 4 - 2, n / 4 - 2);
+        let shape = match n % 3 {
+            0 => format!("box = {{ min = [{x}, {y}, 0], max = [{}, {}, 1] }}", x + 1, y + 1),
+            1 => format!("square = {{}}\ntransforms = [{{ translate = [{x}.5, {y}.5, 0] }}]"),
+            _ => format!(
+                "mesh = {{ vertices = [[{x}, {y}, 0], [{0}, {y}, 0], [{0}, {1}, 0], [{x}, {1}, 0]], triangles = [[0, 1, 2], [0, 2, 3], [0, 1, 3], [2, 1, 0]] }}",
+                x + 1,
+                y + 1
+            ),
+        };
+        for _ in 0..2 {
+            write!(text, "[[scene.objects]]\nmaterial = \"m\"\n{shape}\n").unwrap();
+        }
+    }
+    scene(&text)
+}
+
+fn trees_find_what_lists_find_among_flat_things<T: Real>() {
+    let scene = order();
+    let (tree, scan) = (World::<T>::with_search(&scene, Search::Tree), World::<T>::with_search(&scene, Search::Scan));
+    let places = [-3.0, -2.0, -1.5, -1.0, -0.0, 0.0, 0.25, 0.5, 1.0, 2.0];
+    let steps = [-1.0, -0.0, 0.0, 1.0];
+    let three = |list: &[f64]| -> Vec<DVec3> {
+        let pairs = list.iter().flat_map(|x| list.iter().map(move |y| (*x, *y)));
+        pairs.flat_map(|(x, y)| list.iter().map(move |z| DVec3::new(x, y, *z))).collect()
+    };
+    let mut n_hits = 0;
+    for direction in three(&steps).into_iter().filter(|d| *d != DVec3::ZERO) {
+        for origin in three(&places) {
+            let ray = Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(direction));
+            let describe = |world: &World<T>| format!("{:?}", world.nearest(Lecture, &ray));
+            assert_eq!(describe(&tree), describe(&scan), "from {origin} along {direction}");
+            assert_eq!(tree.occluded(Lecture, &ray), scan.occluded(Lecture, &ray));
+            n_hits += usize::from(tree.occluded(Lecture, &ray));
+        }
+    }
+    assert!(n_hits > 5000, "only {n_hits} rays hit anything: the scene tests nothing");
+}
+
+#[test]
+fn trees_find_what_lists_find_along_axes_and_within_planes() {
+    trees_find_what_lists_find_among_flat_things::<f64>();
+    trees_find_what_lists_find_among_flat_things::<f32>();
 }
 
 fn trees_find_what_lists_find<T: Real>() {
@@ -113,11 +164,16 @@ fn single_precision_is_close_to_double() {
 
 #[test]
 fn a_ray_of_a_kind_that_is_off_is_never_cast() {
-    let scene = disorder(&mut Random(0xabc));
+    let mut scene = disorder(&mut Random(0xabc));
+    scene.materials[0].kr = DVec3::splat(0.5);
+    scene.materials[0].kt = DVec3::splat(0.5);
     let world = World::<f64>::new(&scene);
-    let options = Options { effects: cases::Effects::NONE, samples: 1 };
-    let (_, stats) = render(&world, Lecture, &options, |_| {});
-    assert_eq!(stats.rays.total(), stats.rays.eye);
-    let (_, stats) = render(&world, Lecture, &Options::of(&world), |_| {});
-    assert!(stats.rays.shadow > 0);
+    let rays = |effects| render(&world, Lecture, &Options { effects, samples: 1 }, |_| {}).1.rays;
+    let all = rays(cases::Effects::all());
+    assert!(all.shadow > 0 && all.reflected > 0 && all.refracted > 0, "{all:?}");
+    let none = rays(cases::Effects::NONE);
+    assert_eq!(none.total(), none.eye);
+    assert_eq!(rays(cases::Effects::all().without(Effect::Shadows)).shadow, 0);
+    assert_eq!(rays(cases::Effects::all().without(Effect::Reflection)).reflected, 0);
+    assert_eq!(rays(cases::Effects::all().without(Effect::Refraction)).refracted, 0);
 }
