@@ -14,7 +14,8 @@ use grader::record::Verdict;
 use reference::misconceptions::{MISCONCEPTIONS, Misconception};
 use reference::real::Real;
 use reference::render::{self, Options};
-use reference::rules::{Lecture, RuleSource, Rules};
+use reference::rules::{Epsilon, Lecture, RuleSource, Rules};
+use reference::watch::Counts;
 use reference::world::World;
 use reference::{answers, expect};
 
@@ -155,6 +156,48 @@ fn picture_without(case: &Case, added: &[Effect]) -> Image {
         }
     }
     picture::<f64, _>(&scene, Lecture, effects)
+}
+
+/// What a scene does not call for changes nothing: all that the stage allows gives the same bits, and casts no ray of a kind not called for.
+#[test]
+fn a_case_is_the_same_with_the_effects_it_does_not_call_for() {
+    let cases = STAGES.iter().flat_map(|stage| stage.cases.iter().map(|case| (case, stage.allows)));
+    none(
+        cases
+            .filter(|(case, allowed)| {
+                let effects = case.scene.effects;
+                let (special, rays) = rendered(case, effects);
+                let casts = [
+                    (Effect::Shadows, rays.shadow),
+                    (Effect::Reflection, rays.reflected),
+                    (Effect::Refraction, rays.refracted),
+                ];
+                let casts_more = casts.iter().any(|(effect, n_cast)| *n_cast > 0 && !effects.has(*effect));
+                casts_more || special.pixels() != rendered(case, *allowed).0.pixels()
+            })
+            .map(|(case, _)| format!("{} calls for more than its effects", case.id))
+            .collect(),
+    );
+}
+
+fn rendered(case: &Case, effects: Effects) -> (Image, Counts) {
+    let world = World::<f64>::new(&case.scene);
+    let (image, stats) = render::render(&world, Lecture, &Options { effects, samples: 1 }, |_| {});
+    (image, stats.rays)
+}
+
+/// Fairness: the least and the greatest epsilon that students may choose cost no point.
+#[test]
+fn any_epsilon_that_students_may_choose_passes_every_case() {
+    for t in [1e-6, 1e-3] {
+        let rules = Rules { epsilon: Epsilon::Fixed(t), ..Rules::LECTURE };
+        none(
+            image_cases()
+                .filter(|case| !forgives(case, &rules))
+                .map(|case| format!("{} fails with epsilon {t}", case.id))
+                .collect(),
+        );
+    }
 }
 
 /// Fairness: rounding to single precision costs no point.
