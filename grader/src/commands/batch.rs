@@ -10,6 +10,12 @@ use crate::progress::Talk;
 pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
     let allowance = arguments.limit.allowance();
     let bench = Bench { allowance, ..Bench::open(&stages(arguments.cases.as_deref())?)? };
+    // Done ahead so that the first wait is explained. Where it fails, the submissions that need the crates say so.
+    let _ = bench.workshop.sdk(&|what| {
+        if !talk.is_quiet {
+            eprintln!("{what}");
+        }
+    });
     let grader = OnBench::new(&bench, &arguments.stage)?;
     let jobs = arguments.jobs.map_or_else(|| One::new(&arguments.folder).jobs, usize::from);
     let options = Options { folder: arguments.folder.clone(), out: arguments.out.clone(), jobs };
