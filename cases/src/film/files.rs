@@ -136,10 +136,12 @@ fn encode_png<const N: usize>(
 
 fn decode_png(bytes: &[u8], wanted: (u32, u32)) -> Result<Image, PictureError> {
     let broken = |why: image::ImageError| PictureError::Broken(why.to_string());
-    let decoder = png::PngDecoder::new(Cursor::new(bytes)).map_err(broken)?;
-    let found = decoder.dimensions();
-    if found != wanted {
+    if let Some(found) = png_size(bytes).filter(|found| *found != wanted) {
         return Err(PictureError::Size { found, wanted });
+    }
+    let decoder = png::PngDecoder::with_limits(Cursor::new(bytes), limits()).map_err(broken)?;
+    if decoder.dimensions() != wanted {
+        return Err(PictureError::Size { found: decoder.dimensions(), wanted });
     }
     let is_deep =
         matches!(decoder.color_type(), ColorType::L16 | ColorType::La16 | ColorType::Rgb16 | ColorType::Rgba16);
@@ -150,6 +152,19 @@ fn decode_png(bytes: &[u8], wanted: (u32, u32)) -> Result<Image, PictureError> {
         decoded.to_rgb8().pixels().map(|p| levels(p.0.map(f64::from), 255.0)).collect()
     };
     Image::from_pixels(wanted.0, wanted.1, pixels).ok_or_else(|| PictureError::Broken("pixels are missing".to_owned()))
+}
+
+/// What chunks beside the pixels, a colour profile say, may take when they are inflated.
+fn limits() -> image::Limits {
+    let mut limits = image::Limits::no_limits();
+    limits.max_alloc = Some(8 << 20);
+    limits
+}
+
+/// Width and height, which stand at a fixed place: before a decoder sees the rest.
+fn png_size(bytes: &[u8]) -> Option<(u32, u32)> {
+    let number = |at: usize| Some(u32::from_be_bytes(bytes.get(at..at + 4)?.try_into().ok()?));
+    Some((number(16)?, number(20)?))
 }
 
 fn levels(channels: [f64; 3], top: f64) -> DVec3 {

@@ -4,7 +4,8 @@ use serde::Deserialize;
 
 use crate::plain;
 
-/// Bytes of errors that are kept, and warnings.
+/// Characters of one message that are kept, bytes of all errors, and warnings.
+const MAX_MESSAGE: usize = 8 << 10;
 const MAX_ERRORS: usize = 16 << 10;
 const MAX_WARNINGS: usize = 30;
 
@@ -27,7 +28,7 @@ pub(super) fn parse(stderr: &[u8]) -> Diagnostics {
     let mut said = Diagnostics::default();
     for line in stderr.split(|byte| *byte == b'\n') {
         let Ok(message) = serde_json::from_slice::<Message>(line) else { continue };
-        let text = plain::shown(message.rendered.unwrap_or(message.message).trim_end());
+        let text = plain::shown(&start(message.rendered.unwrap_or(message.message).trim_end()));
         match message.level.as_str() {
             _ if is_count(&text) => {}
             "warning" if said.warnings.len() < MAX_WARNINGS => said.warnings.push(text),
@@ -36,6 +37,12 @@ pub(super) fn parse(stderr: &[u8]) -> Diagnostics {
         }
     }
     said
+}
+
+/// The beginning of a message, which may quote a whole file.
+fn start(message: &str) -> String {
+    let start: String = message.chars().take(MAX_MESSAGE).collect();
+    if start.len() < message.len() { start + " […]" } else { start }
 }
 
 fn is_count(text: &str) -> bool {
@@ -81,5 +88,7 @@ no json
         let said = Diagnostics { errors: vec![error; 100], warnings: vec![] };
         assert!(said.errors_text().len() < MAX_ERRORS + 2000);
         assert!(said.errors_text().ends_with("and 84 more errors"), "{}", said.errors_text());
+        let huge = format!(r#"{{"level":"error","message":"{}"}}"#, "e".repeat(1 << 20));
+        assert!(parse(huge.as_bytes()).errors_text().len() < MAX_ERRORS, "one message is cut too");
     }
 }

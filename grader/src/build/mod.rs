@@ -11,12 +11,10 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::time::Duration;
 
-use tempfile::TempDir;
-
 pub use sdk::Sdk;
 pub use toolchain::Toolchain;
 
-use crate::sandbox::{Clock, Limits, Outcome};
+use crate::sandbox::{Clock, Folder, Limits, Outcome};
 use crate::submission::{Kind, Submission, Template};
 
 /// A program that answers the calls of the protocol.
@@ -29,13 +27,18 @@ pub struct Program {
     /// PATH of its environment.
     pub search: OsString,
     /// Where a private copy lies; goes away with this.
-    _folder: Option<TempDir>,
+    folder: Option<Folder>,
 }
 
 impl Program {
     /// A program that lies somewhere for good.
     pub fn new(path: impl Into<PathBuf>, args: Vec<OsString>, search: impl Into<OsString>) -> Self {
-        Self { path: path.into(), args, search: search.into(), _folder: None }
+        Self { path: path.into(), args, search: search.into(), folder: None }
+    }
+
+    /// Whether the submission says what is executed, and not the grader, which has compiled it.
+    pub fn is_foreign(&self) -> bool {
+        self.folder.is_some()
     }
 }
 
@@ -146,7 +149,9 @@ fn stopped(outcome: Outcome, limits: &Limits) -> BuildError {
     let seconds = limits.wall.as_secs();
     match outcome {
         Outcome::Interrupted => BuildError::Interrupted,
-        Outcome::CouldNotStart(why) => BuildError::Ours(format!("the build cannot be started: {why}")),
+        Outcome::CouldNotStart(why) | Outcome::NoProgram(why) => {
+            BuildError::Ours(format!("the build cannot be started: {why}"))
+        }
         Outcome::TimedOut(Clock::Wall | Clock::Cpu) => {
             BuildError::Rejected(format!("the build did not end within {seconds} s (a macro that calls itself?)"))
         }

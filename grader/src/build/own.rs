@@ -5,10 +5,8 @@ use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use tempfile::TempDir;
-
 use super::{BuildError, Built, LIMITS, Program, stopped};
-use crate::sandbox::{self, Call, Outcome};
+use crate::sandbox::{self, Call, Folder, Outcome};
 use crate::submission::Own;
 
 /// Copies, builds if there is a command for it, and says what is to be run.
@@ -27,12 +25,12 @@ pub(super) fn build(own: &Own, tell: &dyn Fn(&str)) -> Result<Built, BuildError>
             "the run command of submission.toml starts with `{word}`, which is not there"
         )));
     }
-    Ok(Built { program: Program { path, args, search, _folder: Some(folder) }, warnings: vec![], time })
+    Ok(Built { program: Program { path, args, search, folder: Some(folder) }, warnings: vec![], time })
 }
 
 /// A private copy. All files are made executable: archives do not say which are.
-fn copy(own: &Own) -> std::io::Result<TempDir> {
-    let folder = TempDir::new()?;
+fn copy(own: &Own) -> std::io::Result<Folder> {
+    let folder = Folder::new()?;
     for file in &own.files {
         let to = folder.path().join(file);
         std::fs::create_dir_all(to.parent().unwrap_or(folder.path()))?;
@@ -67,7 +65,7 @@ fn run(words: &[String], folder: &Path, search: &OsString) -> Result<Duration, B
     match finished.outcome {
         Outcome::Exited(0) => Ok(finished.wall),
         Outcome::Exited(code) => Err(BuildError::Rejected(format!("the build command ends with code {code}:\n{said}"))),
-        Outcome::CouldNotStart(why) => Err(BuildError::Rejected(format!("the build command cannot be started: {why}"))),
+        Outcome::NoProgram(why) => Err(BuildError::Rejected(format!("the build command cannot be started: {why}"))),
         outcome => Err(stopped(outcome, &LIMITS)),
     }
 }

@@ -71,8 +71,16 @@ fn run(program: &Program, args: &[OsString], folder: &Path, stdin: Vec<u8>, limi
         stdin,
         limits,
     };
-    let finished = sandbox::run(&call);
-    if matches!(finished.outcome, Outcome::CouldNotStart(_)) { sandbox::run(&call) } else { finished }
+    let mut finished = sandbox::run(&call);
+    if matches!(finished.outcome, Outcome::CouldNotStart(_)) {
+        finished = sandbox::run(&call);
+    }
+    match finished.outcome {
+        Outcome::NoProgram(why) if !program.is_foreign() => {
+            Finished { outcome: Outcome::CouldNotStart(why), ..finished } // what we have built ourselves has gone
+        }
+        _ => finished,
+    }
 }
 
 #[cfg(test)]

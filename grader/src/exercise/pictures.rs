@@ -8,7 +8,7 @@ use cases::film::{self, Image, PictureError};
 use cases::scene::{self, Scene};
 
 use super::{Candidate, run};
-use crate::sandbox::Finished;
+use crate::sandbox::{Finished, Folder};
 use crate::submission::open_regular;
 
 /// What came of `render`.
@@ -41,7 +41,7 @@ const MAX_BYTES: u64 = 64 << 20;
 /// # Errors
 /// A folder that cannot be made: the machine's fault.
 pub fn shoot(candidate: &Candidate, scene: &Scene) -> std::io::Result<Shot> {
-    let folder = tempfile::tempdir()?;
+    let folder = Folder::new()?;
     let (input, output) = (folder.path().join(SCENE), folder.path().join(OUT));
     std::fs::write(&input, scene::json::to_string(scene))?;
     let args = ["render".into(), input.into_os_string(), output.clone().into_os_string()];

@@ -8,7 +8,7 @@ use cases::probe::Question;
 
 use super::replies::{self, Got, Replies};
 use super::{Candidate, run};
-use crate::sandbox::{Finished, Outcome};
+use crate::sandbox::{Finished, Folder, Outcome};
 
 /// Questions at which one function may have to be stopped, before it is not asked any more.
 const MAX_HANGS: usize = 2;
@@ -81,7 +81,7 @@ pub fn probe(candidate: &Candidate, questions: &[Question]) -> std::io::Result<P
 
 /// Asks the questions in one process and takes in what it says; how it ended, and the place behind the last one answered.
 fn ask(candidate: &Candidate, open: &[&Question], probed: &mut Probed) -> std::io::Result<(Finished, usize)> {
-    let folder = tempfile::tempdir()?;
+    let folder = Folder::new()?;
     let mut stdin = vec![];
     for question in open {
         serde_json::to_writer(&mut stdin, question)?;
@@ -95,7 +95,7 @@ fn ask(candidate: &Candidate, open: &[&Question], probed: &mut Probed) -> std::i
     remark(&replies, probed);
     let behind = open.iter().rposition(|question| replies.got.contains_key(&question.id)).map_or(0, |last| last + 1);
     probed.got.extend(replies.got);
-    Ok((finished, behind))
+    Ok((finished.without_streams(), behind))
 }
 
 fn remark(replies: &Replies, probed: &mut Probed) {
@@ -109,7 +109,7 @@ fn remark(replies: &Replies, probed: &mut Probed) {
 }
 
 fn cannot_go_on(finished: &Finished) -> bool {
-    matches!(finished.outcome, Outcome::CouldNotStart(_) | Outcome::Interrupted)
+    matches!(finished.outcome, Outcome::CouldNotStart(_) | Outcome::NoProgram(_) | Outcome::Interrupted)
 }
 
 /// Asks no more of a function that has to be stopped again and again.

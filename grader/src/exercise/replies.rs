@@ -3,9 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use cases::probe::{Answer, Reply};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::plain;
+
+/// Bytes of a line that is read: no answer comes near, and JSON takes many times its length in memory.
+const MAX_LINE: usize = 64 << 10;
 
 /// What came back for a question.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,23 +57,41 @@ enum Line {
 }
 
 fn understand(line: &[u8], asked: &BTreeSet<&str>) -> Line {
+    if line.len() > MAX_LINE {
+        return named_in(line, asked, &format!("the line is longer than {} KiB", MAX_LINE >> 10));
+    }
     let value = match serde_json::from_slice::<Value>(line) {
         Ok(value) => value,
-        Err(why) => return named_in(line, asked, &why.to_string()),
+        Err(why) => {
+            return named_in(line, asked, &format!("it is no JSON ({why}; write \"nan\" and \"inf\" in quotes)"));
+        }
     };
     let Some(id) = value.get("id").and_then(Value::as_str).map(str::to_owned) else { return Line::Stray };
-    let got = match serde_json::from_value::<Reply>(value) {
-        Ok(reply) => Got::Answer(reply.answer),
+    let got = match answer(value) {
+        Ok(answer) => Got::Answer(answer),
         Err(why) => Got::Malformed(format!("{why}: {}", plain::name(line))),
     };
     Line::Reply(id, got)
 }
 
-/// A line that is no JSON still answers the question whose quoted id stands in it: Python, say, prints a bare NaN.
+/// The one answer of a reply; keys that are no answers do no harm.
+fn answer(reply: Value) -> Result<Answer, String> {
+    let answers = |(key, value): &(&String, &Value)| serde_json::from_value::<Answer>(json!({ *key: value })).is_ok();
+    if reply.as_object().is_some_and(|reply| reply.iter().filter(answers).count() > 1) {
+        return Err("it gives several answers at once".to_owned());
+    }
+    match serde_json::from_value::<Reply>(reply).map_err(|why| why.to_string())?.answer {
+        Answer::Miss(false) => Err("`miss` is always true".to_owned()),
+        Answer::Todo(false) => Err("`todo` is always true".to_owned()),
+        answer => Ok(answer),
+    }
+}
+
+/// A line that cannot be read still answers the question whose quoted id stands in it: Python, say, prints a bare NaN.
 fn named_in(line: &[u8], asked: &BTreeSet<&str>, why: &str) -> Line {
     let text = String::from_utf8_lossy(line);
     let quoted = text.split('"').find(|part| asked.contains(part));
-    let why = format!("it is no JSON ({why}; write \"nan\" and \"inf\" in quotes): {}", plain::name(line));
+    let why = format!("{why}: {}", plain::name(line));
     quoted.map_or(Line::Stray, |id| Line::Reply(id.to_owned(), Got::Malformed(why)))
 }
 
@@ -96,6 +117,21 @@ mod tests {
         check("{\"id\":\"a\",\"value\":1}\r\n\n{\"id\":\"c\",\"value\":1}", &[("a", value(1.0))], 1, 0);
         check("{\"id\":\"a\",\"value\":\"inf\"}", &[("a", value(f64::INFINITY))], 0, 0);
         check("{\"id\":\"a\",\"value\":1}\n{\"id\":\"a\",\"value\":1}", &[("a", Got::Twice)], 0, 0);
+    }
+
+    #[test]
+    fn one_reply_is_one_answer_and_says_yes_to_what_is_always_so() {
+        let long = format!("{{\"id\":\"a\",\"value\":1,\"x\":[{}0]}}", "0,".repeat(MAX_LINE));
+        for (line, why) in [
+            (r#"{"id":"a","miss":true,"hit":{"t":1,"normal":[0,0,1]}}"#, "it gives several answers at once"),
+            (r#"{"id":"a","miss":false}"#, "`miss` is always true"),
+            (r#"{"id":"a","todo":false}"#, "`todo` is always true"),
+            (long.as_str(), "the line is longer than 64 KiB"),
+        ] {
+            let replies = parse(line.as_bytes(), &["a"].into());
+            assert!(matches!(&replies.got["a"], Got::Malformed(said) if said.starts_with(why)), "{replies:?}");
+        }
+        check(r#"{"id":"a","value":1,"note":"from the sphere"}"#, &[("a", Got::Answer(Answer::Value(1.0)))], 0, 0);
     }
 
     #[test]

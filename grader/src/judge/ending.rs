@@ -34,6 +34,13 @@ pub fn ending(finished: &Finished, limits: &Limits) -> Judgement {
         Outcome::TooManyProcesses => {
             fail(FindingKind::Crash, format!("it started more than {} processes", limits.processes))
         }
+        Outcome::NoProgram(why) => fail(
+            FindingKind::Crash,
+            format!(
+                "its command cannot be run: {why} (is the program there, is it made for this machine, \
+                 and does the first line of a script name an interpreter that is here?)"
+            ),
+        ),
         Outcome::CouldNotStart(why) => Judgement::ours(format!("it could not be started: {why}")),
         Outcome::Interrupted => {
             Judgement::not_run(Finding::new(FindingKind::Internal, "the grader was interrupted before this ended"))

@@ -8,24 +8,28 @@ use super::Judgement;
 use super::numbers::short;
 use crate::record::{Finding, FindingKind};
 
+/// Characters of a panic's message that are shown.
+const MAX_MESSAGE: usize = 1000;
+
 /// Judges the answer of a function by the right one.
 ///
 /// Where either decision is right (hit or miss, which object, yes or no), an answer that decided otherwise passes; one that
-/// decided alike has its numbers compared.
+/// decided alike has its numbers compared. NaN and infinity are never right there.
 pub fn unit(actual: &Answer, right: &CheckAnswer, function: &str) -> Judgement {
     match actual {
         Answer::Todo(_) => {
             return Judgement::not_run(Finding::new(FindingKind::Todo, format!("`{function}` is still to be written")));
         }
         Answer::Panic(message) => {
-            let message = format!("`{function}` panicked: {}", crate::plain::shown(message));
+            let message = format!("`{function}` panicked: {}", crate::plain::shown(&start(message)));
             return Judgement::fail(Finding::new(FindingKind::Crash, message));
         }
         _ => {}
     }
     let (expected, given) = (parts(&right.answer), parts(actual));
     if expected.decision != given.decision {
-        if right.either && is_other_side(&right.answer, actual) {
+        let is_finite = given.values.iter().flat_map(|value| &value.numbers).all(|x| x.is_finite());
+        if right.either && is_finite && is_other_side(&right.answer, actual) {
             return Judgement::PASS;
         }
         let message = format!("it answers {}, expected {}", given.decision, expected.decision);
@@ -36,6 +40,12 @@ pub fn unit(actual: &Answer, right: &CheckAnswer, function: &str) -> Judgement {
         None => Judgement::PASS,
         Some((e, g)) => wrong(e.mismatch(g, right.allowed), actual, right),
     }
+}
+
+/// As much of a panic's message as a report has room for.
+fn start(message: &str) -> String {
+    let start: String = message.chars().take(MAX_MESSAGE).collect();
+    if start.len() < message.len() { start + " […]" } else { start }
 }
 
 /// Whether two different decisions answer the same question: hit and miss, say, but not hit and colour.
@@ -226,6 +236,8 @@ mod tests {
         check(&hit(3.0, DVec3::Z), &grazing, Verdict::Pass, None);
         check(&Answer::Miss(true), &grazing, Verdict::Pass, None);
         assert_eq!(unit(&Answer::Value(0.0), &grazing, "f").verdict, Verdict::Fail);
+        assert_eq!(unit(&hit(f64::NAN, DVec3::Z), &grazing, "f").verdict, Verdict::Fail);
+        assert_eq!(unit(&hit(3.0, DVec3::NAN), &grazing, "f").verdict, Verdict::Fail);
         let tie = right(Answer::Found { t: 1.0, object: 0 }, true);
         check(&Answer::Found { t: 1.0, object: 1 }, &tie, Verdict::Pass, None);
         assert_eq!(unit(&Answer::Found { t: 2.0, object: 0 }, &tie, "f").verdict, Verdict::Fail);

@@ -4,11 +4,13 @@
 //! environment built from nothing, a work folder of its own, bounded streams. Whoever may write files can still read those
 //! of the user who grades: keep answers elsewhere, or grade as another user.
 
+mod folder;
 mod outcome;
 mod pump;
 mod sys;
 mod watch;
 
+pub use folder::Folder;
 pub use outcome::{Clock, Finished, Outcome, Stream};
 pub use sys::{catch_interrupts, interrupted};
 

@@ -25,8 +25,10 @@ pub enum Outcome {
     TooMuchOutput(Stream),
     /// It was killed for starting too many processes.
     TooManyProcesses,
-    /// It never ran; says why.
+    /// It never ran, for want of something of the machine's; says why.
     CouldNotStart(String),
+    /// It never ran, since what is there is no program; says why.
+    NoProgram(String),
     /// The user stopped the grader.
     Interrupted,
 }
@@ -61,6 +63,9 @@ impl fmt::Display for Stream {
     }
 }
 
+/// Bytes of standard error that are shown at most.
+const SHOWN: usize = 4096;
+
 /// All that is known of a run.
 #[derive(Clone, Debug)]
 pub struct Finished {
@@ -83,7 +88,7 @@ pub struct Finished {
 impl Finished {
     pub(super) fn not_started(why: &io::Error) -> Self {
         Self {
-            outcome: Outcome::CouldNotStart(why.to_string()),
+            outcome: blame(why),
             stdout: vec![],
             stderr: vec![],
             wall: Duration::ZERO,
@@ -93,13 +98,32 @@ impl Finished {
         }
     }
 
+    /// The same without what is not shown of its streams: some are kept for each question of a stage.
+    pub fn without_streams(mut self) -> Self {
+        self.stdout = vec![];
+        let kept = self.stderr.len().min(SHOWN + 1); // one more, so that the cut is still seen
+        self.stderr = self.stderr.split_off(self.stderr.len() - kept);
+        self.stderr.shrink_to_fit();
+        self
+    }
+
     /// The end of standard error as text that is safe to show, at most some 4 KiB; `None` where nothing was written.
     pub fn stderr_text(&self) -> Option<String> {
-        let end = self.stderr.len().saturating_sub(4096);
+        let end = self.stderr.len().saturating_sub(SHOWN);
         let text = crate::plain::shown(String::from_utf8_lossy(&self.stderr[end..]).trim());
         let cut = if end > 0 { "[…] " } else { "" };
         (!text.is_empty()).then(|| format!("{cut}{text}"))
     }
+}
+
+/// Whether the machine kept a program from starting, or the program itself: it is missing, has not been made for this
+/// machine, names an interpreter that is not there, or its command holds what no command can.
+fn blame(why: &io::Error) -> Outcome {
+    use io::ErrorKind::{ArgumentListTooLong, InvalidInput, IsADirectory, NotADirectory, NotFound, PermissionDenied};
+    let kinds = [ArgumentListTooLong, InvalidInput, IsADirectory, NotADirectory, NotFound, PermissionDenied];
+    let codes = [libc::ENOEXEC, libc::ELOOP, libc::ENAMETOOLONG];
+    let is_no_program = kinds.contains(&why.kind()) || why.raw_os_error().is_some_and(|code| codes.contains(&code));
+    if is_no_program { Outcome::NoProgram(why.to_string()) } else { Outcome::CouldNotStart(why.to_string()) }
 }
 
 /// Puts together what the kernel, the streams and the watch have to say of `call`.

@@ -87,10 +87,14 @@ fn duration(time: libc::timeval) -> Duration {
     seconds + Duration::from_micros(u64::try_from(time.tv_usec).unwrap_or(0))
 }
 
-/// Kills every process of the group.
+/// Kills every process of the group, and its leader wherever that is: it may have moved to another group, ours for one.
 pub(super) fn kill_group(group: u32) {
-    // SAFETY: a signal to a group that we created and whose leader is not reaped yet.
-    unsafe { libc::kill(-group.cast_signed(), libc::SIGKILL) };
+    let leader = group.cast_signed();
+    // SAFETY: signals to a child that is not reaped yet, so that its number is still its own, and to the group that bears it.
+    unsafe {
+        libc::kill(leader, libc::SIGKILL);
+        libc::kill(-leader, libc::SIGKILL);
+    }
 }
 
 /// Bytes of a page of memory.

@@ -82,7 +82,7 @@ fn a_program_that_is_not_there_could_not_start() {
         stdin: vec![],
         limits: SMALL,
     };
-    assert!(matches!(run(&call).outcome, Outcome::CouldNotStart(_)));
+    assert!(matches!(run(&call).outcome, Outcome::NoProgram(_)));
 }
 
 #[test]

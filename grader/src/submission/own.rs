@@ -51,7 +51,7 @@ struct Step {
 /// Reads the manifest and lists the files.
 pub(super) fn read(folder: &Path) -> Result<Submission, SubmissionError> {
     let text = listing::read_text(&folder.join(MANIFEST), 1 << 16).map_err(|why| refuse(MANIFEST, &why))?;
-    let manifest: Manifest = toml::from_str(&text).map_err(|why| refuse(MANIFEST, &why.to_string()))?;
+    let manifest: Manifest = toml::from_str(&text).map_err(|why| refuse(MANIFEST, &narrow(&why.to_string())))?;
     let words = |step: Step, name: &str| match step.command.is_empty() {
         true => Err(refuse(MANIFEST, &format!("the command of [{name}] is empty"))),
         false => Ok(step.command),
@@ -64,6 +64,12 @@ pub(super) fn read(folder: &Path) -> Result<Submission, SubmissionError> {
     let digest = digest(folder, &listing.files)?;
     let kind = Kind::Own(Own { folder: folder.to_owned(), files: listing.files, build, run });
     Ok(Submission { kind, digest, ignored: listing.ignored, _unpacked: None })
+}
+
+/// A message that quotes the manifest, its lines cut.
+fn narrow(message: &str) -> String {
+    let lines: Vec<String> = message.lines().map(|line| line.chars().take(120).collect()).collect();
+    lines.join("\n")
 }
 
 fn digest(folder: &Path, files: &[PathBuf]) -> Result<String, SubmissionError> {

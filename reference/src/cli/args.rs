@@ -1,6 +1,5 @@
 //! What can be typed.
 
-use std::num::NonZeroU32;
 use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
@@ -98,11 +97,11 @@ pub(super) struct RenderArgs {
     #[arg(long, value_name = "EFFECTS", default_value = "auto")]
     pub effects: String,
     /// N x N rays a pixel, on a regular grid
-    #[arg(long, value_name = "N", default_value = "1")]
-    pub samples: NonZeroU32,
+    #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=256))]
+    pub samples: u32,
     /// Threads; the picture is the same with any number [default: one a core]
-    #[arg(long, value_name = "N")]
-    pub threads: Option<NonZeroU32>,
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
     /// Says how many rays of each kind were cast, and the time of each step; on the error stream where the picture goes to the output
     #[arg(long, value_name = "FORM", num_args = 0..=1, default_missing_value = "text")]
     pub stats: Option<Form>,

@@ -43,9 +43,9 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     adjust(&mut scene, args, allowed);
     scene.effects = asked_for(&scene, &args.effects)?;
     let load_s = clock.lap();
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads.map_or(0, |n| n.get() as usize)).build();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads.map_or(0, usize::from)).build();
     let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
-    let samples = args.samples.get();
+    let samples = args.samples;
     let (image, stats, prepare_s) = pool.install(|| match args.precision {
         Precision::F32 => picture::<f32>(&scene, samples, talk),
         Precision::F64 => picture::<f64>(&scene, samples, talk),
