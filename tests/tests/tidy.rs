@@ -199,11 +199,7 @@ fn every_rule_is_cited_in_the_reference_and_in_the_solution() {
 const MOST_LINES: usize = 400;
 
 /// Longer files, each with its reason.
-const LONGER: &[(&str, &str)] = &[
-    ("cases/src/probe.rs", "one table: every question with its arguments, every answer"),
-    ("cases/src/scene/raw/read.rs", "one reader, a few lines for every kind of value"),
-    ("reference/src/rules.rs", "one table: every decision of the shading model with its alternatives"),
-];
+const LONGER: &[(&str, &str)] = &[("cases/src/scene/raw/read.rs", "one reader, a few lines for every kind of value")];
 
 #[test]
 fn source_files_open_with_what_they_are_and_stay_small() {

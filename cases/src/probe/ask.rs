@@ -1,32 +1,11 @@
-//! The wire protocol of the unit checks: a question a line, an answer a line, JSON. `docs/protocol.md` explains each.
+//! The questions, one for every function that is checked.
 
 use glam::{DAffine3, DVec3};
 use serde::{Deserialize, Serialize};
 
-use crate::ray::{Ray, SurfaceHit};
+use super::number;
+use crate::ray::Ray;
 use crate::scene::{Camera, Light, Material, Scene, json::affine};
-
-/// One line to a submission.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
-pub struct Question {
-    /// Comes back with the answer.
-    pub id: String,
-    /// Which function is asked, and its arguments.
-    #[serde(flatten)]
-    pub ask: Ask,
-}
-
-/// One line from a submission.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
-pub struct Reply {
-    /// The question's.
-    pub id: String,
-    /// What the function returned.
-    #[serde(flatten)]
-    pub answer: Answer,
-}
 
 /// A question to one function; the variant's name in snake case is the key `fn`.
 ///
@@ -319,113 +298,6 @@ pub enum Ask {
     },
 }
 
-/// What a function returned; the variant's name in snake case is the key.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Answer {
-    /// A hit with a bare shape.
-    Hit {
-        /// Along the ray as given.
-        #[serde(with = "number")]
-        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
-        t: f64,
-        /// Outward unit normal.
-        #[serde(with = "numbers")]
-        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
-        normal: DVec3,
-    },
-    /// A hit in a scene.
-    Found {
-        /// Along the ray as given.
-        #[serde(with = "number")]
-        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
-        t: f64,
-        /// Index of the object.
-        object: usize,
-    },
-    /// Nothing: no hit, or no transmitted ray. Always `true`.
-    Miss(bool),
-    /// A ray; the interval does not matter.
-    Ray {
-        /// Where it starts.
-        #[serde(with = "numbers")]
-        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
-        origin: DVec3,
-        /// Where it goes.
-        #[serde(with = "numbers")]
-        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
-        direction: DVec3,
-    },
-    /// A number.
-    Value(
-        #[serde(with = "number")]
-        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
-        f64,
-    ),
-    /// A direction, a normal, or three weights.
-    Vector(
-        #[serde(with = "numbers")]
-        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
-        DVec3,
-    ),
-    /// Linear RGB.
-    Colour(
-        #[serde(with = "numbers")]
-        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
-        DVec3,
-    ),
-    /// The normal turned against a ray.
-    Facing {
-        /// That normal.
-        #[serde(with = "numbers")]
-        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
-        normal: DVec3,
-        /// Whether the ray is inside the object.
-        inside: bool,
-    },
-    /// The way to a light.
-    ToLight {
-        /// L_j.
-        #[serde(with = "numbers")]
-        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
-        direction: DVec3,
-        /// t_light; "inf" for a directional light.
-        #[serde(with = "number")]
-        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
-        t: f64,
-    },
-    /// Indices on both sides.
-    Indices {
-        /// On the side of the ray.
-        #[serde(with = "number")]
-        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
-        eta_i: f64,
-        /// On the other side.
-        #[serde(with = "number")]
-        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
-        eta_t: f64,
-    },
-    /// Whether the ray spawns more.
-    GoesOn(bool),
-    /// The function is still to be written. Always `true`.
-    Todo(bool),
-    /// The function panicked, with this message.
-    Panic(String),
-}
-
-impl Answer {
-    /// `hit`, or `miss` for `None`.
-    pub fn from_hit(hit: Option<SurfaceHit>) -> Self {
-        hit.map_or(Self::Miss(true), |hit| Self::Hit { t: hit.t, normal: hit.normal })
-    }
-
-    /// `vector`, or `miss` for `None`.
-    pub fn from_direction(direction: Option<DVec3>) -> Self {
-        direction.map_or(Self::Miss(true), Self::Vector)
-    }
-}
-
 impl Ask {
     /// The name of the function, as in the key `fn`.
     pub fn function(&self) -> &'static str {
@@ -457,92 +329,5 @@ impl Ask {
             Self::SmoothReflect { .. } => "smooth_reflect",
             Self::SmoothRefract { .. } => "smooth_refract",
         }
-    }
-}
-
-/// A number in JSON, where infinities and NaN are the strings "inf", "-inf", "nan".
-pub mod number {
-    use serde::{Deserialize, Deserializer, Serializer, de::Error};
-
-    #[derive(Deserialize)]
-    #[serde(untagged)]
-    pub(super) enum Wire {
-        Finite(f64),
-        Word(String),
-    }
-
-    impl Wire {
-        pub(super) fn number<E: Error>(self) -> Result<f64, E> {
-            match self {
-                Self::Finite(number) => Ok(number),
-                Self::Word(word) => match word.as_str() {
-                    "inf" => Ok(f64::INFINITY),
-                    "-inf" => Ok(f64::NEG_INFINITY),
-                    "nan" => Ok(f64::NAN),
-                    _ => Err(E::custom("a number must be a JSON number or one of \"inf\", \"-inf\", \"nan\"")),
-                },
-            }
-        }
-    }
-
-    pub(super) fn word(number: f64) -> Option<&'static str> {
-        match number {
-            n if n.is_nan() => Some("nan"),
-            f64::INFINITY => Some("inf"),
-            f64::NEG_INFINITY => Some("-inf"),
-            _ => None,
-        }
-    }
-
-    /// Writes the number, or the word for it.
-    ///
-    /// # Errors
-    /// Those of the serializer.
-    pub fn serialize<S: Serializer>(number: &f64, out: S) -> Result<S::Ok, S::Error> {
-        match word(*number) {
-            Some(word) => out.serialize_str(word),
-            None => out.serialize_f64(*number),
-        }
-    }
-
-    /// Reads a number or one of the three words.
-    ///
-    /// # Errors
-    /// Anything else.
-    pub fn deserialize<'de, D: Deserializer<'de>>(input: D) -> Result<f64, D::Error> {
-        Wire::deserialize(input)?.number()
-    }
-}
-
-/// Three numbers in JSON, each as in [`number`].
-pub mod numbers {
-    use glam::DVec3;
-    use serde::{Deserialize, Deserializer, Serialize, Serializer};
-
-    use super::number;
-
-    struct Out(f64);
-
-    impl Serialize for Out {
-        fn serialize<S: Serializer>(&self, out: S) -> Result<S::Ok, S::Error> {
-            number::serialize(&self.0, out)
-        }
-    }
-
-    /// Writes a list of three.
-    ///
-    /// # Errors
-    /// Those of the serializer.
-    pub fn serialize<S: Serializer>(v: &DVec3, out: S) -> Result<S::Ok, S::Error> {
-        v.to_array().map(Out).serialize(out)
-    }
-
-    /// Reads a list of three.
-    ///
-    /// # Errors
-    /// Anything else.
-    pub fn deserialize<'de, D: Deserializer<'de>>(input: D) -> Result<DVec3, D::Error> {
-        let [x, y, z] = <[number::Wire; 3]>::deserialize(input)?;
-        Ok(DVec3::new(x.number()?, y.number()?, z.number()?))
     }
 }

@@ -1,0 +1,52 @@
+//! A number in JSON, where infinities and NaN are the strings "inf", "-inf", "nan".
+
+use serde::{Deserialize, Deserializer, Serializer, de::Error};
+
+#[derive(Deserialize)]
+#[serde(untagged)]
+pub(super) enum Wire {
+    Finite(f64),
+    Word(String),
+}
+
+impl Wire {
+    pub(super) fn number<E: Error>(self) -> Result<f64, E> {
+        match self {
+            Self::Finite(number) => Ok(number),
+            Self::Word(word) => match word.as_str() {
+                "inf" => Ok(f64::INFINITY),
+                "-inf" => Ok(f64::NEG_INFINITY),
+                "nan" => Ok(f64::NAN),
+                _ => Err(E::custom("a number must be a JSON number or one of \"inf\", \"-inf\", \"nan\"")),
+            },
+        }
+    }
+}
+
+pub(super) fn word(number: f64) -> Option<&'static str> {
+    match number {
+        n if n.is_nan() => Some("nan"),
+        f64::INFINITY => Some("inf"),
+        f64::NEG_INFINITY => Some("-inf"),
+        _ => None,
+    }
+}
+
+/// Writes the number, or the word for it.
+///
+/// # Errors
+/// Those of the serializer.
+pub(crate) fn serialize<S: Serializer>(number: &f64, out: S) -> Result<S::Ok, S::Error> {
+    match word(*number) {
+        Some(word) => out.serialize_str(word),
+        None => out.serialize_f64(*number),
+    }
+}
+
+/// Reads a number or one of the three words.
+///
+/// # Errors
+/// Anything else.
+pub(crate) fn deserialize<'de, D: Deserializer<'de>>(input: D) -> Result<f64, D::Error> {
+    Wire::deserialize(input)?.number()
+}
