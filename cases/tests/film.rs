@@ -69,6 +69,8 @@ fn what_is_no_picture_of_that_size_is_refused() {
         (pfm("PF\n5 3\n-1.0\n", 44), "promises 180 bytes of light, 176 follow"),
         (pfm("PF\n-5 3\n-1.0\n", 45), "where a number belongs"),
         (pfm("PF\n5 3\nnear\n", 45), "where a number belongs"),
+        (pfm("PF\n5 3\n0\n", 45), "does not say the order of bytes"),
+        (pfm("PF\n5 3\nNaN\n", 45), "does not say the order of bytes"),
         (pfm("PF\n5", 0), "the header ends early"),
         (pfm(&format!("PF\n{} 3\n-1.0\n", "5".repeat(40)), 45), "overlong"),
     ] {

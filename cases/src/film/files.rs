@@ -191,6 +191,11 @@ fn decode_pfm(bytes: &[u8], wanted: (u32, u32)) -> Result<Image, PictureError> {
     if found != wanted {
         return Err(PictureError::Size { found, wanted });
     }
+    if !scale.is_normal() {
+        return Err(PictureError::Broken(format!(
+            "the scale {scale} does not say the order of bytes: write -1.0 or 1.0"
+        )));
+    }
     let row_bytes = wanted.0 as usize * n_channels * 4;
     let mut rows = Vec::new();
     let most = row_bytes as u64 * u64::from(wanted.1);
