@@ -156,7 +156,8 @@ pub(crate) struct Reports {
 Examples:
   grader grade                                   the folder you are in
   grader grade handin.zip --html report.html --open
-  grader grade --stage 02 --case 01_ray_casting/sphere
+  grader grade --stage 02                          one stage
+  grader grade --case 01_ray_casting/sphere        the checks of one function
   grader grade tests/solution --json record.json --junit junit.xml
 
 Exit codes: 0 all right, 1 something is not, 2 no such submission, 3 the machine or the grader failed, 130 interrupted")]

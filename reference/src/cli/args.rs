@@ -22,12 +22,12 @@ pub(super) struct Args {
 }
 
 const AFTER: &str = "\
-A SCENE is a scene or case in TOML, a resolved scene in JSON, or the id of a case such as `02_shadows/two_balls`, which is
+A SCENE is a scene or case in TOML, a resolved scene in JSON, or the id of a case such as `02_shadows/two_lamps`, which is
 sought in ./cases/stages.
 
 Examples:
-  reference render 02_shadows/two_balls -o two_balls.png
-  reference explain 04_refraction/glass_ball 80 60
+  reference render 02_shadows/two_lamps -o two_lamps.png
+  reference explain 04_refraction/crystal_ball 80 60
   reference expect --check
 
 Exit codes:
@@ -68,7 +68,7 @@ pub(super) enum Command {
 #[derive(Debug, Parser)]
 #[command(after_help = "\
 Examples:
-  reference render 02_shadows/two_balls -o two_balls.png
+  reference render 02_shadows/two_lamps -o two_lamps.png
   reference render scene.json out.pfm                      as a submission is called
   reference render scene.toml -o big.exr --size 1280x960 --samples 4 --stats
   reference render scene.toml -o - --effects shadows,reflection > out.png")]
@@ -109,7 +109,7 @@ pub(super) struct RenderArgs {
 
 /// Says which effects a scene calls for, and why
 #[derive(Debug, Parser)]
-#[command(after_help = "Example:\n  reference effects 04_refraction/glass_ball")]
+#[command(after_help = "Example:\n  reference effects 04_refraction/crystal_ball")]
 pub(super) struct EffectsArgs {
     /// Scene, case, or id of a case
     pub scene: String,
@@ -120,7 +120,7 @@ pub(super) struct EffectsArgs {
 
 /// Prints the tree of rays behind a pixel
 #[derive(Debug, Parser)]
-#[command(after_help = "Example:\n  reference explain 04_refraction/glass_ball 80 60")]
+#[command(after_help = "Example:\n  reference explain 04_refraction/crystal_ball 80 60")]
 pub(super) struct ExplainArgs {
     /// Scene, case, or id of a case
     pub scene: String,
@@ -139,7 +139,7 @@ pub(super) struct ExplainArgs {
 Examples:
   reference expect                            every stage of ./cases/stages
   reference expect 02_shadows                 one stage
-  reference expect 02_shadows/two_balls       one case
+  reference expect 02_shadows/two_lamps       one case
   reference expect --check                    writes nothing, fails where anything differs")]
 pub(super) struct ExpectArgs {
     /// Ids of cases or stages, case files, stage folders, or folders of stages
