@@ -18,7 +18,8 @@ const MAX_MESSAGE: usize = 1000;
 pub fn unit(actual: &Answer, right: &CheckAnswer, function: &str) -> Judgement {
     match actual {
         Answer::Todo(_) => {
-            return Judgement::not_run(Finding::new(FindingKind::Todo, format!("`{function}` is still to be written")));
+            let message = format!("still to be written: what answers `{function}`, or a function it calls");
+            return Judgement::not_run(Finding::new(FindingKind::Todo, message));
         }
         Answer::Panic(message) => {
             let message = format!("`{function}` panicked: {}", crate::plain::shown(&start(message)));
@@ -214,7 +215,10 @@ mod tests {
             (hit(f64::INFINITY, DVec3::Z), fail("the t differs by inf; 1e-6 is allowed")),
             (Answer::Miss(true), fail("it answers miss, expected hit")),
             (Answer::Value(1.5), fail("it answers value, expected hit")),
-            (Answer::Todo(true), (Verdict::NotRun, Some("`f` is still to be written"))),
+            (
+                Answer::Todo(true),
+                (Verdict::NotRun, Some("still to be written: what answers `f`, or a function it calls")),
+            ),
             (Answer::Panic("at\u{1b}x".to_owned()), fail("`f` panicked: at\\u{1b}x")),
         ];
         for (actual, (verdict, message)) in table {
