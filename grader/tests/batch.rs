@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-use cases::answer::{ImageAnswer, Tolerance, image_answer_path};
+use cases::answer::{ImageAnswer, image_answer_path};
 use cases::film::Image;
 use cases::glam::DVec3;
 
@@ -36,8 +36,8 @@ impl Class {
         fs::write(stage.join("stage.toml"), STAGE).unwrap();
         fs::write(stage.join("dark.toml"), CASE).unwrap();
         let expected = Image::from_fn(4, 3, |_, _| DVec3::ZERO);
-        let answer = ImageAnswer { expected, tolerance: Tolerance { levels: 2.0, out_pixels: 0 } };
-        fs::write(image_answer_path(&class.at("stages"), "01_ray_casting/dark"), answer.encode().unwrap()).unwrap();
+        let answer = ImageAnswer::exact(expected, 2.0, 0);
+        fs::write(image_answer_path(&class.at("stages"), "01_ray_casting/dark"), answer.encode(&[]).unwrap()).unwrap();
         submissions.iter().for_each(|(name, script)| class.hand_in(name, script));
         class
     }

@@ -172,7 +172,7 @@ fn writes_answers_once_and_checks_them() {
     expect(&run(folder.path(), &["expect", "01_one", "--check"], ""), 0, "3 files as stored");
     let stored = std::fs::read(stages.join("card.answer.exr")).unwrap();
     let answer = cases::answer::ImageAnswer::decode(&stored, 8, 6).unwrap();
-    assert_eq!(answer.tolerance, cases::answer::Tolerance { levels: 2.0, out_pixels: 0 }); // 0.5 % of 48
+    assert_eq!(answer.limits.count, 0); // 0.5 % of 48
     std::fs::write(stages.join("card.expected.png"), "x").unwrap();
     expect(&run(folder.path(), &["expect", "stages", "--check"], ""), 1, "card.expected.png differs");
     expect(&run(folder.path(), &["expect", "nowhere"], ""), 2, "no case, no stage and no folder of stages");

@@ -1,93 +1,150 @@
-//! OpenEXR files of several layers: float pictures that image viewers open, and a line of notes.
+//! OpenEXR files of several parts, each of named planes: float pictures that image viewers open, and a line of notes.
 //!
-//! The bytes depend on the content alone: one thread writes, and all notes are one attribute, since attributes are kept in a
-//! hash map, whose order changes from run to run.
+//! A plane is called as viewers expect it: `R`, `G`, `B` for the main picture, `lo.R` for the red of the layer `lo`. The bytes
+//! depend on the content alone: one thread writes, and all notes are one attribute, since attributes are kept in a hash map,
+//! whose order changes from run to run.
 
 use std::io::Cursor;
 
 use ::exr::prelude::{
     AnyChannel, AnyChannels, AttributeValue, Compression, Encoding, FlatSamples, Image as Exr, ImageAttributes,
-    IntegerBounds, Layer as ExrLayer, LayerAttributes, MetaData, ReadChannels, ReadLayers, Text, WritableImage, read,
+    IntegerBounds, Layer as ExrPart, LayerAttributes, MetaData, ReadChannels, ReadLayers, Text, WritableImage, f16,
+    read,
 };
 use glam::DVec3;
 
 use super::{Image, PictureError};
 
-/// More layers than this are refused before anything is decoded.
-const MOST_LAYERS: usize = 64;
-/// The attribute of the first layer that carries the notes.
+/// Files with more parts or planes than this are refused before anything is decoded.
+const MOST: usize = 1024;
+/// The attribute of the first part that carries the notes.
 const NOTES: &str = "notes";
 
-/// A named picture in a file.
+/// A named set of planes, compressed together: planes that resemble each other cost little.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Layer {
-    /// Such as `expected`; no two layers of a file share a name.
+pub struct Part {
+    /// Unlike that of any other part of the file.
     pub name: String,
-    /// Its pixels, stored as f32.
-    pub image: Image,
+    /// In any order; they come back ordered by name.
+    pub planes: Vec<Plane>,
 }
 
-/// The bytes of a file with these layers, all of one size, and `notes`, which may be any text.
+/// One number a pixel, row by row from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plane {
+    /// Such as `R` or `lo.R`.
+    pub name: String,
+    /// What there is.
+    pub samples: Vec<f32>,
+    /// How finely it is stored.
+    pub depth: Depth,
+}
+
+/// How finely a number is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Depth {
+    /// 16 bits, 11 of them significant: an eighth of an 8-bit level at full light.
+    Half,
+    /// 32 bits.
+    Float,
+}
+
+/// The red, green and blue planes of `image` as the layer `name`, or as the main picture where `name` is empty.
+pub fn rgb(name: &str, image: &Image, depth: Depth) -> [Plane; 3] {
+    let plane = |channel: &str, pick: fn(&DVec3) -> f64| Plane {
+        name: plane_name(name, channel),
+        samples: image.pixels().iter().map(|pixel| pick(pixel) as f32).collect(),
+        depth,
+    };
+    [plane("R", |p| p.x), plane("G", |p| p.y), plane("B", |p| p.z)]
+}
+
+/// The name of a plane of a layer; of the main picture where `layer` is empty.
+pub fn plane_name(layer: &str, channel: &str) -> String {
+    if layer.is_empty() { channel.to_owned() } else { format!("{layer}.{channel}") }
+}
+
+impl Part {
+    /// The samples of a plane.
+    ///
+    /// # Errors
+    /// There is no plane of this name.
+    pub fn plane(&self, name: &str) -> Result<&[f32], PictureError> {
+        let found = self.planes.iter().find(|plane| plane.name == name);
+        let none = || PictureError::Broken(format!("part \"{}\" has no plane {name}", self.name));
+        Ok(&found.ok_or_else(none)?.samples)
+    }
+}
+
+/// The bytes of a file of `size` (width, height) with these parts, and `notes`, which may be any text.
 ///
 /// # Errors
-/// No layer, layers of different sizes, or what the encoder says.
-pub fn encode(layers: &[Layer], notes: &str) -> Result<Vec<u8>, PictureError> {
-    let first = layers.first().ok_or_else(|| PictureError::Broken("there is no layer".to_owned()))?;
-    let size = (first.image.width(), first.image.height());
-    if let Some(other) = layers.iter().find(|layer| (layer.image.width(), layer.image.height()) != size) {
-        return Err(PictureError::Size { found: (other.image.width(), other.image.height()), wanted: size });
+/// No part, a plane of another size, or what the encoder says.
+pub fn encode(size: (u32, u32), parts: &[Part], notes: &str) -> Result<Vec<u8>, PictureError> {
+    let wanted = size.0 as usize * size.1 as usize;
+    if parts.is_empty() {
+        return Err(PictureError::Broken("there is no picture to write".to_owned()));
+    }
+    if let Some(plane) = parts.iter().flat_map(|part| &part.planes).find(|plane| plane.samples.len() != wanted) {
+        let (name, n) = (&plane.name, plane.samples.len());
+        return Err(PictureError::Broken(format!("plane {name} has {n} pixels, {wanted} are wanted")));
     }
     let size = (size.0 as usize, size.1 as usize);
     let attributes = ImageAttributes::new(IntegerBounds::from_dimensions(size));
-    let mut file = Exr::from_layers(attributes, layers.iter().map(exr_layer).collect::<Vec<_>>());
+    let mut file = Exr::from_layers(attributes, parts.iter().map(|part| exr_part(part, size)).collect::<Vec<_>>());
     file.layer_data[0].attributes.other.insert(Text::from(NOTES), AttributeValue::Text(Text::from(notes)));
     let mut out = Vec::new();
     file.write().non_parallel().to_buffered(Cursor::new(&mut out)).map_err(broken)?;
     Ok(out)
 }
 
-fn exr_layer(layer: &Layer) -> ExrLayer<AnyChannels<FlatSamples>> {
-    let channel = |name: &str, pick: fn(&DVec3) -> f64| {
-        let samples = layer.image.pixels().iter().map(|pixel| pick(pixel) as f32).collect();
-        AnyChannel::new(name, FlatSamples::F32(samples))
+fn exr_part(part: &Part, size: (usize, usize)) -> ExrPart<AnyChannels<FlatSamples>> {
+    let channel = |plane: &Plane| {
+        let samples = match plane.depth {
+            Depth::Half => FlatSamples::F16(plane.samples.iter().map(|sample| f16::from_f32(*sample)).collect()),
+            Depth::Float => FlatSamples::F32(plane.samples.clone()),
+        };
+        AnyChannel::new(plane.name.as_str(), samples)
     };
-    let channels = [channel("R", |p| p.x), channel("G", |p| p.y), channel("B", |p| p.z)];
-    ExrLayer::new(
-        (layer.image.width() as usize, layer.image.height() as usize),
-        LayerAttributes::named(layer.name.as_str()),
+    ExrPart::new(
+        size,
+        LayerAttributes::named(part.name.as_str()),
         Encoding { compression: Compression::ZIP16, ..Encoding::FAST_LOSSLESS },
-        AnyChannels::sort(channels.into_iter().collect()),
+        AnyChannels::sort(part.planes.iter().map(channel).collect()),
     )
 }
 
-/// The layers and the notes that `bytes` hold, each layer demanded to be `width` × `height` before any is decoded.
+/// The first part and the notes that `bytes` hold, every part demanded to be `width` × `height` before anything is decoded.
 ///
 /// # Errors
-/// [`PictureError`]: another size, too many layers, a layer without the channels R, G, B, or a broken file.
-pub fn decode(bytes: &[u8], width: u32, height: u32) -> Result<(Vec<Layer>, String), PictureError> {
+/// [`PictureError`]: another size, too many parts or planes, or a broken file.
+pub fn decode_first(bytes: &[u8], width: u32, height: u32) -> Result<(Part, String), PictureError> {
     demand(bytes, (width, height))?;
-    let file = read()
-        .no_deep_data()
-        .largest_resolution_level()
-        .all_channels()
-        .all_layers()
-        .all_attributes()
-        .non_parallel()
-        .from_buffered(Cursor::new(bytes))
-        .map_err(broken)?;
-    let notes = match file.layer_data.first().and_then(|layer| layer.attributes.other.get(&Text::from(NOTES))) {
-        Some(AttributeValue::Text(text)) => text.to_string(),
-        _ => String::new(),
-    };
-    let layers = file.layer_data.iter().map(|layer| our_layer(layer, (width, height))).collect::<Result<_, _>>()?;
-    Ok((layers, notes))
+    let reader = read().no_deep_data().largest_resolution_level().all_channels().first_valid_layer().all_attributes();
+    let file = reader.non_parallel().from_buffered(Cursor::new(bytes)).map_err(broken)?;
+    let notes = notes(&file.layer_data);
+    Ok((our_part(file.layer_data), notes))
+}
+
+/// All parts that `bytes` hold.
+///
+/// # Errors
+/// As [`decode_first`].
+pub fn decode(bytes: &[u8], width: u32, height: u32) -> Result<(Vec<Part>, String), PictureError> {
+    demand(bytes, (width, height))?;
+    let reader = read().no_deep_data().largest_resolution_level().all_channels().all_layers().all_attributes();
+    let file = reader.non_parallel().from_buffered(Cursor::new(bytes)).map_err(broken)?;
+    let notes = file.layer_data.first().map(notes).unwrap_or_default();
+    Ok((file.layer_data.into_iter().map(our_part).collect(), notes))
 }
 
 /// Reads the headers alone.
 fn demand(bytes: &[u8], wanted: (u32, u32)) -> Result<(), PictureError> {
     let headers = MetaData::read_from_buffered(Cursor::new(bytes), true).map_err(broken)?.headers;
-    if headers.len() > MOST_LAYERS {
-        return Err(PictureError::Broken(format!("it has {} layers, at most {MOST_LAYERS} are read", headers.len())));
+    let n_planes: usize = headers.iter().map(|header| header.channels.list.len()).sum();
+    if headers.len() > MOST || n_planes > MOST {
+        let n = headers.len();
+        return Err(PictureError::Broken(format!("it has {n} parts with {n_planes} planes, at most {MOST} are read")));
     }
     for header in &headers {
         let side = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
@@ -95,27 +152,25 @@ fn demand(bytes: &[u8], wanted: (u32, u32)) -> Result<(), PictureError> {
         if found != wanted {
             return Err(PictureError::Size { found, wanted });
         }
-        if header.channels.list.len() != 3 {
-            let n_channels = header.channels.list.len();
-            return Err(PictureError::Broken(format!("a layer has {n_channels} channels instead of R, G, B")));
-        }
     }
     Ok(())
 }
 
-fn our_layer(layer: &ExrLayer<AnyChannels<FlatSamples>>, size: (u32, u32)) -> Result<Layer, PictureError> {
-    let name = layer.attributes.layer_name.as_ref().map(Text::to_string).unwrap_or_default();
-    let channel = |wanted: &str| {
-        let found = layer.channel_data.list.iter().find(|channel| channel.name.eq(wanted));
-        let found = found.ok_or_else(|| PictureError::Broken(format!("layer \"{name}\" has no channel {wanted}")))?;
-        Ok::<Vec<f32>, PictureError>(found.sample_data.values_as_f32().collect())
+fn notes(part: &ExrPart<AnyChannels<FlatSamples>>) -> String {
+    match part.attributes.other.get(&Text::from(NOTES)) {
+        Some(AttributeValue::Text(text)) => text.to_string(),
+        _ => String::new(),
+    }
+}
+
+fn our_part(part: ExrPart<AnyChannels<FlatSamples>>) -> Part {
+    let plane = |channel: AnyChannel<FlatSamples>| Plane {
+        name: channel.name.to_string(),
+        depth: if matches!(channel.sample_data, FlatSamples::F16(_)) { Depth::Half } else { Depth::Float },
+        samples: channel.sample_data.values_as_f32().collect(),
     };
-    let (red, green, blue) = (channel("R")?, channel("G")?, channel("B")?);
-    let pixel = |((r, g), b): ((&f32, &f32), &f32)| DVec3::new(f64::from(*r), f64::from(*g), f64::from(*b));
-    let pixels = red.iter().zip(&green).zip(&blue).map(pixel).collect();
-    let image = Image::from_pixels(size.0, size.1, pixels)
-        .ok_or_else(|| PictureError::Broken(format!("layer \"{name}\" lacks pixels")))?;
-    Ok(Layer { name, image })
+    let name = part.attributes.layer_name.as_ref().map(Text::to_string).unwrap_or_default();
+    Part { name, planes: part.channel_data.list.into_iter().map(plane).collect() }
 }
 
 fn broken(why: ::exr::error::Error) -> PictureError {
@@ -126,45 +181,50 @@ fn broken(why: ::exr::error::Error) -> PictureError {
 mod tests {
     use super::*;
 
-    fn ramp(width: u32, height: u32, scale: f32) -> Image {
-        Image::from_fn(width, height, |i, j| {
-            DVec3::new(f64::from(i as f32 * scale), f64::from(j as f32 * scale), -0.5) // as f32, so that nothing is lost
-        })
+    const SIZE: (u32, u32) = (7, 5);
+
+    /// Sixteenths, so that half precision loses nothing.
+    fn plane(name: &str, scale: f32, depth: Depth) -> Plane {
+        Plane { name: name.to_owned(), samples: (0..35).map(|n| n as f32 * scale).collect(), depth }
     }
 
-    fn two_layers() -> Vec<Layer> {
-        let layer = |name: &str, scale| Layer { name: name.to_owned(), image: ramp(7, 5, scale) };
-        vec![layer("expected", 0.1), layer("weight", 3.3)]
+    fn two_parts() -> Vec<Part> {
+        let first = vec![plane("R", 0.1, Depth::Float), plane("lo.R", -0.0625, Depth::Half)];
+        let second = vec![plane("no_shadows.R", 0.5, Depth::Half)];
+        [("answer", first), ("mistakes", second)].map(|(name, planes)| Part { name: name.to_owned(), planes }).into()
     }
 
     #[test]
-    fn layers_and_notes_come_back_bit_for_bit() {
-        let bytes = encode(&two_layers(), "{\"levels\":2.0}").unwrap();
-        assert_eq!(decode(&bytes, 7, 5).unwrap(), (two_layers(), "{\"levels\":2.0}".to_owned()));
+    fn parts_and_notes_come_back_bit_for_bit() {
+        let bytes = encode(SIZE, &two_parts(), "{\"slack\":1}").unwrap();
+        assert_eq!(decode(&bytes, 7, 5).unwrap(), (two_parts(), "{\"slack\":1}".to_owned()));
+        assert_eq!(decode_first(&bytes, 7, 5).unwrap(), (two_parts().remove(0), "{\"slack\":1}".to_owned()));
     }
 
     #[test]
     fn the_same_content_gives_the_same_bytes() {
-        assert_eq!(encode(&two_layers(), "x").unwrap(), encode(&two_layers(), "x").unwrap());
+        assert_eq!(encode(SIZE, &two_parts(), "x").unwrap(), encode(SIZE, &two_parts(), "x").unwrap());
     }
 
     #[test]
     fn another_size_is_refused() {
-        let bytes = encode(&two_layers(), "").unwrap();
-        let error = decode(&bytes, 8, 5).unwrap_err();
-        assert!(matches!(error, PictureError::Size { found: (7, 5), wanted: (8, 5) }), "{error}");
+        let bytes = encode(SIZE, &two_parts(), "").unwrap();
+        for error in [decode(&bytes, 8, 5).unwrap_err(), decode_first(&bytes, 8, 5).unwrap_err()] {
+            assert!(matches!(error, PictureError::Size { found: (7, 5), wanted: (8, 5) }), "{error}");
+        }
+        assert!(encode((8, 5), &two_parts(), "").is_err());
+        assert!(encode(SIZE, &[], "").is_err());
     }
 
     #[test]
-    fn layers_of_different_sizes_are_refused() {
-        let layer = |width| Layer { name: format!("{width}"), image: ramp(width, 5, 0.1) };
-        assert!(encode(&[layer(3), layer(4)], "").is_err());
-        assert!(encode(&[], "").is_err());
+    fn a_plane_that_is_not_there_is_named() {
+        let error = two_parts()[1].plane("no_shadows.G").unwrap_err();
+        assert!(error.to_string().contains("part \"mistakes\" has no plane no_shadows.G"), "{error}");
     }
 
     #[test]
     fn every_cut_and_every_broken_byte_is_an_error_or_a_picture_but_no_panic() {
-        let bytes = encode(&two_layers(), "notes").unwrap();
+        let bytes = encode(SIZE, &two_parts(), "notes").unwrap();
         for end in 0..bytes.len() {
             assert!(decode(&bytes[..end], 7, 5).is_err(), "cut at {end}");
         }
@@ -172,6 +232,7 @@ mod tests {
             let mut broken = bytes.clone();
             broken[at] ^= 0x55;
             let _ = decode(&broken, 7, 5);
+            let _ = decode_first(&broken, 7, 5);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cases::answer::{ImageAnswer, Tolerance};
+use cases::answer::{ImageAnswer, Limits};
 use cases::film::{Image, PictureError, read_exact};
 use grader::grade::GradeError;
 use grader::judge;
@@ -20,19 +20,19 @@ pub(crate) fn run(arguments: &Compare) -> Outcome {
         (Some(path), None) => {
             let expected = read(path)?;
             same_size(&arguments.a, &a, path, &expected)?;
-            ImageAnswer { expected, tolerance: Tolerance { levels: 0.0, out_pixels: 0 } }
+            ImageAnswer::exact(expected, 0.0, 0)
         }
         (None, None) => return Err(GradeError::Input("say what to compare with".to_owned())),
     };
-    let levels = arguments.tolerance.unwrap_or(answer.tolerance.levels);
-    let answer = ImageAnswer { tolerance: Tolerance { levels, ..answer.tolerance }, ..answer };
-    let n_out = judge::compare(&a, &answer.expected, levels).n_out;
+    let slack = arguments.tolerance.unwrap_or(answer.limits.slack);
+    let answer = ImageAnswer { limits: Limits { slack, ..answer.limits }, ..answer };
+    let n_out = judge::compare(&a, &answer).n_out;
     let judgement = judge::picture(&a, &answer);
-    let allowed = answer.tolerance.out_pixels;
+    let allowed = answer.limits.count;
     match &judgement.finding {
         Some(finding) => anstream::println!("{}", finding.message),
         None => {
-            anstream::println!("they agree: {n_out} pixels differ by more than {levels} levels, {allowed} may");
+            anstream::println!("they agree: {n_out} pixels differ by more than {slack} levels, {allowed} may");
         }
     }
     Ok(Done::of(judgement.finding.is_none()))

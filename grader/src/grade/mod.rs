@@ -7,7 +7,7 @@ mod write_up;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use cases::answer::Tolerance;
+use cases::answer::ImageAnswer;
 use cases::film::Image;
 
 use crate::build::{BuildError, Built, Workshop, build};
@@ -94,12 +94,10 @@ pub struct Graded {
 /// Both pictures of an image case.
 #[derive(Clone, Debug)]
 pub struct Pictures {
-    /// The right one.
-    pub expected: Image,
+    /// The right one, and how far from it a right one may be.
+    pub answer: ImageAnswer,
     /// The program's; `None` where it wrote none that can be read. NaN and infinity may stand in it.
     pub actual: Option<Image>,
-    /// How far they may be apart.
-    pub tolerance: Tolerance,
 }
 
 /// Hears how far the work has come. Called from several threads.

@@ -38,8 +38,8 @@ fn stage(part: &Part, answers: &mut Answers, pictures: &mut BTreeMap<String, Pic
     for case in &part.cases {
         let mut done = take(answers, &case.id);
         if let Some(Ok(answer)) = part.questions.images.get(&case.id) {
-            let (expected, actual) = (answer.expected.clone(), done.picture.take());
-            pictures.insert(case.id.clone(), Pictures { expected, actual, tolerance: answer.tolerance });
+            let (answer, actual) = (answer.clone(), done.picture.take());
+            pictures.insert(case.id.clone(), Pictures { answer, actual });
         }
         checks.push(check(&case.id, CheckKind::Image, (&case.about, &case.rules), case.points, done));
     }

@@ -183,11 +183,13 @@ fn beside(expected: f64, given: f64, allowed: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeMap;
+
     use super::*;
     use crate::record::Verdict;
 
     fn right(answer: Answer, either: bool) -> CheckAnswer {
-        CheckAnswer { id: "x".to_owned(), answer, allowed: 1e-6, either }
+        CheckAnswer { id: "x".to_owned(), answer, allowed: 1e-6, either, wrong: BTreeMap::new() }
     }
 
     /// Judges and returns the verdict with the message.

@@ -1,6 +1,6 @@
 //! A submission for the tests of the reports: something of each kind, with hostile text wherever a student can put it.
 
-use cases::answer::Tolerance;
+use cases::answer::ImageAnswer;
 use cases::film::Image;
 use cases::glam::DVec3;
 
@@ -34,7 +34,7 @@ pub(crate) fn pictures(has_actual: bool, extra: impl Fn(u32) -> DVec3) -> Pictur
     };
     let expected = Image::from_fn(160, 120, colour);
     let actual = has_actual.then(|| Image::from_fn(160, 120, |i, j| colour(i, j) + extra(i)));
-    Pictures { expected, actual, tolerance: Tolerance { levels: 2.0, out_pixels: 96 } }
+    Pictures { answer: ImageAnswer::exact(expected, 2.0, 96), actual }
 }
 
 pub(crate) fn record(name: &str) -> Record {

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use cases::film::exr::Layer;
+use cases::film::exr::{Depth, Part, rgb};
 use cases::film::{self, Image, PictureError};
 use cases::{Effect, Effects, Scene, effects};
 use serde::Serialize;
@@ -190,7 +190,10 @@ impl Kind {
         let bytes = match self {
             Self::Stream(kind) => return print(&film::encode(kind, image).map_err(machine)?),
             Self::File(kind) => film::encode(kind, image),
-            Self::Exr => film::exr::encode(&[Layer { name: "colour".to_owned(), image: image.clone() }], ""),
+            Self::Exr => {
+                let part = Part { name: "colour".to_owned(), planes: rgb("", image, Depth::Float).into() };
+                film::exr::encode((image.width(), image.height()), &[part], "")
+            }
         };
         film::replace(out, &bytes.map_err(machine)?).map_err(|why| machine(why.into()))
     }

@@ -3,10 +3,12 @@
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use cases::film::{self, Image};
+use cases::glam::DVec3;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
 
 use crate::grade::Pictures;
+use crate::judge;
 
 /// How much the difference that is stored is brightened; the viewer offers others.
 pub(super) const GAIN: u8 = 4;
@@ -30,15 +32,14 @@ pub(super) fn difference(expected: &Image, actual: &Image) -> String {
 
 /// Where the picture is out of tolerance: 0 within, 255 out, 128 out and not a finite number.
 pub(super) fn wrong(pictures: &Pictures, actual: &Image) -> String {
-    let levels = pictures.tolerance.levels;
-    let is_in = |a: f64, b: f64| (film::level(a) - film::level(b)).abs() <= levels;
-    let mark = |(a, b): ([f64; 3], [f64; 3])| match () {
-        () if !b.iter().all(|channel| channel.is_finite()) => NOT_A_NUMBER,
-        () if (0..3).all(|c| is_in(a[c], b[c])) => 0,
-        () => OUT,
+    let answer = &pictures.answer;
+    let mark = |(n, colour): (usize, &DVec3)| match () {
+        () if !colour.is_finite() => NOT_A_NUMBER,
+        () if judge::is_out(answer, n, *colour) => OUT,
+        () => 0,
     };
-    let bytes: Vec<u8> = pairs(&pictures.expected, actual).map(mark).collect();
-    data_uri(&bytes, &pictures.expected, ExtendedColorType::L8)
+    let bytes: Vec<u8> = actual.pixels().iter().enumerate().map(mark).collect();
+    data_uri(&bytes, actual, ExtendedColorType::L8)
 }
 
 fn pairs(expected: &Image, actual: &Image) -> impl Iterator<Item = ([f64; 3], [f64; 3])> {

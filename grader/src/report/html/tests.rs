@@ -103,7 +103,7 @@ fn pictures_are_png_of_the_levels_that_are_judged() {
     let shown = decoded(&picture::colours(&actual)).into_rgb8();
     let pixel = actual.pixel(80, 60).to_array().map(cases::film::byte);
     assert_eq!(shown.get_pixel(80, 60).0, pixel);
-    let difference = decoded(&picture::difference(&both.expected, &actual)).into_rgb8();
+    let difference = decoded(&picture::difference(&both.answer.expected, &actual)).into_rgb8();
     assert_eq!(difference.get_pixel(2, 110).0, [0, 0, 0]);
     assert!(difference.get_pixel(3, 110).0.iter().all(|level| (96..=108).contains(level)), "26 levels or so, times 4");
 }

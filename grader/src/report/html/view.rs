@@ -178,7 +178,7 @@ fn finding(finding: &Finding) -> FindingView {
 }
 
 fn both(pictures: &Pictures) -> PicturesView {
-    let expected = &pictures.expected;
+    let expected = &pictures.answer.expected;
     let same_size = |one: &&cases::film::Image| (one.width(), one.height()) == (expected.width(), expected.height());
     let actual = pictures.actual.as_ref().filter(same_size).map(|actual| Actual {
         picture: picture::colours(actual),
@@ -188,9 +188,9 @@ fn both(pictures: &Pictures) -> PicturesView {
     PicturesView {
         width: expected.width(),
         height: expected.height(),
-        levels: pictures.tolerance.levels.to_string(),
+        levels: pictures.answer.limits.slack.to_string(),
         gain: picture::GAIN,
-        out_pixels: pictures.tolerance.out_pixels,
+        out_pixels: pictures.answer.limits.count,
         expected: picture::colours(expected),
         actual,
     }

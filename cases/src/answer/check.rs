@@ -1,0 +1,60 @@
+//! Answers to unit checks.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::mistake::lines;
+use crate::probe::Answer;
+
+/// The answer to a unit check, one of the list stored as `checks.answers.json` in its stage.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CheckAnswer {
+    /// The check's.
+    pub id: String,
+    /// The right answer.
+    pub answer: Answer,
+    /// How far each number of the answer may be from it, absolutely: from the conditioning of the question.
+    pub allowed: f64,
+    /// Whether the decision (hit or miss, yes or no) flips within rounding of the inputs, so that either is right.
+    pub either: bool,
+    /// What a program says that makes a known mistake, by the mistake's id; only answers that are wrong.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub wrong: BTreeMap<String, Answer>,
+}
+
+/// The text to store for the unit checks of a stage: a JSON list, an answer a line.
+///
+/// # Errors
+/// What the encoder says.
+pub fn check_answers_to_string(answers: &[CheckAnswer]) -> Result<String, serde_json::Error> {
+    lines(answers)
+}
+
+/// The answers that `text` holds.
+///
+/// # Errors
+/// What is missing or of the wrong kind, with line and column.
+pub fn check_answers_from_str(text: &str) -> Result<Vec<CheckAnswer>, serde_json::Error> {
+    serde_json::from_str(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+
+    #[test]
+    fn check_answers_come_back_infinities_included() {
+        let to_light = Answer::ToLight { direction: DVec3::Y, t: f64::INFINITY };
+        let wrong = BTreeMap::from([("light_reversed".to_owned(), Answer::Miss(true))]);
+        let answer =
+            |id: &str, answer, wrong| CheckAnswer { id: id.to_owned(), answer, allowed: 1.9e-6, either: false, wrong };
+        let answers = vec![answer("a/b/c", to_light, wrong), answer("a/b/d", Answer::Miss(true), BTreeMap::default())];
+        let text = check_answers_to_string(&answers).unwrap();
+        assert_eq!(check_answers_from_str(&text).unwrap(), answers);
+        assert_eq!(text.lines().count(), 4);
+        assert_eq!(check_answers_from_str(&check_answers_to_string(&[]).unwrap()).unwrap(), vec![]);
+    }
+}

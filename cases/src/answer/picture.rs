@@ -1,0 +1,186 @@
+//! The answer to an image case: the right picture, how far a right one may be from it, and the pictures of known mistakes.
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use crate::film::exr::{self, Depth, Part, Plane, plane_name, rgb};
+use crate::film::{Image, PictureError, level};
+
+/// Red, green and blue in whole 8-bit levels.
+pub type Levels = [u8; 3];
+
+/// The answer to an image case, stored as `CASE.answer.exr` beside it. All lists go row by row from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ImageAnswer {
+    /// The picture in linear light; the file has it in half precision, an eighth of a level at full light.
+    pub expected: Image,
+    /// The least that a right tracer gives, rounded down.
+    pub lo: Vec<Levels>,
+    /// The most that a right tracer gives, rounded up.
+    pub hi: Vec<Levels>,
+    /// What a pixel counts for partial points: 255 where the stage's effect is plain to see.
+    pub weight: Vec<u8>,
+    /// How much of the picture may lie outside.
+    pub limits: Limits,
+}
+
+/// The limits of a right picture, and where partial points begin; they belong to the expectation, not to the judge.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Limits {
+    /// A channel is out beyond the envelope by more than this many levels, which takes in the quantiser.
+    pub slack: f64,
+    /// Most pixels that may be out side by side, corners included.
+    pub cluster: u32,
+    /// Most pixels that may be out in all.
+    pub count: u32,
+    /// The weighted share of pixels that is right without the effect: what earns nothing.
+    pub unearned: f64,
+}
+
+/// The picture that a known mistake gives.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Wrong {
+    /// The id of the mistake.
+    pub id: String,
+    /// Rounded to levels.
+    pub levels: Vec<Levels>,
+}
+
+/// A pixel whose envelope is wider than this many levels is contested: right tracers do not agree on it.
+const CONTESTED: u8 = 4;
+const ANSWER: &str = "answer";
+const MISTAKES: &str = "mistakes";
+const WEIGHT: &str = "weight.Y";
+
+impl ImageAnswer {
+    /// The answer that leaves no freedom but `slack` levels and `count` pixels anywhere: every pixel weighs alike.
+    pub fn exact(expected: Image, slack: f64, count: u32) -> Self {
+        let round = |round: fn(f64) -> f64| expected.pixels().iter().map(|p| levels(*p, round)).collect();
+        let (lo, hi) = (round(f64::floor), round(f64::ceil));
+        let weight = vec![u8::MAX; expected.pixels().len()];
+        let limits = Limits { slack, cluster: count, count, unearned: 1.0 };
+        Self { expected, lo, hi, weight, limits }
+    }
+
+    /// Whether right tracers disagree on the pixel with index `n`.
+    pub fn is_contested(&self, n: usize) -> bool {
+        self.lo[n].iter().zip(self.hi[n]).any(|(lo, hi)| hi.saturating_sub(*lo) > CONTESTED)
+    }
+
+    /// The share of contested pixels.
+    pub fn contested_share(&self) -> f64 {
+        let n = (0..self.lo.len()).filter(|n| self.is_contested(*n)).count();
+        n as f64 / self.lo.len() as f64
+    }
+
+    /// The bytes to store: an OpenEXR file of the parts `answer` and `mistakes`, the limits as a note. They depend on the content alone.
+    ///
+    /// # Errors
+    /// A list of another length than the picture's, or what the encoder says.
+    pub fn encode(&self, wrong: &[Wrong]) -> Result<Vec<u8>, PictureError> {
+        let notes = serde_json::to_string(&self.limits).map_err(|why| PictureError::Broken(why.to_string()))?;
+        let mut planes = Vec::from(rgb("", &self.expected, Depth::Half));
+        planes.extend(layer("lo", &self.lo));
+        planes.extend(layer("hi", &self.hi));
+        planes.push(byte_plane(WEIGHT.to_owned(), self.weight.iter().copied()));
+        let mut parts = vec![Part { name: ANSWER.to_owned(), planes }];
+        if !wrong.is_empty() {
+            let planes = wrong.iter().flat_map(|wrong| layer(&wrong.id, &wrong.levels)).collect();
+            parts.push(Part { name: MISTAKES.to_owned(), planes });
+        }
+        exr::encode((self.expected.width(), self.expected.height()), &parts, &notes)
+    }
+
+    /// The answer that `bytes` hold, demanded to be `width` × `height` before anything is decoded. The mistakes are left packed.
+    ///
+    /// # Errors
+    /// Another size, a plane or the limits missing, or a broken file.
+    pub fn decode(bytes: &[u8], width: u32, height: u32) -> Result<Self, PictureError> {
+        let (part, notes) = exr::decode_first(bytes, width, height)?;
+        let limits =
+            serde_json::from_str(&notes).map_err(|why| PictureError::Broken(format!("it holds no limits: {why}")))?;
+        let (red, green, blue) = (part.plane("R")?, part.plane("G")?, part.plane("B")?);
+        let light = |n: usize| DVec3::new(f64::from(red[n]), f64::from(green[n]), f64::from(blue[n]));
+        let expected = Image::from_pixels(width, height, (0..red.len()).map(light).collect())
+            .ok_or_else(|| PictureError::Broken("the picture lacks pixels".to_owned()))?;
+        let weight = part.plane(WEIGHT)?.iter().map(|share| to_byte(*share)).collect();
+        Ok(Self { expected, lo: levels_of(&part, "lo")?, hi: levels_of(&part, "hi")?, weight, limits })
+    }
+}
+
+impl Wrong {
+    /// The pictures of mistakes that a stored answer holds, ordered by id.
+    ///
+    /// # Errors
+    /// As [`ImageAnswer::decode`].
+    pub fn decode_all(bytes: &[u8], width: u32, height: u32) -> Result<Vec<Self>, PictureError> {
+        let (parts, _) = exr::decode(bytes, width, height)?;
+        let Some(part) = parts.into_iter().find(|part| part.name == MISTAKES) else { return Ok(vec![]) };
+        let ids = part.planes.iter().filter_map(|plane| plane.name.strip_suffix(".R"));
+        ids.map(|id| Ok(Self { id: id.to_owned(), levels: levels_of(&part, id)? })).collect()
+    }
+}
+
+/// Light in levels, made whole by `round`.
+fn levels(light: DVec3, round: fn(f64) -> f64) -> Levels {
+    light.to_array().map(|channel| round(level(channel)) as u8)
+}
+
+fn layer(name: &str, levels: &[Levels]) -> [Plane; 3] {
+    let plane = |channel: &str, at: usize| byte_plane(plane_name(name, channel), levels.iter().map(|pixel| pixel[at]));
+    [plane("R", 0), plane("G", 1), plane("B", 2)]
+}
+
+/// Bytes as 0..1, which half precision keeps apart.
+fn byte_plane(name: String, bytes: impl Iterator<Item = u8>) -> Plane {
+    Plane { name, samples: bytes.map(|byte| f32::from(byte) / 255.0).collect(), depth: Depth::Half }
+}
+
+fn to_byte(share: f32) -> u8 {
+    (share * 255.0).round() as u8
+}
+
+fn levels_of(part: &Part, name: &str) -> Result<Vec<Levels>, PictureError> {
+    let plane = |channel: &str| part.plane(&plane_name(name, channel));
+    let (red, green, blue) = (plane("R")?, plane("G")?, plane("B")?);
+    Ok(red.iter().zip(green).zip(blue).map(|((r, g), b)| [*r, *g, *b].map(to_byte)).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// All 256 levels in a row, and light above 1.
+    fn answer() -> ImageAnswer {
+        let expected = Image::from_fn(256, 2, |i, j| DVec3::new(f64::from(i) / 256.0, f64::from(j), 2.0));
+        let mut answer = ImageAnswer::exact(expected, 1.0, 3);
+        answer.hi[7] = [8, 0, 255];
+        answer.hi[9] = [14, 0, 255];
+        answer.weight[3] = 128;
+        answer
+    }
+
+    #[test]
+    fn an_answer_and_its_mistakes_come_back() {
+        let wrong = Wrong { id: "no_shadows".to_owned(), levels: (0..512).map(|n| [n as u8, 0, 255]).collect() };
+        let bytes = answer().encode(std::slice::from_ref(&wrong)).unwrap();
+        assert_eq!(ImageAnswer::decode(&bytes, 256, 2).unwrap(), answer());
+        assert_eq!(Wrong::decode_all(&bytes, 256, 2).unwrap(), [wrong]);
+        assert_eq!(Wrong::decode_all(&answer().encode(&[]).unwrap(), 256, 2).unwrap(), []);
+        assert!(ImageAnswer::decode(&bytes, 2, 256).is_err());
+    }
+
+    #[test]
+    fn an_exact_answer_takes_in_both_neighbouring_levels() {
+        let grey = Image::from_fn(1, 1, |_, _| DVec3::new(0.5, 1.0, 7.0));
+        let answer = ImageAnswer::exact(grey, 1.0, 0);
+        assert_eq!((answer.lo[0], answer.hi[0]), ([127, 255, 255], [128, 255, 255]));
+    }
+
+    #[test]
+    fn a_pixel_is_contested_where_the_envelope_is_wide() {
+        let contested: Vec<usize> = (0..512).filter(|n| answer().is_contested(*n)).collect();
+        assert_eq!(contested, [9]);
+        assert_eq!(answer().contested_share(), 1.0 / 512.0);
+    }
+}
