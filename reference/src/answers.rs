@@ -120,7 +120,8 @@ fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
         Ask::Shade { scene, object, point, normal, to_viewer, inside } => {
             let Some(object) = scene.objects.get(*object) else { return no_such("object") };
             let [point, normal, to_viewer] = [*point, *normal, *to_viewer].map(v::<T>);
-            let seen = Seen { point, normal, to_viewer, is_inside: *inside, material: object.material };
+            let is_inside = *inside;
+            let seen = Seen { point, normal, n_geom: normal, to_viewer, is_inside, material: object.material };
             let world = World::<T>::new(scene);
             colour(Kernel::new(&world, rules, scene.effects).shade(&seen, &mut Counts::default()))
         }
@@ -129,7 +130,8 @@ fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
             let Some(light) = world.lights.get(*light) else { return no_such("light") };
             let Some((to_light, r)) = light.seen_from(rules, v(*point)) else { return colour(Vec3::<T>::ONE) };
             let kernel = Kernel::new(&world, rules, scene.effects);
-            colour(kernel.shadow(v(*point), to_light, r, &mut Counts::default()))
+            let n_geom = to_light; // the question tells none: a start off the surface is one along the ray
+            colour(kernel.shadow(v(*point), n_geom, to_light, r, &mut Counts::default()))
         }
         Ask::Trace { scene, ray, depth } => {
             let world = World::<T>::new(scene);

@@ -4,7 +4,7 @@ use cases::{Camera, maths};
 
 use crate::ray::Ray;
 use crate::real::Real;
-use crate::rules::{Fov, RuleSource};
+use crate::rules::{CameraFormula, Fov, RuleSource};
 use crate::vec3::Vec3;
 
 /// A camera made ready for a picture of one size.
@@ -43,12 +43,27 @@ impl<T: Real> Lens<T> {
     /// [rule 1]
     pub fn eye_ray<R: RuleSource>(&self, rules: R, pixel: (u32, u32), (dx, dy): (T, T)) -> Ray<T> {
         let corner = if rules.get().pixel_centre { T::ZERO } else { T::HALF };
-        let x = (T::of(f64::from(pixel.0)) + dx - corner) / self.size[0];
-        let y = (T::of(f64::from(pixel.1)) + dy - corner) / self.size[1];
+        let by = rules.get().style.nudge.map(|nudge| T::of(nudge) - corner);
+        let x = (T::of(f64::from(pixel.0)) + dx + by[0]) / self.size[0];
+        let y = (T::of(f64::from(pixel.1)) + dy + by[1]) / self.size[1];
+        let x = T::TWO * x - T::ONE;
         let y = if rules.get().rows_from_top { T::ONE - T::TWO * y } else { T::TWO * y - T::ONE };
-        let right = (T::TWO * x - T::ONE) * self.half[0];
-        let way = self.forward + self.right * right + self.up * (y * self.half[1]);
+        let way = self.way(rules, x, y);
         let direction = if rules.get().unit_direction { way.normalised() } else { way };
         Ray::leaving(rules, self.eye, direction)
+    }
+
+    /// From the eye to a point of the view plane, x and y from −1 to 1.
+    #[inline(always)]
+    fn way<R: RuleSource>(&self, rules: R, x: T, y: T) -> Vec3<T> {
+        let [width, height] = self.half;
+        match rules.get().style.camera {
+            CameraFormula::Plane => self.forward + self.right * (x * width) + self.up * (y * height),
+            CameraFormula::Corner => {
+                let corner = self.eye + self.forward - self.right * width - self.up * height;
+                corner + self.right * ((x + T::ONE) * width) + self.up * ((y + T::ONE) * height) - self.eye
+            }
+            CameraFormula::Far => self.forward * (T::ONE / height) + self.right * (x * (width / height)) + self.up * y,
+        }
     }
 }

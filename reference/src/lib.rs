@@ -9,6 +9,7 @@
 //! | [`bounds`], [`bvh`], [`world`] | the nearest hit |
 //! | [`camera`], [`lights`], [`shade`], [`optics`] | formulas; they cast no ray |
 //! | [`trace`], [`render`], [`watch`] | the kernel, pictures, and who looks on |
+//! | [`variations`] | other ways of computing the same pictures |
 
 pub mod answers;
 pub mod bounds;
@@ -30,6 +31,7 @@ pub mod shapes;
 #[cfg(test)]
 mod testing;
 pub mod trace;
+pub mod variations;
 pub mod vec3;
 pub mod watch;
 pub mod world;

@@ -3,7 +3,7 @@
 //! d is the ray's direction, a unit vector; normals are turned against it.
 
 use crate::real::Real;
-use crate::rules::{Bend, Leaving, Mirror, ReflectBy, RefractBy, RuleSource, TotalReflection};
+use crate::rules::{Bend, Leaving, Mirror, ReflectBy, RefractBy, RuleSource, Snell, TotalReflection};
 use crate::vec3::Vec3;
 
 /// R = d − 2 (d·N) N. [rule 7]
@@ -39,9 +39,13 @@ pub fn refract<T: Real, R: RuleSource>(rules: R, d: Vec3<T>, n: Vec3<T>, eta_i: 
         Bend::Straight => return Some(d),
     };
     let cos_i = -d.dot(n);
-    let square = (eta_t - eta_i) * (eta_t + eta_i) + (eta_i * cos_i) * (eta_i * cos_i); // (η_t cos θ_t)²
     let eta = eta_i / eta_t;
-    let leave = |root: T| d * eta + n * (eta * cos_i - root / eta_t);
+    // cos²θ_t, times the square of `scale`
+    let (square, scale) = match rules.get().style.snell {
+        Snell::Factored => ((eta_t - eta_i) * (eta_t + eta_i) + (eta_i * cos_i) * (eta_i * cos_i), eta_t),
+        Snell::Textbook => (T::ONE - eta * eta * (T::ONE - cos_i * cos_i), T::ONE),
+    };
+    let leave = |root: T| d * eta + n * (eta * cos_i - root / scale);
     if square >= T::ZERO {
         return Some(leave(square.sqrt()));
     }

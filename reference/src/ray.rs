@@ -1,7 +1,7 @@
 //! Rays, and the one place that says where a ray's interval begins and ends.
 
 use crate::real::Real;
-use crate::rules::RuleSource;
+use crate::rules::{RuleSource, Start, ToLight};
 use crate::vec3::Vec3;
 
 /// r(t) = origin + t · direction, for t_min < t < t_max. [rule 2]
@@ -18,16 +18,35 @@ pub struct Ray<T> {
 }
 
 impl<T: Real> Ray<T> {
-    /// The ray that leaves `origin`: over RAY_EPSILON < t < ∞. [rule 2] [rule 21]
+    /// The ray that leaves `origin`, which lies on no surface: over RAY_EPSILON < t < ∞, or over 0 < t < ∞ where the style moves
+    /// origins off surfaces. [rule 2] [rule 21]
     #[inline(always)]
     pub fn leaving<R: RuleSource>(rules: R, origin: Vec3<T>, direction: Vec3<T>) -> Self {
-        Self::until(rules, origin, direction, T::INFINITY)
+        let t_min = if rules.get().style.start == Start::Interval { rules.epsilon() } else { T::ZERO };
+        Self { origin, direction, t_min, t_max: T::INFINITY }
     }
 
-    /// The ray that leaves `origin` and ends before `t_max`. [rule 5] [rule 21]
+    /// The ray that leaves a point of a surface with that geometric normal, whichever way it points. [rule 2] [rule 21]
     #[inline(always)]
-    pub fn until<R: RuleSource>(rules: R, origin: Vec3<T>, direction: Vec3<T>, t_max: T) -> Self {
-        Self { origin, direction, t_min: rules.epsilon(), t_max }
+    pub fn spawned<R: RuleSource>(rules: R, point: Vec3<T>, n_geom: Vec3<T>, direction: Vec3<T>) -> Self {
+        let origin = match rules.get().style.start {
+            Start::Interval => point,
+            Start::AlongNormal if direction.dot(n_geom) < T::ZERO => point - n_geom * rules.epsilon::<T>(),
+            Start::AlongNormal => point + n_geom * rules.epsilon::<T>(),
+            Start::AlongRay => point + direction * rules.epsilon::<T>(),
+        };
+        Self::leaving(rules, origin, direction)
+    }
+
+    /// The ray that leaves a point of a surface and ends before a light in direction `to_light` at distance `r`. [rule 5] [rule 21]
+    #[inline(always)]
+    pub fn to_light<R: RuleSource>(rules: R, point: Vec3<T>, n_geom: Vec3<T>, to_light: Vec3<T>, r: T) -> Self {
+        let ray = Self { t_max: r, ..Self::spawned(rules, point, n_geom, to_light) };
+        if rules.get().style.to_light == ToLight::FromPoint || !r.is_finite() {
+            return ray;
+        }
+        let way = point + to_light * r - ray.origin;
+        Self { direction: way.normalised(), t_max: way.length(), ..ray }
     }
 
     /// The rest of this ray behind its crossing of an object at `t`. A crossing of that object nearer than RAY_EPSILON behind is

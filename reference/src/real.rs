@@ -52,6 +52,10 @@ pub trait Real:
     fn greatest(self, other: Self) -> Self;
     /// `self` to the power `y`; 0 to the power 0 is 1.
     fn pow(self, y: Self) -> Self;
+    /// e to the power `self`.
+    fn exp(self) -> Self;
+    /// The natural logarithm; −∞ of 0, NaN below.
+    fn ln(self) -> Self;
     /// Whether it is neither infinite nor NaN.
     fn is_finite(self) -> bool;
 }
@@ -94,6 +98,14 @@ macro_rules! real {
             #[inline]
             fn pow(self, y: Self) -> Self {
                 maths::pow(f64::from(self), f64::from(y)) as $t
+            }
+            #[inline]
+            fn exp(self) -> Self {
+                maths::exp(f64::from(self)) as $t
+            }
+            #[inline]
+            fn ln(self) -> Self {
+                maths::ln(f64::from(self)) as $t
             }
             #[inline(always)]
             fn is_finite(self) -> bool {

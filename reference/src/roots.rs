@@ -22,12 +22,37 @@ pub fn ascending<T: Real>(a: T, b: T, c: T, disc: T) -> Option<[T; 2]> {
     Some(if one <= other { [one, other] } else { [other, one] })
 }
 
+/// The same roots by the textbook, (2b ± √((2b)² − 4 a c)) / 2a: where b² is much greater than a c the small one loses its digits.
+/// With a = 0 as [`ascending`].
+pub fn textbook<T: Real>(a: T, b: T, c: T) -> Option<[T; 2]> {
+    if a == T::ZERO {
+        return ascending(a, b, c, b * b);
+    }
+    let twice = T::TWO * b;
+    let disc = twice * twice - T::TWO * T::TWO * a * c;
+    let is_real = disc >= T::ZERO; // false for NaN
+    let root = disc.sqrt();
+    let (one, other) = ((twice - root) / (T::TWO * a), (twice + root) / (T::TWO * a));
+    is_real.then_some(if one <= other { [one, other] } else { [other, one] })
+}
+
+/// The places at distance √`square` to either side of `middle`, in ascending order; `None` where `square` is negative or NaN.
+pub fn about<T: Real>(middle: T, square: T) -> Option<[T; 2]> {
+    let is_real = square >= T::ZERO; // false for NaN
+    let half = square.sqrt();
+    is_real.then_some([middle - half, middle + half])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn check(a: f64, b: f64, c: f64, expected: Option<[f64; 2]>) {
         assert_eq!(ascending(a, b, c, b * b - a * c), expected, "{a} t² − 2 · {b} t + {c}");
+        assert_eq!(textbook(a, b, c), expected, "by the textbook, {a} t² − 2 · {b} t + {c}");
+        if a > 0.0 {
+            assert_eq!(about(b / a, (b * b - a * c) / (a * a)), expected, "from the middle, {a} t² − 2 · {b} t + {c}");
+        }
     }
 
     #[test]
@@ -48,6 +73,8 @@ mod tests {
     #[test]
     fn the_small_root_keeps_its_digits() {
         let [near, far] = ascending(1.0, 5e7, 1.0, 25e14 - 1.0).unwrap();
-        assert_eq!((near, far), (1e-8, 1e8)); // the textbook's b − √disc gives 7.45e-9
+        assert_eq!((near, far), (1e-8, 1e8));
+        let [rough, _] = textbook(1.0, 5e7, 1.0).unwrap();
+        assert!((rough - 7.45e-9).abs() < 1e-11, "the difference of two numbers near 5e7 is {rough}");
     }
 }

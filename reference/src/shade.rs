@@ -2,7 +2,7 @@
 
 use crate::lights::Light;
 use crate::real::Real;
-use crate::rules::{Ambient, Diffuse, Emission, Facing, Highlight, InsideBy, RuleSource, Turning};
+use crate::rules::{Ambient, Diffuse, Emission, Facing, Highlight, InsideBy, Power, RuleSource, Turning};
 use crate::vec3::Vec3;
 use crate::world::Material;
 
@@ -99,12 +99,21 @@ fn highlight<T: Real, R: RuleSource>(rules: R, ns: T, n: Vec3<T>, v: Vec3<T>, l:
     }
     let cosine = n.dot(sum.normalised());
     match rules.get().highlight {
-        Highlight::Blinn => cosine.greatest(T::ZERO).pow(ns),
-        Highlight::Phong => (n * (T::TWO * n.dot(l)) - l).dot(v).greatest(T::ZERO).pow(ns),
-        Highlight::Unclamped => cosine.pow(ns),
-        Highlight::HalfNotUnit => n.dot(sum).greatest(T::ZERO).pow(ns),
+        Highlight::Blinn => power(rules, cosine.greatest(T::ZERO), ns),
+        Highlight::Phong => power(rules, (n * (T::TWO * n.dot(l)) - l).dot(v).greatest(T::ZERO), ns),
+        Highlight::Unclamped => power(rules, cosine, ns),
+        Highlight::HalfNotUnit => power(rules, n.dot(sum).greatest(T::ZERO), ns),
         Highlight::NoExponent => cosine.greatest(T::ZERO),
-        Highlight::TimesCosine => n.dot(l) * cosine.greatest(T::ZERO).pow(ns),
+        Highlight::TimesCosine => n.dot(l) * power(rules, cosine.greatest(T::ZERO), ns),
         Highlight::Absent => T::ZERO,
+    }
+}
+
+/// x^ns. The logarithm serves above 0 only: 0^0 is 1. [rule 3]
+#[inline(always)]
+fn power<T: Real, R: RuleSource>(rules: R, x: T, ns: T) -> T {
+    match rules.get().style.power {
+        Power::ExpLog if x > T::ZERO => (ns * x.ln()).exp(),
+        Power::ExpLog | Power::Pow => x.pow(ns),
     }
 }

@@ -8,8 +8,8 @@ use crate::optics;
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::rules::{
-    Ambient, Cutoff, Depth, InsideBy, MirrorWeight, RuleSource, ShadowReach, Tint, TotalReflection, TransmitWeight,
-    Turning,
+    Ambient, Cutoff, Depth, InsideBy, LightOrder, MirrorWeight, RuleSource, ShadowReach, Tint, TotalReflection,
+    TransmitWeight, Turning,
 };
 use crate::shade;
 use crate::vec3::Vec3;
@@ -63,6 +63,8 @@ pub struct Seen<T> {
     pub point: Vec3<T>,
     /// The normal to shade with, turned against the ray. [rule 11]
     pub normal: Vec3<T>,
+    /// The geometric normal, whichever way it points: it tells the two sides of the surface apart.
+    pub n_geom: Vec3<T>,
     /// −d.
     pub to_viewer: Vec3<T>,
     /// Whether the ray is inside the object.
@@ -130,7 +132,7 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         let (outwards, turned, is_inside) = self.turned(d, &hit);
         let (n_geom, n_shading) = turned;
         let normal = if self.rules.get().turning == Turning::NotShading { outwards } else { n_shading };
-        let seen = Seen { point: hit.point, normal, to_viewer: -d, is_inside, material: object.material };
+        let seen = Seen { point: hit.point, normal, n_geom, to_viewer: -d, is_inside, material: object.material };
         let mut colour = self.shade(&seen, watch);
         watch.met(|| Met { object: &object.name, t: hit.t, point: hit.point, normal, is_inside, direct: colour });
         if !self.goes_on(path) {
@@ -143,7 +145,8 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
             let r = optics::smooth_reflect(self.rules, d, n_geom, n_shading);
             let is_black = self.rules.get().total_reflection == TotalReflection::Black && way_through().is_none();
             if !is_black {
-                colour += kr * self.spawn(RayKind::Reflected, hit.point, r, path, kr, watch);
+                let ray = Ray::spawned(self.rules, hit.point, n_geom, r);
+                colour += kr * self.spawn(RayKind::Reflected, &ray, path, kr, watch);
             }
         }
         if self.does.refraction
@@ -151,7 +154,8 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
             && let Some(t) = way_through()
         {
             let kt = self.transmit_weight(material);
-            colour += kt * self.spawn(RayKind::Refracted, hit.point, t, path, kt, watch);
+            let ray = Ray::spawned(self.rules, hit.point, n_geom, t);
+            colour += kt * self.spawn(RayKind::Refracted, &ray, path, kt, watch);
         }
         colour
     }
@@ -195,25 +199,20 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         }
     }
 
-    fn spawn(
-        &self,
-        kind: RayKind,
-        from: Vec3<T>,
-        along: Vec3<T>,
-        parent: Path<T>,
-        weight: Vec3<T>,
-        watch: &mut impl Watch,
-    ) -> Vec3<T> {
+    fn spawn(&self, kind: RayKind, ray: &Ray<T>, parent: Path<T>, weight: Vec3<T>, watch: &mut impl Watch) -> Vec3<T> {
         let weight = if self.rules.get().cutoff == Cutoff::LastOnly { weight } else { parent.weight * weight };
         let path = Path { kind, depth: parent.depth + 1, weight };
-        self.trace(&Ray::leaving(self.rules, from, along), path, watch)
+        self.trace(ray, path, watch)
     }
 
     /// ke and the light of every lamp at a point. [rule 3]
     pub fn shade(&self, seen: &Seen<T>, watch: &mut impl Watch) -> Vec3<T> {
         let material = &self.world.materials[seen.material];
-        let mut colour = shade::emission(self.rules, material, self.world.lights.len());
-        for (j, light) in self.world.lights.iter().enumerate() {
+        let n_lights = self.world.lights.len();
+        let mut colour = shade::emission(self.rules, material, n_lights);
+        for n in 0..n_lights {
+            let j = if self.rules.get().style.lights == LightOrder::Reversed { n_lights - 1 - n } else { n };
+            let light = &self.world.lights[j];
             let ambient = shade::ambient(self.rules, material, light, j, seen.is_inside);
             let shadowed = self.rules.get().ambient == Ambient::Shadowed;
             if !shadowed {
@@ -223,7 +222,7 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
             if !shadowed && !shade::is_lit(self.rules, seen.normal, to_light) {
                 continue;
             }
-            let reaching = self.shadow(seen.point, to_light, r, watch) * light.attenuation(self.rules, r);
+            let reaching = self.shadow(seen.point, seen.n_geom, to_light, r, watch) * light.attenuation(self.rules, r);
             if shadowed {
                 colour += ambient * reaching;
             }
@@ -233,14 +232,14 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         colour
     }
 
-    /// S_j for a light in direction `to_light` at distance `r`. [rule 5] [rule 6]
-    pub fn shadow(&self, point: Vec3<T>, to_light: Vec3<T>, r: T, watch: &mut impl Watch) -> Vec3<T> {
+    /// S_j at a point of a surface with that geometric normal, for a light in direction `to_light` at distance `r`. [rule 5] [rule 6]
+    pub fn shadow(&self, point: Vec3<T>, n_geom: Vec3<T>, to_light: Vec3<T>, r: T, watch: &mut impl Watch) -> Vec3<T> {
         if !self.does.shadows {
             return Vec3::ONE;
         }
         watch.shadow_ray();
         let reach = if self.rules.get().shadow_reach == ShadowReach::Unbounded { T::INFINITY } else { r };
-        let ray = Ray::until(self.rules, point, to_light, reach);
+        let ray = Ray::to_light(self.rules, point, n_geom, to_light, reach);
         if self.does.tinted_shadows && self.rules.get().tint != Tint::Opaque {
             return self.tint(&ray);
         }

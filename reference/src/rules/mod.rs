@@ -4,8 +4,10 @@
 //! removes every alternative: they cost nothing. A `&Rules` is looked up as the picture is rendered.
 
 mod choices;
+mod style;
 
 pub use choices::*;
+pub use style::*;
 
 use crate::real::Real;
 
@@ -96,6 +98,8 @@ pub struct Rules {
     pub object_ray: ObjectRay,
     pub world_normal: WorldNormal,
     pub epsilon: Epsilon,
+    /// What is free: it changes no more than roundings.
+    pub style: Style,
 }
 
 impl Rules {
@@ -143,5 +147,6 @@ impl Rules {
         object_ray: ObjectRay::AsIs,
         world_normal: WorldNormal::InverseTranspose,
         epsilon: Epsilon::RayEpsilon,
+        style: Style::REFERENCE,
     };
 }

@@ -6,6 +6,7 @@ mod round;
 mod sphere;
 mod square;
 mod triangle;
+mod triangle_formulas;
 
 pub use cuboid::Cuboid;
 pub use plane::Plane;
@@ -63,7 +64,7 @@ impl<T: Real> Solid<T> {
             Self::Plane(plane) => plane.meet(rules, ray),
             Self::Square(square) => square.meet(rules, ray),
             Self::Cuboid(cuboid) => cuboid.meet(rules, ray),
-            Self::Round(round) => round.meet(ray),
+            Self::Round(round) => round.meet(rules, ray),
         }
     }
 

@@ -3,7 +3,7 @@
 use super::Meeting;
 use crate::ray::Ray;
 use crate::real::Real;
-use crate::rules::{PlaneSide, RuleSource};
+use crate::rules::{PlaneFormula, PlaneSide, RuleSource};
 use crate::vec3::Vec3;
 
 /// N·X = k, N a unit vector.
@@ -27,7 +27,10 @@ impl<T: Real> Plane<T> {
             return None;
         }
         let k = if rules.get().plane == PlaneSide::NegatedK { -self.k } else { self.k };
-        let t = self.normal.dot(self.normal * k - ray.origin) / slope;
+        let t = match rules.get().style.plane {
+            PlaneFormula::FromFoot => self.normal.dot(self.normal * k - ray.origin) / slope,
+            PlaneFormula::Textbook => (k - self.normal.dot(ray.origin)) / slope,
+        };
         ray.contains(t).then(|| Meeting::with(t, 0))
     }
 }

@@ -5,6 +5,7 @@ use crate::bounds::Bounds;
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::roots;
+use crate::rules::{Quadratic, RuleSource};
 use crate::vec3::Vec3;
 
 const SIDE: u32 = 0;
@@ -38,8 +39,8 @@ impl<T: Real> Round<T> {
     }
 
     /// The first meeting in the ray's interval; on a rim the side is met. The ends belong to it.
-    pub fn meet(&self, ray: &Ray<T>) -> Option<Meeting<T>> {
-        let mut met = self.side(ray);
+    pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
+        let mut met = self.side(rules, ray);
         if self.is_capped {
             for (part, z, radius) in [(BOTTOM, self.z_min, self.bottom_radius), (TOP, self.z_max, self.top_radius)] {
                 let cap = cap(ray, z, radius).map(|t| Meeting::with(t, part));
@@ -52,17 +53,23 @@ impl<T: Real> Round<T> {
         met
     }
 
-    fn side(&self, ray: &Ray<T>) -> Option<Meeting<T>> {
+    fn side<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
         let (o, d) = (ray.origin, ray.direction);
         let (radius, slope) = (self.radius(o.z), self.slope());
         let growth = slope * d.z; // of the radius along the ray
         let a = d.x * d.x + d.y * d.y - growth * growth;
         let b = radius * growth - (o.x * d.x + o.y * d.y);
         let c = o.x * o.x + o.y * o.y - radius * radius;
-        let across = o.x * d.y - o.y * d.x;
-        let (x, y) = (radius * d.x - growth * o.x, radius * d.y - growth * o.y);
-        let disc = x * x + y * y - across * across; // b² − a c, multiplied out: the fourth powers cancel on paper
-        let roots = roots::ascending(a, b, c, disc)?;
+        let roots = match rules.get().style.quadratic {
+            Quadratic::NearestPoint | Quadratic::Geometric => {
+                let across = o.x * d.y - o.y * d.x;
+                let (x, y) = (radius * d.x - growth * o.x, radius * d.y - growth * o.y);
+                let disc = x * x + y * y - across * across; // b² − a c, multiplied out: the fourth powers cancel on paper
+                roots::ascending(a, b, c, disc)?
+            }
+            Quadratic::Textbook => roots::textbook(a, b, c)?,
+            Quadratic::Stable => roots::ascending(a, b, c, b * b - a * c)?,
+        };
         let is_on = |t: &T| {
             let z = o.z + *t * d.z;
             self.z_min <= z && z <= self.z_max && ray.contains(*t)
@@ -111,7 +118,7 @@ mod tests {
     fn check(round: Round<f64>, origin: [f64; 3], direction: [f64; 3], expected: Option<(f64, [f64; 3])>) {
         let vec = |v: [f64; 3]| Vec3::new(v[0], v[1], v[2]);
         let ray = Ray::leaving(Lecture, vec(origin), vec(direction));
-        let found = round.meet(&ray).map(|m| (m.t, round.normal(ray.at(m.t), m.part)));
+        let found = round.meet(Lecture, &ray).map(|m| (m.t, round.normal(ray.at(m.t), m.part)));
         let (Some((t, n)), Some((wanted_t, wanted_n))) = (found, expected) else {
             assert_eq!(found.is_some(), expected.is_some(), "from {origin:?} along {direction:?}: {found:?}");
             return;

@@ -5,7 +5,7 @@ use crate::bounds::Bounds;
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::roots;
-use crate::rules::{RuleSource, SphereNormal, SphereRoots};
+use crate::rules::{Quadratic, RuleSource, SphereNormal, SphereRoots};
 use crate::vec3::Vec3;
 
 /// ‖X − center‖ = radius.
@@ -31,9 +31,19 @@ impl<T: Real> Sphere<T> {
         };
         let b = -from_center.dot(ray.direction);
         let c = from_center.dot(from_center) - self.radius * self.radius;
-        let nearest = from_center + ray.direction * (b / a);
-        let disc = a * (self.radius * self.radius - nearest.dot(nearest));
-        let roots = roots::ascending(a, b, c, disc)?;
+        let roots = match rules.get().style.quadratic {
+            Quadratic::NearestPoint => {
+                let nearest = from_center + ray.direction * (b / a);
+                roots::ascending(a, b, c, a * (self.radius * self.radius - nearest.dot(nearest)))?
+            }
+            Quadratic::Textbook => roots::textbook(a, b, c)?,
+            Quadratic::Stable => roots::ascending(a, b, c, b * b - a * c)?,
+            Quadratic::Geometric => {
+                let middle = b / a;
+                let from_axis = from_center.dot(from_center) - middle * middle * a; // squared
+                roots::about(middle, (self.radius * self.radius - from_axis) / a)?
+            }
+        };
         let t = match rules.get().sphere_roots {
             SphereRoots::NearThenFar | SphereRoots::UnitDirection => ray.first(roots)?,
             SphereRoots::NearOnly => ray.first([roots[0]; 2])?,

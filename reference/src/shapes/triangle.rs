@@ -3,7 +3,7 @@
 use super::Meeting;
 use crate::ray::Ray;
 use crate::real::Real;
-use crate::rules::{RuleSource, TriangleNormal, TriangleTest};
+use crate::rules::{RuleSource, TriangleFormula, TriangleNormal, TriangleTest};
 use crate::vec3::Vec3;
 
 /// Corners A, B, C; the normal is along (B − A) × (C − A).
@@ -43,6 +43,22 @@ impl<T: Real> Triangle<T> {
     /// triangle without area, or one seen edge on, is never met.
     #[inline]
     pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>, shear: &Shear<T>, index: u32) -> Option<Meeting<T>> {
+        let tests_bc = rules.get().triangle != TriangleTest::TwoEdges;
+        let (t, weights) = match rules.get().style.triangle {
+            TriangleFormula::Sheared => self.sheared(ray, shear, tests_bc),
+            TriangleFormula::Edges => self.edges(ray, tests_bc),
+            TriangleFormula::MollerTrumbore => self.moller_trumbore(ray, tests_bc),
+            TriangleFormula::Areas => self.areas(ray, tests_bc),
+        }?;
+        if rules.get().triangle == TriangleTest::FrontOnly && self.outwards().dot(ray.direction) > T::ZERO {
+            return None;
+        }
+        ray.contains(t).then_some(Meeting { t, part: index, weights })
+    }
+
+    /// t and the weights where the ray's line meets the triangle; the edge BC need not be tested.
+    #[inline(always)]
+    fn sheared(&self, ray: &Ray<T>, shear: &Shear<T>, tests_bc: bool) -> Option<(T, Vec3<T>)> {
         let [x, y, z] = shear.axes;
         let sheared = self.corners.map(|corner| {
             let from = corner - ray.origin;
@@ -51,22 +67,17 @@ impl<T: Real> Triangle<T> {
         let area = |p: (T, T, T), q: (T, T, T)| p.0 * q.1 - p.1 * q.0;
         let [a, b, c] = sheared;
         let (u, v, w) = (area(b, c), area(c, a), area(a, b));
-        let tested = if rules.get().triangle == TriangleTest::TwoEdges { [v, v, w] } else { [u, v, w] };
+        let tested = if tests_bc { [u, v, w] } else { [v, v, w] };
         let is_outside = tested.iter().any(|s| *s < T::ZERO) && tested.iter().any(|s| *s > T::ZERO);
         let sum = u + v + w;
         if is_outside || sum == T::ZERO {
             return None;
         }
-        if rules.get().triangle == TriangleTest::FrontOnly && self.outwards().dot(ray.direction) > T::ZERO {
-            return None;
-        }
-        let weights = Vec3::new(u, v, w) * (T::ONE / sum);
-        let t = shear.scale * (u * a.2 + v * b.2 + w * c.2) / sum;
-        ray.contains(t).then_some(Meeting { t, part: index, weights })
+        Some((shear.scale * (u * a.2 + v * b.2 + w * c.2) / sum, Vec3::new(u, v, w) * (T::ONE / sum)))
     }
 
     /// (B − A) × (C − A), not normalised.
-    fn outwards(&self) -> Vec3<T> {
+    pub(super) fn outwards(&self) -> Vec3<T> {
         let [a, b, c] = self.corners;
         (b - a).cross(c - a)
     }

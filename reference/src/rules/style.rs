@@ -1,0 +1,132 @@
+//! What the rules leave free: the same picture on paper, other roundings. The reference's own way first, then those of students.
+
+macro_rules! freedoms {
+    ($($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $says:literal,)* })*) => {
+        $(
+            $(#[$doc])*
+            #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+            pub enum $name { $($(#[$variant_doc])* $variant,)* }
+
+            impl $name {
+                /// All ways, the reference's first.
+                pub const ALL: &[Self] = &[$(Self::$variant,)*];
+
+                /// A few words for it.
+                pub fn says(self) -> &'static str {
+                    match self { $(Self::$variant => $says,)* }
+                }
+            }
+        )*
+    };
+}
+
+freedoms! {
+    /// The roots of sphere, cylinder and cone. [rule 14]
+    Quadratic {
+        /// The discriminant from the ray's point nearest to the centre, the roots as c/q and q/a.
+        NearestPoint = "quadratic about the nearest point",
+        /// (−b ± √(b² − 4ac)) / 2a.
+        Textbook = "textbook quadratic",
+        /// b² − 4ac, the roots as c/q and q/a.
+        Stable = "stable quadratic",
+        /// The centre projected on the ray, then half the chord to either side. Cylinder and cone as in the reference.
+        Geometric = "geometric sphere",
+    }
+    /// t of a plane. [rule 15]
+    PlaneFormula {
+        /// N·(kN − P) / N·d.
+        FromFoot = "plane from its foot",
+        /// (k − N·P) / N·d.
+        Textbook = "textbook plane",
+    }
+    /// Whether and where a triangle is met. [rule 16] [rule 17]
+    TriangleFormula {
+        /// The ray sheared to an axis, three signs of areas in the plane across it.
+        Sheared = "sheared triangle",
+        /// The plane's Q, then three edge tests by cross products.
+        Edges = "three edge tests",
+        /// Möller and Trumbore: β, γ, t by Cramer's rule.
+        MollerTrumbore = "Möller–Trumbore",
+        /// The plane's Q, then ratios of areas without the axis along which N is longest; α = 1 − β − γ.
+        Areas = "barycentric areas",
+    }
+    /// How a ray gets away from the surface that it leaves, with the rules' epsilon. [rule 21]
+    Start {
+        /// From Q, over t > ε.
+        Interval = "t >",
+        /// From Q + ε N over t > 0, N the geometric normal, turned to the side where the ray goes.
+        AlongNormal = "offset along the normal",
+        /// From Q + ε d over t > 0.
+        AlongRay = "offset along the ray",
+    }
+    /// Direction and length of a shadow ray that starts beside its point. [rule 5]
+    ToLight {
+        /// Those of the point itself.
+        FromPoint = "light seen from the point",
+        /// Those of the place where the ray starts.
+        FromStart = "light seen from the start",
+    }
+    /// The eye ray. [rule 1]
+    CameraFormula {
+        /// forward + x right + y up, the tangent folded into x and y.
+        Plane = "view plane at 1",
+        /// A point of the view plane counted from its corner in world space, minus the eye.
+        Corner = "view plane by its corner",
+        /// (1/tan) forward + x right + y up.
+        Far = "view plane at 1/tan",
+    }
+    /// cos θ_t. [rule 8]
+    Snell {
+        /// (η_t cos θ_t)² as a sum that does not cancel.
+        Factored = "factored Snell",
+        /// √(1 − η² (1 − cos²θ_i)).
+        Textbook = "textbook Snell",
+    }
+    /// x^ns. [rule 3]
+    Power {
+        /// pow(x, ns).
+        Pow = "pow",
+        /// exp(ns ln x).
+        ExpLog = "exp of ln",
+    }
+    /// The order in which lights are added. [rule 3]
+    LightOrder {
+        /// As in the scene.
+        Listed = "lights as listed",
+        /// From the last to the first.
+        Reversed = "lights reversed",
+    }
+}
+
+/// One way of computing the picture that the rules describe.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs, reason = "each type says what its field decides")]
+pub struct Style {
+    pub quadratic: Quadratic,
+    pub plane: PlaneFormula,
+    pub triangle: TriangleFormula,
+    pub start: Start,
+    pub to_light: ToLight,
+    pub camera: CameraFormula,
+    pub snell: Snell,
+    pub power: Power,
+    pub lights: LightOrder,
+    /// By how much eye rays miss the centres of their pixels, in pixels to the right and down. [rule 1]
+    pub nudge: [f64; 2],
+}
+
+impl Style {
+    /// The reference's own.
+    pub const REFERENCE: Self = Self {
+        quadratic: Quadratic::NearestPoint,
+        plane: PlaneFormula::FromFoot,
+        triangle: TriangleFormula::Sheared,
+        start: Start::Interval,
+        to_light: ToLight::FromPoint,
+        camera: CameraFormula::Plane,
+        snell: Snell::Factored,
+        power: Power::Pow,
+        lights: LightOrder::Listed,
+        nudge: [0.0; 2],
+    };
+}

@@ -1,0 +1,68 @@
+//! The triangle as students compute it: other formulas for what [`Triangle::meet`] does. [rule 16] [rule 17]
+//!
+//! Each gives t and (α, β, γ) where the ray's line meets the triangle, or `None`: beside it, edge on, or without area. Without
+//! `tests_bc` the edge BC is not tested.
+
+use super::Triangle;
+use crate::ray::Ray;
+use crate::real::Real;
+use crate::vec3::Vec3;
+
+impl<T: Real> Triangle<T> {
+    /// The plane's Q, then ((B − A) × (Q − A))·N ≥ 0 and so on round, as rule 16 has it.
+    pub(super) fn edges(&self, ray: &Ray<T>, tests_bc: bool) -> Option<(T, Vec3<T>)> {
+        let (t, q, n) = self.in_plane(ray)?;
+        let [a, b, c] = self.corners;
+        let side = |from: Vec3<T>, to: Vec3<T>| (to - from).cross(q - from).dot(n);
+        let (of_a, of_b, of_c) = (side(b, c), side(c, a), side(a, b));
+        let weights = Vec3::new(of_a, of_b, of_c) * (T::ONE / n.dot(n));
+        is_inside(weights, tests_bc).then_some((t, weights))
+    }
+
+    /// Möller and Trumbore 1997.
+    pub(super) fn moller_trumbore(&self, ray: &Ray<T>, tests_bc: bool) -> Option<(T, Vec3<T>)> {
+        let [a, b, c] = self.corners;
+        let (ab, ac) = (b - a, c - a);
+        let p = ray.direction.cross(ac);
+        let det = ab.dot(p);
+        if det == T::ZERO {
+            return None;
+        }
+        let inverse = T::ONE / det;
+        let from_a = ray.origin - a;
+        let q = from_a.cross(ab);
+        let (beta, gamma) = (from_a.dot(p) * inverse, ray.direction.dot(q) * inverse);
+        let weights = Vec3::new(T::ONE - beta - gamma, beta, gamma);
+        is_inside(weights, tests_bc).then_some((ac.dot(q) * inverse, weights))
+    }
+
+    /// The plane's Q, then areas without the axis along which N is longest, as rule 17 allows.
+    pub(super) fn areas(&self, ray: &Ray<T>, tests_bc: bool) -> Option<(T, Vec3<T>)> {
+        let (t, q, n) = self.in_plane(ray)?;
+        let size = n.abs();
+        let z = if size.x > size.y && size.x > size.z { 0 } else { 1 + usize::from(size.z >= size.y) };
+        let (x, y) = ((z + 1) % 3, (z + 2) % 3);
+        let area = |a: Vec3<T>, b: Vec3<T>, c: Vec3<T>| (b[x] - a[x]) * (c[y] - a[y]) - (b[y] - a[y]) * (c[x] - a[x]);
+        let [a, b, c] = self.corners;
+        let all = area(a, b, c);
+        let (beta, gamma) = (area(a, q, c) / all, area(a, b, q) / all);
+        let weights = Vec3::new(T::ONE - beta - gamma, beta, gamma);
+        is_inside(weights, tests_bc).then_some((t, weights))
+    }
+
+    /// t, Q and N, not normalised, where the ray's line meets the plane of the triangle; `None` for a parallel ray.
+    fn in_plane(&self, ray: &Ray<T>) -> Option<(T, Vec3<T>, Vec3<T>)> {
+        let n = self.outwards();
+        let slope = n.dot(ray.direction);
+        if slope == T::ZERO {
+            return None;
+        }
+        let t = n.dot(self.corners[0] - ray.origin) / slope;
+        Some((t, ray.at(t), n))
+    }
+}
+
+/// Borders belong to it; NaN does not.
+fn is_inside<T: Real>(weights: Vec3<T>, tests_bc: bool) -> bool {
+    (weights.x >= T::ZERO || !tests_bc) && weights.y >= T::ZERO && weights.z >= T::ZERO
+}

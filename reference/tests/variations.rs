@@ -1,0 +1,60 @@
+//! The legal variations: each takes its freedoms as published, and none strays from the reference.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use cases::film::{Image, level};
+use cases::stage;
+use rayon::prelude::*;
+use reference::expect;
+use reference::rules::Rules;
+use reference::variations::{Precision, Variation, variations};
+
+/// A pixel strays where a channel differs by more levels than this.
+const LEVELS: f64 = 2.0;
+/// A variation with a greater share of straying pixels is ill: its noise shows, or the case is unfair to it.
+const STRAY_SHARE: f64 = 0.01;
+
+fn stray_share(centre: &Image, other: &Image) -> f64 {
+    let differs = |(a, b): (&glam::DVec3, &glam::DVec3)| {
+        (0..3).any(|c| {
+            let is_close = (level(a[c]) - level(b[c])).abs() <= LEVELS; // false for NaN
+            !is_close
+        })
+    };
+    let n_stray = centre.pixels().iter().zip(other.pixels()).filter(|pair| differs(*pair)).count();
+    n_stray as f64 / centre.pixels().len() as f64
+}
+
+/// A line for every variation that strays from the picture of a case, the worst first.
+#[test]
+fn no_variation_strays_from_the_reference() {
+    let stages = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
+    let stages = stage::load_all(&stages).unwrap_or_else(|problems| panic!("{}", problems.render(false)));
+    let variations = variations(&Rules::LECTURE);
+    let cases: Vec<_> = stages.iter().flat_map(|stage| &stage.cases).collect();
+    let mut shares: Vec<(f64, &str, &Variation)> = cases
+        .par_iter()
+        .flat_map_iter(|case| {
+            let centre = expect::picture(case);
+            let share = move |v: &Variation| stray_share(&centre, &v.picture(&case.scene, case.scene.effects));
+            variations.iter().map(move |v| (share(v), case.id.as_str(), v))
+        })
+        .collect();
+    shares.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let line = |(share, case, v): &(f64, &str, &Variation)| format!("{:6.2} %  {case}: {}", share * 100.0, v.name);
+    let table: Vec<_> = shares.iter().take(60).map(line).collect();
+    println!("{}", table.join("\n"));
+    let n_ill = shares.iter().filter(|(share, ..)| *share > STRAY_SHARE).count();
+    assert!(n_ill == 0, "{n_ill} stray on more than {} % of the pixels:\n{}", STRAY_SHARE * 100.0, table.join("\n"));
+}
+
+#[test]
+fn there_are_enough_of_each_precision_and_all_differ() {
+    let variations = variations(&Rules::LECTURE);
+    for precision in [Precision::F32, Precision::F64] {
+        assert!(variations.iter().filter(|v| v.precision == precision).count() >= 24, "{precision:?}");
+    }
+    let names: BTreeSet<_> = variations.iter().map(|v| &v.name).collect();
+    assert_eq!(names.len(), variations.len());
+}
