@@ -1,12 +1,14 @@
 //! The stored answers that the judge compares with. Only `reference expect` writes them.
 
 mod check;
+mod cluster;
 mod mistake;
 mod picture;
 
 use std::path::{Path, PathBuf};
 
 pub use check::{CheckAnswer, check_answers_from_str, check_answers_to_string};
+pub use cluster::{largest_cluster, neighbours};
 pub use mistake::{Mistake, mistakes_from_str, mistakes_to_string};
 pub use picture::{ImageAnswer, Levels, Limits, Wrong};
 

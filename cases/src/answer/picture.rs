@@ -33,6 +33,10 @@ pub struct Limits {
     pub cluster: u32,
     /// Most pixels that may be out in all.
     pub count: u32,
+    /// The largest cluster that a right tracer is known to leave: each variation, judged by the others.
+    pub legal_cluster: u32,
+    /// The most pixels that a right tracer is known to leave.
+    pub legal_count: u32,
     /// The weighted share of pixels that is right without the effect: what earns nothing.
     pub unearned: f64,
 }
@@ -58,8 +62,44 @@ impl ImageAnswer {
         let round = |round: fn(f64) -> f64| expected.pixels().iter().map(|p| levels(*p, round)).collect();
         let (lo, hi) = (round(f64::floor), round(f64::ceil));
         let weight = vec![u8::MAX; expected.pixels().len()];
-        let limits = Limits { slack, cluster: count, count, unearned: 1.0 };
+        let limits = Limits { slack, cluster: count, count, legal_cluster: 0, legal_count: 0, unearned: 1.0 };
         Self { expected, lo, hi, weight, limits }
+    }
+
+    /// By how many levels a channel of the pixel with index `n` lies beyond the envelope at most, when it has this colour; infinite where a
+    /// channel is not finite.
+    pub fn beyond(&self, n: usize, colour: DVec3) -> f64 {
+        if !colour.is_finite() {
+            return f64::INFINITY;
+        }
+        let channel = |at: usize| {
+            let level = level(colour[at]);
+            (f64::from(self.lo[n][at]) - level).max(level - f64::from(self.hi[n][at])).max(0.0)
+        };
+        channel(0).max(channel(1)).max(channel(2))
+    }
+
+    /// Whether the pixel with index `n` is out when it has this colour.
+    pub fn is_out(&self, n: usize, colour: DVec3) -> bool {
+        self.beyond(n, colour) > self.limits.slack
+    }
+
+    /// Which pixels of `actual` are out, row by row from the top.
+    pub fn out(&self, actual: &Image) -> Vec<bool> {
+        actual.pixels().iter().enumerate().map(|(n, colour)| self.is_out(n, *colour)).collect()
+    }
+
+    /// Whether so many pixels may be out: the largest cluster of them, and all.
+    pub fn allows(&self, cluster: u32, count: u32) -> bool {
+        cluster <= self.limits.cluster && count <= self.limits.count
+    }
+
+    /// The weighted share of pixels that are not out.
+    pub fn share(&self, out: &[bool]) -> f64 {
+        let sum = |wanted: fn(&bool) -> bool| -> u64 {
+            self.weight.iter().zip(out).filter(|(_, out)| wanted(out)).map(|(weight, _)| u64::from(*weight)).sum()
+        };
+        sum(|out| !out) as f64 / sum(|_| true).max(1) as f64
     }
 
     /// Whether right tracers disagree on the pixel with index `n`.
@@ -175,6 +215,20 @@ mod tests {
         let grey = Image::from_fn(1, 1, |_, _| DVec3::new(0.5, 1.0, 7.0));
         let answer = ImageAnswer::exact(grey, 1.0, 0);
         assert_eq!((answer.lo[0], answer.hi[0]), ([127, 255, 255], [128, 255, 255]));
+    }
+
+    #[test]
+    fn a_pixel_is_out_beyond_the_slack_only_and_weighs_what_it_weighs() {
+        let answer = answer();
+        let blue_and = |level: f64| DVec3::new(level / 255.0, 0.0, 1.0);
+        for (n, level, is_out) in [(7, 5.0, false), (7, 4.9, true), (7, 9.0, false), (7, 9.1, true), (9, 15.0, false)] {
+            assert_eq!(answer.is_out(n, blue_and(level)), is_out, "{n} {level}");
+        }
+        assert!(answer.is_out(0, DVec3::NAN) && answer.is_out(511, DVec3::INFINITY));
+        let mut out = vec![false; 512];
+        out[3] = true;
+        let all = 511.0 * 255.0 + 128.0;
+        assert_eq!(answer.share(&out), (all - 128.0) / all);
     }
 
     #[test]

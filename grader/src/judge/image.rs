@@ -1,7 +1,7 @@
 //! Pictures: which pixels are out, and whether they are too many.
 
-use cases::answer::{ImageAnswer, Levels};
-use cases::film::{Image, byte, level};
+use cases::answer::ImageAnswer;
+use cases::film::{Image, byte};
 use cases::glam::DVec3;
 
 use super::Judgement;
@@ -30,7 +30,7 @@ pub fn compare(actual: &Image, answer: &ImageAnswer) -> Difference {
     assert_eq!((actual.width(), actual.height()), (expected.width(), expected.height()), "pictures of one size");
     let mut difference = Difference { n_out: 0, worst: None, most: 0.0, bounds: None };
     for (n, pixel) in actual.pixels().iter().enumerate() {
-        let by = beyond(*pixel, answer.lo[n], answer.hi[n]);
+        let by = answer.beyond(n, *pixel);
         if by <= answer.limits.slack {
             continue;
         }
@@ -43,23 +43,6 @@ pub fn compare(actual: &Image, answer: &ImageAnswer) -> Difference {
         difference.bounds = Some([x0.min(at[0]), y0.min(at[1]), x1.max(at[0]), y1.max(at[1])]);
     }
     difference
-}
-
-/// Whether the pixel with index `n` is out when it has this colour.
-pub fn is_out(answer: &ImageAnswer, n: usize, colour: DVec3) -> bool {
-    beyond(colour, answer.lo[n], answer.hi[n]) > answer.limits.slack
-}
-
-/// How far a channel lies beyond lo..hi at most, in levels; infinite where one is not finite.
-fn beyond(actual: DVec3, lo: Levels, hi: Levels) -> f64 {
-    if !actual.is_finite() {
-        return f64::INFINITY;
-    }
-    let channel = |at: usize| {
-        let level = level(actual[at]);
-        (f64::from(lo[at]) - level).max(level - f64::from(hi[at])).max(0.0)
-    };
-    channel(0).max(channel(1)).max(channel(2))
 }
 
 /// Judges a picture, whose size is right, by its answer: it passes iff no more pixels are out than the answer allows.

@@ -6,7 +6,7 @@ mod numbers;
 mod unit;
 
 pub use ending::{ending, todo};
-pub use image::{Difference, compare, is_out, picture};
+pub use image::{Difference, compare, picture};
 pub use unit::{lines, unit};
 
 use crate::record::{Finding, FindingKind, Verdict};

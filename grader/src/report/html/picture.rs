@@ -8,7 +8,6 @@ use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
 
 use crate::grade::Pictures;
-use crate::judge;
 
 /// How much the difference that is stored is brightened; the viewer offers others.
 pub(super) const GAIN: u8 = 4;
@@ -35,7 +34,7 @@ pub(super) fn wrong(pictures: &Pictures, actual: &Image) -> String {
     let answer = &pictures.answer;
     let mark = |(n, colour): (usize, &DVec3)| match () {
         () if !colour.is_finite() => NOT_A_NUMBER,
-        () if judge::is_out(answer, n, *colour) => OUT,
+        () if answer.is_out(n, *colour) => OUT,
         () => 0,
     };
     let bytes: Vec<u8> = actual.pixels().iter().enumerate().map(mark).collect();
