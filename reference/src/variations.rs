@@ -1,7 +1,7 @@
 //! The legal variations: other ways of computing the picture that the rules describe, as students may choose them.
 //!
 //! A picture by one of them is as right as the reference's own. What they disagree about is what rounding decides: the envelope of
-//! all of them is what a right program may give.
+//! all of them is what a right program may give. `docs/grading.md` publishes what is free: [`published`] is its table.
 
 use cases::film::Image;
 use cases::{Effects, Scene};
@@ -24,7 +24,7 @@ pub enum Precision {
 }
 
 impl Precision {
-    fn name(self) -> &'static str {
+    fn says(self) -> &'static str {
         match self {
             Self::F32 => "f32",
             Self::F64 => "f64",
@@ -102,9 +102,9 @@ const PLAN: [[usize; 10]; 24] = [
     [3, 3, 0, 1, 2, 1, 0, 1, 0, 0],
 ];
 
-/// Directions of the nudges, taken in turn.
+/// Directions of the nudges, taken in turn, from the other end for f32: the second half is the first one turned round.
 const NUDGES: [[f64; 2]; 8] =
-    [[1.0, 0.3], [-0.3, 1.0], [-1.0, -0.3], [0.3, -1.0], [0.7, 0.7], [-0.7, 0.7], [-0.7, -0.7], [0.7, -0.7]];
+    [[1.0, 0.3], [-0.3, 1.0], [0.7, 0.7], [-0.7, 0.7], [-1.0, -0.3], [0.3, -1.0], [-0.7, -0.7], [0.7, -0.7]];
 /// Their sizes in pixels, taken in turn.
 const NUDGE_SIZES: [f64; 3] = [1e-3, 3e-3, 1e-2];
 
@@ -124,6 +124,7 @@ pub fn variations(base: &Rules) -> Vec<Variation> {
 fn planned(precision: Precision, n: usize, row: &[usize; 10]) -> (f64, Style) {
     let [quadratic, triangle, start, epsilon, camera, to_light, plane, snell, power, lights] = *row;
     let size = NUDGE_SIZES[n % NUDGE_SIZES.len()];
+    let turn = if precision == Precision::F32 { n + NUDGES.len() / 2 } else { n };
     let style = Style {
         quadratic: Quadratic::ALL[quadratic],
         plane: PlaneFormula::ALL[plane],
@@ -134,7 +135,7 @@ fn planned(precision: Precision, n: usize, row: &[usize; 10]) -> (f64, Style) {
         snell: Snell::ALL[snell],
         power: Power::ALL[power],
         lights: LightOrder::ALL[lights],
-        nudge: NUDGES[n % NUDGES.len()].map(|way| way * size),
+        nudge: NUDGES[turn % NUDGES.len()].map(|way| way * size),
     };
     (precision.epsilons()[epsilon], style)
 }
@@ -142,7 +143,7 @@ fn planned(precision: Precision, n: usize, row: &[usize; 10]) -> (f64, Style) {
 /// Precision, the formulas for shapes, the epsilon; then what else differs from the reference.
 fn name(precision: Precision, epsilon: f64, style: &Style) -> String {
     let mut words = vec![
-        precision.name().to_owned(),
+        precision.says().to_owned(),
         style.quadratic.says().to_owned(),
         style.triangle.says().to_owned(),
         format!("{} {epsilon:e}", style.start.says()),
@@ -161,4 +162,68 @@ fn name(precision: Precision, epsilon: f64, style: &Style) -> String {
         words.push(format!("nudged by {:.4}, {:.4} px", style.nudge[0], style.nudge[1]));
     }
     words.join(", ")
+}
+
+/// The table of `docs/grading.md` that tells students what of this is theirs to choose.
+pub fn published() -> String {
+    let range = |precision: Precision| {
+        let [least, .., greatest] = precision.epsilons();
+        format!("{least:e} to {greatest:e} in {}", precision.says())
+    };
+    let [normal, ray] = [Start::AlongNormal, Start::AlongRay].map(Start::says);
+    let rows = [
+        ("precision", all(&[Precision::F64, Precision::F32], Precision::says)),
+        ("sphere, cylinder, cone", all(Quadratic::ALL, Quadratic::says)),
+        ("plane", all(PlaneFormula::ALL, PlaneFormula::says)),
+        ("triangle", all(TriangleFormula::ALL, TriangleFormula::says)),
+        ("RAY_EPSILON", format!("{}, {}, in world space", range(Precision::F64), range(Precision::F32))),
+        (
+            "how a ray leaves a surface",
+            format!(
+                "only hits at t > RAY_EPSILON count; or any at t > 0, from an origin {normal} (the geometric one, to the side where the ray goes) or {ray}, by RAY_EPSILON"
+            ),
+        ),
+        ("direction and length of a shadow ray from such an origin", all(ToLight::ALL, ToLight::says)),
+        (
+            "eye ray",
+            format!("{}; off by up to {} pixels", all(CameraFormula::ALL, CameraFormula::says), NUDGE_SIZES[2]),
+        ),
+        ("refraction", all(Snell::ALL, Snell::says)),
+        ("highlight", all(Power::ALL, Power::says)),
+        ("order of additions", format!("{}; any other", all(LightOrder::ALL, LightOrder::says))),
+    ];
+    let lines = rows.map(|(freedom, ways)| format!("| {freedom} | {ways} |\n"));
+    format!("| freedom | range |\n|---|---|\n{}", lines.concat())
+}
+
+fn all<W: Copy>(ways: &[W], says: impl Fn(W) -> &'static str) -> String {
+    ways.iter().map(|way| says(*way)).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn any_two_ways_of_two_freedoms_meet_in_some_member() {
+        let n_ways = [
+            Quadratic::ALL.len(),
+            TriangleFormula::ALL.len(),
+            Start::ALL.len(),
+            Precision::F64.epsilons().len(),
+            CameraFormula::ALL.len(),
+            ToLight::ALL.len(),
+            PlaneFormula::ALL.len(),
+            Snell::ALL.len(),
+            Power::ALL.len(),
+            LightOrder::ALL.len(),
+        ];
+        for (i, one) in n_ways.iter().enumerate() {
+            for (j, other) in n_ways.iter().enumerate().skip(i + 1) {
+                for (a, b) in (0..*one).flat_map(|a| (0..*other).map(move |b| (a, b))) {
+                    assert!(PLAN.iter().any(|row| row[i] == a && row[j] == b), "way {a} of {i} never meets {b} of {j}");
+                }
+            }
+        }
+    }
 }

@@ -8,7 +8,7 @@ use cases::stage;
 use rayon::prelude::*;
 use reference::expect;
 use reference::rules::Rules;
-use reference::variations::{Precision, Variation, variations};
+use reference::variations::{Precision, Variation, published, variations};
 
 /// A pixel strays where a channel differs by more levels than this.
 const LEVELS: f64 = 2.0;
@@ -57,4 +57,11 @@ fn there_are_enough_of_each_precision_and_all_differ() {
     }
     let names: BTreeSet<_> = variations.iter().map(|v| &v.name).collect();
     assert_eq!(names.len(), variations.len());
+}
+
+#[test]
+fn what_is_free_is_published() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/grading.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    assert!(page.contains(&published()), "docs/grading.md must hold this table:\n\n{}", published());
 }
