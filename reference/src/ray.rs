@@ -22,14 +22,14 @@ impl<T: Real> Ray<T> {
     /// origins off surfaces. [rule 2] [rule 21]
     #[inline(always)]
     pub fn leaving<R: RuleSource>(rules: R, origin: Vec3<T>, direction: Vec3<T>) -> Self {
-        let t_min = if rules.get().style.start == Start::Interval { rules.epsilon() } else { T::ZERO };
+        let t_min = if start::<T, R>(rules) == Start::Interval { rules.epsilon() } else { T::ZERO };
         Self { origin, direction, t_min, t_max: T::INFINITY }
     }
 
     /// The ray that leaves a point of a surface with that geometric normal, whichever way it points. [rule 2] [rule 21]
     #[inline(always)]
     pub fn spawned<R: RuleSource>(rules: R, point: Vec3<T>, n_geom: Vec3<T>, direction: Vec3<T>) -> Self {
-        let origin = match rules.get().style.start {
+        let origin = match start::<T, R>(rules) {
             Start::Interval => point,
             Start::AlongNormal if direction.dot(n_geom) < T::ZERO => point - n_geom * rules.epsilon::<T>(),
             Start::AlongNormal => point + n_geom * rules.epsilon::<T>(),
@@ -83,4 +83,10 @@ impl<T: Real> Ray<T> {
             t_max: T::of(ray.t_max),
         }
     }
+}
+
+/// How rays get away from surfaces. A negative epsilon, the mistake of counting what lies behind, moves no origin in any style.
+#[inline(always)]
+fn start<T: Real, R: RuleSource>(rules: R) -> Start {
+    if rules.epsilon::<T>() < T::ZERO { Start::Interval } else { rules.get().style.start }
 }

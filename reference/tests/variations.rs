@@ -2,42 +2,51 @@
 
 use std::collections::BTreeSet;
 use std::path::Path;
+use std::sync::LazyLock;
 
 use cases::film::{Image, level};
-use cases::stage;
+use cases::stage::{self, Case, Stage};
 use rayon::prelude::*;
-use reference::expect;
-use reference::rules::Rules;
+use reference::misconceptions::MISCONCEPTIONS;
+use reference::render::{Options, render};
+use reference::rules::{Lecture, Rules};
 use reference::variations::{Precision, Variation, published, variations};
+use reference::world::World;
 
 /// A pixel strays where a channel differs by more levels than this.
 const LEVELS: f64 = 2.0;
 /// A variation with a greater share of straying pixels is ill: its noise shows, or the case is unfair to it.
 const STRAY_SHARE: f64 = 0.01;
 
-fn stray_share(centre: &Image, other: &Image) -> f64 {
+static STAGES: LazyLock<Vec<Stage>> = LazyLock::new(|| {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
+    stage::load_all(&folder).unwrap_or_else(|problems| panic!("{}", problems.render(false)))
+});
+
+fn n_stray(centre: &Image, other: &Image) -> usize {
     let differs = |(a, b): (&glam::DVec3, &glam::DVec3)| {
         (0..3).any(|c| {
             let is_close = (level(a[c]) - level(b[c])).abs() <= LEVELS; // false for NaN
             !is_close
         })
     };
-    let n_stray = centre.pixels().iter().zip(other.pixels()).filter(|pair| differs(*pair)).count();
-    n_stray as f64 / centre.pixels().len() as f64
+    centre.pixels().iter().zip(other.pixels()).filter(|pair| differs(*pair)).count()
 }
 
 /// A line for every variation that strays from the picture of a case, the worst first.
 #[test]
 fn no_variation_strays_from_the_reference() {
-    let stages = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
-    let stages = stage::load_all(&stages).unwrap_or_else(|problems| panic!("{}", problems.render(false)));
     let variations = variations(&Rules::LECTURE);
-    let cases: Vec<_> = stages.iter().flat_map(|stage| &stage.cases).collect();
+    let cases: Vec<_> = STAGES.iter().flat_map(|stage| &stage.cases).collect();
     let mut shares: Vec<(f64, &str, &Variation)> = cases
         .par_iter()
         .flat_map_iter(|case| {
-            let centre = expect::picture(case);
-            let share = move |v: &Variation| stray_share(&centre, &v.picture(&case.scene, case.scene.effects));
+            let centre = World::<f64>::new(&case.scene);
+            let centre = render(&centre, Lecture, &Options::of(&centre), |_| {}).0;
+            let share = move |v: &Variation| {
+                let picture = v.picture(&case.scene, case.scene.effects);
+                n_stray(&centre, &picture) as f64 / centre.pixels().len() as f64
+            };
             variations.iter().map(move |v| (share(v), case.id.as_str(), v))
         })
         .collect();
@@ -64,4 +73,29 @@ fn what_is_free_is_published() {
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/grading.md");
     let page = std::fs::read_to_string(page).unwrap();
     assert!(page.contains(&published()), "docs/grading.md must hold this table:\n\n{}", published());
+}
+
+/// A mistake is one change to the rules, whatever else a student chooses: the case that shows it shows it in any style.
+#[test]
+fn a_mistake_shows_in_any_style() {
+    const SIZE: (u32, u32) = (48, 36);
+    let small = |case: &Case| {
+        let mut scene = case.scene.clone();
+        (scene.render.width, scene.render.height) = SIZE;
+        scene
+    };
+    let scenes: Vec<_> = STAGES.iter().flat_map(|stage| &stage.cases).map(small).collect();
+    let lecture = Variation { name: "the reference".into(), precision: Precision::F64, rules: Rules::LECTURE };
+    let styles: Vec<_> = variations(&Rules::LECTURE).into_iter().step_by(7).collect();
+    MISCONCEPTIONS.par_iter().for_each(|wrong| {
+        let n_seen = |v: &Variation, scene: &cases::Scene| {
+            let mut broken = v.clone();
+            (wrong.apply)(&mut broken.rules);
+            n_stray(&v.picture(scene, scene.effects), &broken.picture(scene, scene.effects))
+        };
+        let Some(scene) = scenes.iter().find(|scene| n_seen(&lecture, scene) > 9) else { return };
+        for style in &styles {
+            assert!(n_seen(style, scene) > 0, "{} does not show in {}", wrong.id, style.name);
+        }
+    });
 }

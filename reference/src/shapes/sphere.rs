@@ -32,12 +32,13 @@ impl<T: Real> Sphere<T> {
         let b = -from_center.dot(ray.direction);
         let c = from_center.dot(from_center) - self.radius * self.radius;
         let roots = match rules.get().style.quadratic {
-            Quadratic::NearestPoint => {
+            Quadratic::NearestPoint if rules.get().sphere_roots != SphereRoots::UnitDirection => {
                 let nearest = from_center + ray.direction * (b / a);
                 roots::ascending(a, b, c, a * (self.radius * self.radius - nearest.dot(nearest)))?
             }
             Quadratic::Textbook => roots::textbook(a, b, c)?,
-            Quadratic::Stable => roots::ascending(a, b, c, b * b - a * c)?,
+            // who forgets d·d does so in the usual discriminant
+            Quadratic::NearestPoint | Quadratic::Stable => roots::ascending(a, b, c, b * b - a * c)?,
             Quadratic::Geometric => {
                 let middle = b / a;
                 let from_axis = from_center.dot(from_center) - middle * middle * a; // squared
