@@ -3,7 +3,10 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use cases::answer::{CheckAnswer, ImageAnswer, check_answers_from_str, check_answers_path, image_answer_path};
+use cases::answer::{
+    CheckAnswer, ImageAnswer, Mistake, check_answers_from_str, check_answers_path, image_answer_path,
+    mistakes_from_str, mistakes_path,
+};
 use cases::stage::{Case, Stage, load_all};
 
 use crate::files;
@@ -15,6 +18,8 @@ pub struct Exam {
     pub folder: PathBuf,
     /// In order.
     pub stages: Vec<Questions>,
+    /// The mistakes that a diagnosis may name, or why there is no such list.
+    pub mistakes: Result<Vec<Mistake>, String>,
     /// Hash of all files in the folder.
     pub hash: String,
 }
@@ -49,8 +54,15 @@ impl Exam {
     pub fn new(folder: &Path, stages: Vec<Stage>) -> std::io::Result<Self> {
         let hash = hash(folder)?;
         let stages = stages.into_iter().map(|stage| questions(folder, stage)).collect();
-        Ok(Self { folder: folder.to_owned(), stages, hash })
+        Ok(Self { folder: folder.to_owned(), stages, mistakes: mistakes(folder), hash })
     }
+}
+
+fn mistakes(folder: &Path) -> Result<Vec<Mistake>, String> {
+    let path = mistakes_path(folder);
+    let wrong = |why: &dyn std::fmt::Display| format!("the known mistakes {} cannot be used: {why}", path.display());
+    let text = std::fs::read_to_string(&path).map_err(|why| wrong(&why))?;
+    mistakes_from_str(&text).map_err(|why| wrong(&why))
 }
 
 fn questions(folder: &Path, stage: Stage) -> Questions {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use cases::answer::{check_answers_path, expected_png_path, image_answer_path};
+use cases::answer::{check_answers_path, expected_png_path, image_answer_path, mistakes_path};
 use cases::effects;
 use cases::probe::Answer;
 use cases::stage::load_all;
@@ -16,6 +16,7 @@ use crate::report::words::points;
 
 /// Fewer image cases leave too much of a stage to chance.
 const MIN_CASES: usize = 8;
+const HINT: &str = "`reference expect` writes answers";
 
 /// What there is to say.
 #[derive(Debug, Default)]
@@ -44,6 +45,9 @@ pub fn lint(folder: &Path) -> Found {
         checks(questions, &mut problems);
         before = questions.stage.allows;
     }
+    if let Err(why) = &exam.mistakes {
+        problems.push(format!("{why} ({HINT})"));
+    }
     unknown_files(&exam, &mut problems);
     Found { problems, summary: summary(&exam) }
 }
@@ -70,20 +74,19 @@ fn cases(questions: &Questions, before: effects::Effects, problems: &mut Vec<Str
 
 /// An answer for each question, and none left over.
 fn answers(questions: &Questions, problems: &mut Vec<String>) {
-    let hint = "`reference expect` writes answers";
     for (id, answer) in &questions.images {
         if let Err(why) = answer {
-            problems.push(format!("{id}: {why} ({hint})"));
+            problems.push(format!("{id}: {why} ({HINT})"));
         }
     }
     if let Some(why) = &questions.units_missing {
-        problems.push(format!("{}: {why} ({hint})", questions.stage.id));
+        problems.push(format!("{}: {why} ({HINT})", questions.stage.id));
         return;
     }
     let asked: BTreeSet<&str> = questions.stage.checks.iter().map(|check| check.id.as_str()).collect();
     let answered: BTreeSet<&str> = questions.units.keys().map(String::as_str).collect();
-    problems.extend(asked.difference(&answered).map(|id| format!("{id}: has no stored answer ({hint})")));
-    problems.extend(answered.difference(&asked).map(|id| format!("{id}: is answered, but not asked ({hint})")));
+    problems.extend(asked.difference(&answered).map(|id| format!("{id}: has no stored answer ({HINT})")));
+    problems.extend(answered.difference(&asked).map(|id| format!("{id}: is answered, but not asked ({HINT})")));
 }
 
 /// Stored answers agree with those on paper, and can be judged.
@@ -121,6 +124,7 @@ fn is_decision(answer: &Answer) -> bool {
 fn unknown_files(exam: &Exam, problems: &mut Vec<String>) {
     let stages = exam.stages.iter().map(|questions| &questions.stage);
     let mut known: BTreeSet<_> = stages.clone().map(|stage| check_answers_path(&exam.folder, &stage.id)).collect();
+    known.insert(mistakes_path(&exam.folder));
     for case in stages.flat_map(|stage| &stage.cases) {
         known.insert(image_answer_path(&exam.folder, &case.id));
         known.insert(expected_png_path(&exam.folder, &case.id));

@@ -234,9 +234,11 @@ fn the_stored_answers_are_what_the_reference_gives() {
     let checks = STAGES
         .iter()
         .filter_map(|stage| expect::of_checks(&stages, stage).unwrap_or_else(|wrong| panic!("{}", wrong.join("\n"))));
+    let mistakes = expect::mistakes(&stages).unwrap_or_else(|why| panic!("{why}"));
     none(
         pictures
             .chain(checks)
+            .chain([mistakes])
             .filter(|expected| !expected.is_stored())
             .map(|expected| format!("{} is not current: run `reference expect`", expected.path.display()))
             .collect(),

@@ -83,7 +83,8 @@ fn answer(target: &Target, is_check: bool, talk: Talk, tally: &mut Tally) -> Res
             Err(wrong) => tally.wrong.extend(wrong),
         }
     }
-    Ok(())
+    let mistakes = expect::mistakes(&target.stages).map_err(|why| Stop::Machine(why.to_string()))?;
+    settle(&mistakes, is_check, talk, tally)
 }
 
 fn one_case(stages: &Path, case: &Case, is_check: bool, talk: Talk, tally: &mut Tally) -> Result<(), Stop> {

@@ -29,6 +29,17 @@ pub struct Allowance {
     pub either: bool,
 }
 
+impl Allowance {
+    /// Whether a program may give this answer where `right` is right.
+    pub fn takes(&self, right: &Answer, given: &Answer) -> bool {
+        if decision(right) != decision(given) {
+            return self.either && numbers(given).into_iter().all(f64::is_finite);
+        }
+        let is_near = |(a, b): (f64, f64)| a == b || (a - b).abs() <= self.allowed;
+        numbers(right).into_iter().zip(numbers(given)).all(is_near)
+    }
+}
+
 /// The allowance of a question and its answer.
 ///
 /// # Errors

@@ -1,15 +1,16 @@
-//! The answers to the unit checks: the right one, and how far from it a right one may be.
+//! The answers to the unit checks: the right one, how far from it a right one may be, and what known mistakes say.
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
 use cases::answer::{self, CheckAnswer};
-use cases::probe::Answer;
+use cases::probe::{Answer, Ask};
 use cases::stage::{Check, Stage};
 
 use super::Expected;
 use super::allowed::{self, Allowance};
 use crate::answers;
+use crate::misconceptions::MISCONCEPTIONS;
 use crate::rules::Lecture;
 
 /// Relative error of an answer on paper against the reference in double precision.
@@ -63,8 +64,15 @@ pub fn of_check(check: &Check) -> Result<CheckAnswer, String> {
         }
     }
     let answer = check.paper.clone().unwrap_or(ours);
+    let wrong = wrong(&check.ask, &answer, &allowance);
     let Allowance { allowed, either } = allowance;
-    Ok(CheckAnswer { id: check.id.clone(), answer, allowed, either, wrong: BTreeMap::new() })
+    Ok(CheckAnswer { id: check.id.clone(), answer, allowed, either, wrong })
+}
+
+/// What each known mistake says, where that is not right.
+fn wrong(ask: &Ask, right: &Answer, allowance: &Allowance) -> BTreeMap<String, Answer> {
+    let answers = MISCONCEPTIONS.iter().map(|wrong| (wrong.id.to_owned(), answers::answer(&wrong.rules(), ask)));
+    answers.filter(|(_, answer)| !allowance.takes(right, answer)).collect()
 }
 
 fn json(answer: &Answer) -> String {

@@ -2,6 +2,7 @@
 
 pub mod allowed;
 mod checks;
+mod mistakes;
 
 use std::path::{Path, PathBuf};
 
@@ -10,6 +11,7 @@ use cases::film::{self, Image};
 use cases::stage::Case;
 
 pub use checks::{of_check, of_checks};
+pub use mistakes::mistakes;
 
 use crate::render::{self, Options};
 use crate::rules::Lecture;
