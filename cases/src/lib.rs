@@ -10,7 +10,8 @@
 //! | [`program`] | `main` of a submission written in Rust |
 //! | [`ray_tree`] | the tree of rays behind a pixel, as text |
 //!
-//! Behind the feature `authoring`, which a student's build leaves off: reading case files, stages, checks and answers.
+//! Behind the feature `authoring`, which a student's build leaves off: reading case files, stages, checks and answers, and [`course`], what a
+//! course decides.
 //!
 //! Conventions, once: world space is right-handed; colours are linear RGB; pixel (0, 0) is the top left one; a normal is a
 //! unit vector and points outwards; a matrix named `target_from_source` takes source coordinates to target coordinates.
@@ -20,6 +21,8 @@ pub use glam;
 
 #[cfg(feature = "authoring")]
 pub mod answer;
+#[cfg(feature = "authoring")]
+pub mod course;
 pub mod effects;
 pub mod film;
 pub mod maths;
@@ -35,6 +38,8 @@ pub mod schema;
 #[cfg(feature = "authoring")]
 pub mod stage;
 
+#[cfg(feature = "authoring")]
+pub use course::Course;
 pub use effects::{Effect, Effects};
 pub use ray::{Hit, RAY_EPSILON, Ray, SurfaceHit};
 pub use scene::{Camera, Light, Material, Mesh, Object, Scene, Shape};

@@ -1,6 +1,6 @@
 //! Image files: what is written can be read, and what is no picture of the size asked for is refused with a reason.
 
-use cases::film::{Image, Kind, PictureError, byte, encode, level, read_exact, word};
+use cases::film::{Image, Kind, PictureError, Quantiser, byte, encode, level, read_exact};
 use glam::DVec3;
 
 /// A picture that no two axes or channels can be swapped in unseen.
@@ -33,9 +33,14 @@ fn light_is_quantised_by_rounding_and_clamping() {
     {
         assert_eq!(byte(light), level, "{light}");
     }
+    let word = |light| Quantiser::Rounding.word(light);
     assert_eq!((word(0.5), word(2.0), word(f64::NAN)), (32768, 65535, 0));
     assert_eq!((level(0.5), level(2.0), level(-1.0)), (127.5, 255.0, 0.0));
     assert!(level(f64::NAN).is_nan());
+    for (light, below) in [(0.0, 0), (1.0, 255), (0.5, 127), (0.999, 254), (-3.0, 0), (7.0, 255), (f64::NAN, 0)] {
+        assert_eq!(Quantiser::Truncating.byte(light), below, "{light} truncated");
+    }
+    assert_eq!(Quantiser::Truncating.word(0.5), 32767);
 }
 
 /// What the refusal of `bytes` as a picture of 5×3 pixels says.

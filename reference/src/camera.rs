@@ -39,8 +39,8 @@ impl<T: Real> Lens<T> {
         }
     }
 
-    /// The ray through the point (`dx`, `dy`) of pixel (i, j), both from 0 to 1 from its top left corner; (0.5, 0.5) is its centre.
-    /// [rule 1]
+    /// The ray through the point (`dx`, `dy`) of pixel (i, j), both from 0 to 1 from the corner at which its row and column begin;
+    /// (0.5, 0.5) is its centre. [rule 1]
     pub fn eye_ray<R: RuleSource>(&self, rules: R, pixel: (u32, u32), (dx, dy): (T, T)) -> Ray<T> {
         let corner = if rules.get().pixel_centre { T::ZERO } else { T::HALF };
         let by = rules.get().style.nudge.map(|nudge| T::of(nudge) - corner);

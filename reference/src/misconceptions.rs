@@ -23,34 +23,45 @@ pub struct Misconception {
 }
 
 impl Misconception {
-    /// The rules with this mistake in them.
-    pub fn rules(&self) -> Rules {
-        let mut rules = Rules::LECTURE;
+    /// The rules of a course with this mistake in them.
+    pub fn on(&self, rules: &Rules) -> Rules {
+        let mut rules = *rules;
         (self.apply)(&mut rules);
         rules
     }
 }
 
+/// Those that are mistakes under these rules: not what the course itself asks for. In the order of their rules.
+pub fn of(rules: &Rules) -> Vec<&'static Misconception> {
+    MISCONCEPTIONS.iter().filter(|wrong| wrong.on(rules) != *rules).collect()
+}
+
 macro_rules! misconceptions {
-    ($($id:ident, $rule:literal, $look_at:literal, $field:ident = $value:expr, $says:literal;)*) => {
-        /// All of them, in the order of their rules.
-        pub const MISCONCEPTIONS: &[Misconception] = &[$(Misconception {
+    ($($id:ident, $rule:literal, $look_at:literal, $($field:ident)? $(|$rules:ident| $other:ident)? = $value:expr, $says:literal;)*) => {
+        /// All of them, in the order of their rules; [`of`] leaves out those that a course asks for.
+        const MISCONCEPTIONS: &[Misconception] = &[$(Misconception {
             id: stringify!($id),
             rule: $rule,
             says: $says,
             look_at: $look_at,
-            apply: |rules| rules.$field = $value,
+            apply: misconceptions!(@apply $($field)? $(|$rules| $other)? = $value),
         },)*];
     };
+    (@apply $field:ident = $value:expr) => { |rules| rules.$field = $value };
+    (@apply |$rules:ident| $field:ident = $value:expr) => { |$rules| $rules.$field = $value };
 }
 
 misconceptions! {
     pixel_corner, 1, "camera.rs eye_ray", pixel_centre = false,
-        "the ray goes through the pixel's top left corner, not its centre";
-    upside_down, 1, "camera.rs eye_ray", rows_from_top = false,
-        "row 0 is taken for the bottom row";
+        "the ray goes through the pixel's corner, not its centre";
+    pixel_centre, 1, "camera.rs eye_ray", pixel_centre = true,
+        "the ray goes through the pixel's centre, not its corner";
+    upside_down, 1, "camera.rs eye_ray", |rules| rows_from_top = !rules.rows_from_top,
+        "rows are counted from the wrong end, so that the picture is upside down";
     horizontal_fov, 1, "camera.rs eye_ray", fov = Fov::Horizontal,
         "fov is taken for the horizontal angle";
+    vertical_fov, 1, "camera.rs eye_ray", fov = Fov::Vertical,
+        "fov is taken for the vertical angle";
     stretched, 1, "camera.rs eye_ray", square_pixels = false,
         "the shape of the picture does not widen the view plane, so that pixels are not square";
     eye_ray_not_unit, 1, "camera.rs eye_ray", unit_direction = false,
@@ -63,6 +74,8 @@ misconceptions! {
         "hits behind the ray's origin (t < 0) count";
     phong_highlight, 3, "shade.rs light_term", highlight = Highlight::Phong,
         "the highlight is Phong's (R·V) where the half vector's (N·H) is due";
+    blinn_highlight, 3, "shade.rs light_term", highlight = Highlight::Blinn,
+        "the highlight is Blinn's (N·H) where the mirrored direction's (R·V) is due";
     half_vector_not_unit, 3, "shade.rs light_term", highlight = Highlight::HalfNotUnit,
         "the half vector L + V is not normalised";
     half_cosine_not_clamped, 3, "shade.rs light_term", highlight = Highlight::Unclamped,
@@ -81,6 +94,10 @@ misconceptions! {
         "a light behind the surface takes light away: N·L is not cut at 0";
     lit_from_behind, 3, "shade.rs light_term", facing = Facing::BothSides,
         "a light behind the surface shines on it: |N·L| in the place of N·L";
+    glass_lit_from_behind, 3, "shade.rs light_term", facing = Facing::BothSidesOfTransmissive,
+        "a light behind the surface shines on it where kt > 0, and only there: |N·L| in the place of N·L";
+    dark_from_behind, 3, "shade.rs light_term", facing = Facing::OnlyFront,
+        "a light behind the surface never shines on it: N·L is cut at 0";
     emission_per_light, 3, "shade.rs shade", emission = Emission::PerLight,
         "ke is added once for each light, not once";
     no_emission, 3, "shade.rs shade", emission = Emission::Absent,
@@ -95,6 +112,8 @@ misconceptions! {
         "there is no ambient term";
     attenuation_above_one, 4, "light.rs distance_attenuation", attenuation = Attenuation::Unclamped,
         "near a light the attenuation exceeds 1";
+    attenuation_cut, 4, "light.rs distance_attenuation", attenuation = Attenuation::Clamped,
+        "near a light the attenuation is cut at 1";
     no_attenuation, 4, "light.rs distance_attenuation", attenuation = Attenuation::Absent,
         "light does not weaken with distance";
     attenuation_swapped, 4, "light.rs distance_attenuation", attenuation = Attenuation::Swapped,
@@ -112,7 +131,9 @@ misconceptions! {
     glass_casts_no_shadow, 6, "shadow.rs shadow_attenuation", tint = Tint::Clear,
         "a transparent object casts no shadow at all";
     tint_once_per_object, 6, "shadow.rs shadow_attenuation", tint = Tint::PerObject,
-        "kt tints a shadow once for each object; it does so on the way in and on the way out";
+        "kt tints a shadow once for each object, not for each surface crossed";
+    tint_at_each_crossing, 6, "shadow.rs shadow_attenuation", tint = Tint::PerCrossing,
+        "kt tints a shadow for each surface crossed";
     tint_by_first_crossing, 6, "shadow.rs shadow_attenuation", tint = Tint::FirstCrossing,
         "the shadow ray stops at the first transparent surface";
     mirror_backwards, 7, "reflection.rs reflect", mirror = Mirror::Backwards,
@@ -133,6 +154,8 @@ misconceptions! {
         "light goes through glass without being bent";
     air_is_one, 9, "refraction.rs indices", air = 1.0,
         "the index of air is taken as 1; it is 1.0003";
+    air_is_not_one, 9, "refraction.rs indices", air = 1.0003,
+        "the index of air is taken as 1.0003; it is 1";
     leaving_as_entering, 9, "refraction.rs indices", leaving = Leaving::AsEntering,
         "the indices are not exchanged on the way out";
     total_reflection_ignored, 10, "refraction.rs refract", total_reflection = TotalReflection::Straight,
@@ -149,12 +172,18 @@ misconceptions! {
         "every hit is taken for one from outside";
     ambient_inside_not_tinted, 12, "shade.rs ambient", ambient_inside = false,
         "from inside the ambient term is not multiplied by kt";
+    ambient_inside_tinted, 12, "shade.rs ambient", ambient_inside = true,
+        "from inside the ambient term is multiplied by kt";
     one_bounce_too_many, 13, "reflection.rs goes_on", depth = Depth::LessOrEqual,
         "a ray of depth max_depth still spawns rays";
+    last_bounce_missing, 13, "reflection.rs goes_on", depth = Depth::Less,
+        "a ray of depth max_depth spawns no more";
     one_bounce_too_few, 13, "reflection.rs goes_on", depth = Depth::OneLess,
         "a ray of depth max_depth − 1 spawns no more";
     cutoff_by_any_channel, 13, "reflection.rs goes_on", cutoff = Cutoff::AnyChannel,
         "a path ends where one channel falls below the threshold; all must";
+    cutoff_by_all_channels, 13, "reflection.rs goes_on", cutoff = Cutoff::AllChannels,
+        "a path goes on until all channels fall below the threshold; one is enough";
     cutoff_ignored, 13, "reflection.rs goes_on", cutoff = Cutoff::Absent,
         "the threshold is ignored";
     cutoff_by_last_surface, 13, "reflection.rs reflected_light", cutoff = Cutoff::LastOnly,
@@ -196,15 +225,21 @@ misconceptions! {
     nearest_vertex_normal, 18, "smooth.rs interpolate_normal", interpolation = Interpolation::NearestVertex,
         "the nearest vertex's normal is taken, not the mix of all three";
     mirror_into_the_object, 19, "smooth.rs smooth_reflect", reflect_by = ReflectBy::Interpolated,
-        "where the mirrored ray would enter the object it is not recomputed with the geometric normal";
+        "rays are mirrored by the interpolated normal, even where they then enter the object";
+    mirror_by_fallback, 19, "smooth.rs smooth_reflect", reflect_by = ReflectBy::WithFallback,
+        "where the mirrored ray would enter the object it is recomputed with the geometric normal";
     mirror_by_geometric_normal, 19, "smooth.rs smooth_reflect", reflect_by = ReflectBy::Geometric,
         "rays are mirrored by the geometric normal";
     refract_without_retest, 19, "smooth.rs smooth_refract", refract_by = RefractBy::Interpolated,
-        "where the transmitted ray would not cross the surface it is not recomputed with the geometric normal";
+        "rays are refracted by the interpolated normal, even where they then do not cross the surface";
+    refract_by_fallback, 19, "smooth.rs smooth_refract", refract_by = RefractBy::WithFallback,
+        "where the transmitted ray would not cross the surface it is recomputed with the geometric normal";
     refract_by_geometric_normal, 19, "smooth.rs smooth_refract", refract_by = RefractBy::Geometric,
         "rays are refracted by the geometric normal";
     inside_by_interpolated_normal, 19, "shade.rs facing_normal", inside_by = InsideBy::Interpolated,
         "the interpolated normal decides between inside and outside; the geometric one must";
+    inside_by_geometric_normal, 19, "shade.rs facing_normal", inside_by = InsideBy::Geometric,
+        "the geometric normal decides between inside and outside; the interpolated one must";
     direction_renormalised, 20, "transform.rs ray_to_object", object_ray = ObjectRay::Renormalised,
         "the direction is normalised in object space, so that t no longer holds in world space";
     direction_translated, 20, "transform.rs ray_to_object", object_ray = ObjectRay::Translated,

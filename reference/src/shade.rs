@@ -56,11 +56,13 @@ pub fn ambient<T: Real, R: RuleSource>(
     if is_inside && rules.get().ambient_inside { outside * material.kt } else { outside }
 }
 
-/// Whether a light in direction `to_light` adds anything to a surface with that normal: B_j. [rule 3]
+/// Whether a light in direction `to_light` adds anything to a surface of that material and normal: B_j. [rule 3]
 #[inline(always)]
-pub fn is_lit<T: Real, R: RuleSource>(rules: R, normal: Vec3<T>, to_light: Vec3<T>) -> bool {
+pub fn is_lit<T: Real, R: RuleSource>(rules: R, material: &Material<T>, normal: Vec3<T>, to_light: Vec3<T>) -> bool {
+    let is_before = normal.dot(to_light) > T::ZERO;
     match rules.get().facing {
-        Facing::OnlyFront => normal.dot(to_light) > T::ZERO,
+        Facing::OnlyFront => is_before,
+        Facing::BothSidesOfTransmissive => is_before || material.kt.max_element() > T::ZERO,
         Facing::SpecularFromBehind | Facing::Unclamped | Facing::BothSides => true,
     }
 }
@@ -77,7 +79,7 @@ pub fn light_term<T: Real, R: RuleSource>(
     to_viewer: Vec3<T>,
     to_light: Vec3<T>,
 ) -> Vec3<T> {
-    if !is_lit(rules, normal, to_light) {
+    if !is_lit(rules, material, normal, to_light) {
         return Vec3::ZERO;
     }
     let cosine = normal.dot(to_light);
@@ -85,7 +87,7 @@ pub fn light_term<T: Real, R: RuleSource>(
         (_, Diffuse::Flat) => T::ONE,
         (Facing::OnlyFront | Facing::Unclamped, Diffuse::Cosine) => cosine,
         (Facing::SpecularFromBehind, Diffuse::Cosine) => cosine.greatest(T::ZERO),
-        (Facing::BothSides, Diffuse::Cosine) => cosine.abs(),
+        (Facing::BothSides | Facing::BothSidesOfTransmissive, Diffuse::Cosine) => cosine.abs(),
     };
     arriving * (material.kd * spread + material.ks * highlight(rules, material.ns, normal, to_viewer, to_light))
 }

@@ -108,9 +108,11 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         }
     }
 
-    /// The light through the point (`dx`, `dy`) of a pixel, both from 0 to 1. [rule 1]
-    pub fn eye(&self, pixel: (u32, u32), at: (T, T), watch: &mut impl Watch) -> Vec3<T> {
-        let ray = self.lens.eye_ray(self.rules, pixel, at);
+    /// The light through the point (`dx`, `dy`), both from 0 to 1, of the picture's pixel in column i from the left and row j from the top.
+    /// [rule 1]
+    pub fn eye(&self, (i, j): (u32, u32), at: (T, T), watch: &mut impl Watch) -> Vec3<T> {
+        let row = if self.rules.get().picture_from_top { j } else { self.world.render.height - 1 - j };
+        let ray = self.lens.eye_ray(self.rules, (i, row), at);
         self.trace(&ray, Path::eye(0), watch)
     }
 
@@ -219,7 +221,7 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
                 colour += ambient;
             }
             let Some((to_light, r)) = light.seen_from(self.rules, seen.point) else { continue };
-            if !shadowed && !shade::is_lit(self.rules, seen.normal, to_light) {
+            if !shadowed && !shade::is_lit(self.rules, material, seen.normal, to_light) {
                 continue;
             }
             let reaching = self.shadow(seen.point, seen.n_geom, to_light, r, watch) * light.attenuation(self.rules, r);

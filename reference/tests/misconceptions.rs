@@ -1,12 +1,14 @@
 //! Every classic mistake is seen: it changes the picture of some case or the answer to some unit check.
 
+use cases::Course;
+use cases::course::{self, DECISIONS, Decision, Legal};
 use cases::film::{Image, level};
 use cases::probe::Ask;
 use cases::stage::{self, Stage};
 use reference::answers::answer;
-use reference::misconceptions::{MISCONCEPTIONS, Misconception};
+use reference::misconceptions::{self, Misconception};
 use reference::render::{Options, render};
-use reference::rules::{Lecture, RuleSource};
+use reference::rules::{Lecture, RuleSource, Rules};
 use reference::world::World;
 
 fn stages() -> Vec<Stage> {
@@ -59,32 +61,97 @@ fn every_misconception_changes_some_case_or_check() {
         let mine = picture(world, &reference::rules::Rules::LECTURE);
         assert_eq!(mine.pixels(), lecture.pixels(), "{id}: rules as a value give other bits than rules as a constant");
     }
-    let is_unseen = |m: &&Misconception| {
-        let rules = m.rules();
+    let is_unseen = |m: &&'static Misconception| {
+        let rules = m.on(&Rules::LECTURE);
         let mut asks = asks.iter().copied().chain([&turned_away]);
         let asked = asks.any(|ask| answer(&rules, ask) != answer(Lecture, ask));
         !asked && worlds.iter().all(|(_, world, lecture)| n_changed(&picture(world, &rules), lecture) == 0)
     };
-    let unseen: Vec<_> = MISCONCEPTIONS.iter().filter(is_unseen).map(|m| m.id).collect();
+    let unseen: Vec<_> = misconceptions::of(&Rules::LECTURE).into_iter().filter(is_unseen).map(|m| m.id).collect();
     assert!(unseen.is_empty(), "no case and no check shows {unseen:?}");
 }
 
 #[test]
 fn every_rule_has_a_misconception_and_every_id_is_its_own() {
+    let all = misconceptions::of(&Rules::LECTURE);
     for rule in 1..=21 {
-        assert!(MISCONCEPTIONS.iter().any(|m| m.rule == rule), "rule {rule} cannot be broken");
+        assert!(all.iter().any(|m| m.rule == rule), "rule {rule} cannot be broken");
     }
-    let mut ids: Vec<_> = MISCONCEPTIONS.iter().map(|m| m.id).collect();
+    let mut ids: Vec<_> = everywhere().iter().map(|m| m.id).collect();
+    let n_ids = ids.len();
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), MISCONCEPTIONS.len());
-    assert!(MISCONCEPTIONS.is_sorted_by_key(|m| m.rule));
+    assert_eq!(ids.len(), n_ids);
+    assert!(all.is_sorted_by_key(|m| m.rule));
+}
+
+/// Every course that differs from the lecture in a single key, with the key and value.
+fn single_key_courses() -> Vec<(String, Course)> {
+    let parse = |key: &str, value: &str| {
+        let text = format!("{key} = {value}");
+        let course = course::parse("course.toml", &text).unwrap_or_else(|problems| panic!("{problems}"));
+        (text, course)
+    };
+    let of_decision = |decision: &Decision| match decision.legal {
+        Legal::OneOf(values) => values.iter().skip(1).map(|(value, _)| parse(decision.key, value)).collect::<Vec<_>>(),
+        Legal::Range { most, .. } => vec![parse(decision.key, "1e-4"), parse(decision.key, &most.to_string())],
+    };
+    DECISIONS.iter().flat_map(of_decision).collect()
+}
+
+/// What is a mistake in some course, each once.
+fn everywhere() -> Vec<&'static Misconception> {
+    let mut all = misconceptions::of(&Rules::LECTURE);
+    for (_, course) in single_key_courses() {
+        let more = misconceptions::of(&Rules::of(&course));
+        all.extend(more.into_iter().filter(|new| all.iter().all(|m| m.id != new.id)).collect::<Vec<_>>());
+    }
+    all
+}
+
+#[test]
+fn the_default_course_is_the_lecture() {
+    assert_eq!(Rules::of(&Course::default()), Rules::LECTURE);
+}
+
+#[test]
+fn in_every_course_each_mistake_is_one_and_no_two_are_the_same() {
+    for (name, course) in single_key_courses() {
+        let rules = Rules::of(&course);
+        assert_ne!(rules, Rules::LECTURE, "{name} changes nothing");
+        let mistaken: Vec<_> = misconceptions::of(&rules).into_iter().map(|m| (m.id, m.on(&rules))).collect();
+        for (n, (id, mistake)) in mistaken.iter().enumerate() {
+            assert_ne!(*mistake, rules, "{id} is what the course with {name} asks for");
+            for (other, same) in &mistaken[..n] {
+                assert_ne!(mistake, same, "in the course with {name}, {id} is {other}");
+            }
+        }
+    }
+}
+
+/// Anything else that a course could have chosen is a mistake, but for what students may choose themselves. Whoever counts rows from the
+/// other end draws the picture upside down.
+#[test]
+fn every_other_choice_of_a_course_is_a_mistake_in_it() {
+    let is_free = |decision: &&Decision| !["epsilon", "bytes"].contains(&decision.key);
+    let of = |text: &str| Rules::of(&course::parse("course.toml", text).unwrap());
+    for decision in DECISIONS.iter().filter(is_free) {
+        let Legal::OneOf(values) = decision.legal else { panic!("{} is no choice among values", decision.key) };
+        let courses: Vec<Rules> = values.iter().map(|(value, _)| of(&format!("{} = {value}", decision.key))).collect();
+        for (rules, (value, _)) in courses.iter().zip(values) {
+            let wrong: Vec<Rules> = misconceptions::of(rules).iter().map(|m| m.on(rules)).collect();
+            for other in courses.iter().filter(|other| *other != rules) {
+                let upright = Rules { picture_from_top: rules.picture_from_top, ..*other };
+                assert!(wrong.contains(&upright), "{} = {value}: another choice is no known mistake", decision.key);
+            }
+        }
+    }
 }
 
 #[test]
 fn every_function_to_look_at_is_one_of_the_template() {
     let template = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../student_template/src");
-    for m in MISCONCEPTIONS {
+    for m in everywhere() {
         let (file, function) = m.look_at.split_once(' ').unwrap();
         let text = std::fs::read_to_string(template.join(file)).unwrap_or_else(|why| panic!("{}: {file}: {why}", m.id));
         assert!(text.contains(&format!("pub fn {function}(")), "{}: {file} has no {function}", m.id);

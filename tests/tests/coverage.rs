@@ -11,7 +11,7 @@ use cases::stage::{self, Case, Stage};
 use cases::{Effect, Effects, Scene};
 use grader::judge;
 use grader::record::Verdict;
-use reference::misconceptions::{MISCONCEPTIONS, Misconception};
+use reference::misconceptions::{self, Misconception};
 use reference::real::Real;
 use reference::render::{self, Options};
 use reference::rules::{Epsilon, Lecture, RuleSource, Rules};
@@ -34,7 +34,7 @@ fn image_cases() -> impl Iterator<Item = &'static Case> {
 }
 
 fn broken(rule: u8) -> impl Iterator<Item = &'static Misconception> {
-    MISCONCEPTIONS.iter().filter(move |wrong| wrong.rule == rule)
+    misconceptions::of(&Rules::LECTURE).into_iter().filter(move |wrong| wrong.rule == rule)
 }
 
 fn stored(case: &Case) -> ImageAnswer {
@@ -86,7 +86,7 @@ fn every_rule_that_a_case_names_can_be_seen_broken_in_it() {
     none(
         image_cases()
             .flat_map(|case| case.rules.iter().map(move |rule| (case, *rule)))
-            .filter(|(case, rule)| broken(*rule).all(|wrong| forgives(case, &wrong.rules())))
+            .filter(|(case, rule)| broken(*rule).all(|wrong| forgives(case, &wrong.on(&Rules::LECTURE))))
             .map(|(case, rule)| format!("{}: no known way of breaking rule {rule} shows in it", case.id))
             .collect(),
     );
@@ -96,12 +96,12 @@ fn every_rule_that_a_case_names_can_be_seen_broken_in_it() {
 #[test]
 fn every_misconception_is_caught() {
     none(
-        MISCONCEPTIONS
-            .iter()
+        misconceptions::of(&Rules::LECTURE)
+            .into_iter()
             .filter(|wrong| {
                 let names_it = |case: &&Case| case.rules.contains(&wrong.rule);
                 let (first, rest): (Vec<_>, Vec<_>) = image_cases().partition(names_it);
-                let rules = wrong.rules();
+                let rules = wrong.on(&Rules::LECTURE);
                 first.into_iter().all(|case| forgives(case, &rules))
                     && !fails_a_question(&rules)
                     && rest.into_iter().all(|case| forgives(case, &rules))

@@ -1,16 +1,40 @@
 //! The one place that turns linear light into integers.
 //!
-//! A channel is clamped to 0..1 and rounded to the nearest of 256 (or 65,536) levels, without gamma: as the courses do,
+//! A channel is clamped to 0..1 and brought to one of 256 (or 65,536) levels, without gamma: as the courses do,
 //! so that a level is the same amount of light everywhere. NaN becomes 0.
 
-/// Linear light to one of 256 levels.
-pub fn byte(light: f64) -> u8 {
-    (clamped(light) * 255.0).round() as u8
+/// Which level light between two levels becomes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Quantiser {
+    /// The nearest.
+    #[default]
+    Rounding,
+    /// The one below.
+    Truncating,
 }
 
-/// Linear light to one of 65,536 levels.
-pub fn word(light: f64) -> u16 {
-    (clamped(light) * 65535.0).round() as u16
+impl Quantiser {
+    /// Linear light to one of 256 levels.
+    pub fn byte(self, light: f64) -> u8 {
+        self.whole(clamped(light) * 255.0) as u8
+    }
+
+    /// Linear light to one of 65,536 levels.
+    pub fn word(self, light: f64) -> u16 {
+        self.whole(clamped(light) * 65535.0) as u16
+    }
+
+    fn whole(self, level: f64) -> f64 {
+        match self {
+            Self::Rounding => level.round(),
+            Self::Truncating => level.floor(),
+        }
+    }
+}
+
+/// Linear light to the nearest of 256 levels.
+pub fn byte(light: f64) -> u8 {
+    Quantiser::Rounding.byte(light)
 }
 
 /// Linear light in 8-bit levels, 0..255, not rounded: the scale on which images are compared. NaN stays NaN.

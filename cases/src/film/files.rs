@@ -7,7 +7,7 @@ use std::path::Path;
 use glam::DVec3;
 use image::{ColorType, DynamicImage, ImageDecoder, ImageEncoder, codecs::png};
 
-use super::{Image, byte, word};
+use super::{Image, Quantiser};
 
 /// The kinds of file that hold a picture of ours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,14 +62,24 @@ pub fn write(path: &Path, image: &Image) -> Result<(), PictureError> {
     Ok(replace(path, &encode(kind, image)?)?)
 }
 
-/// The bytes of a file of that kind.
+/// The bytes of a file of that kind, light rounded to the nearest level.
 ///
 /// # Errors
 /// What the encoder says.
 pub fn encode(kind: Kind, image: &Image) -> Result<Vec<u8>, PictureError> {
+    encode_by(Quantiser::Rounding, kind, image)
+}
+
+/// The bytes of a file of that kind, light brought to levels by `quantiser`; a file of floats has none.
+///
+/// # Errors
+/// What the encoder says.
+pub fn encode_by(quantiser: Quantiser, kind: Kind, image: &Image) -> Result<Vec<u8>, PictureError> {
     match kind {
-        Kind::Png => encode_png(image, image::ExtendedColorType::Rgb8, |light| [byte(light)]),
-        Kind::DeepPng => encode_png(image, image::ExtendedColorType::Rgb16, |light| word(light).to_ne_bytes()),
+        Kind::Png => encode_png(image, image::ExtendedColorType::Rgb8, |light| [quantiser.byte(light)]),
+        Kind::DeepPng => {
+            encode_png(image, image::ExtendedColorType::Rgb16, |light| quantiser.word(light).to_ne_bytes())
+        }
         Kind::Pfm => Ok(encode_pfm(image)),
     }
 }

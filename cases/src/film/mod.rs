@@ -5,9 +5,9 @@ mod encode;
 pub mod exr;
 mod image;
 
-pub use self::encode::{byte, level, word};
+pub use self::encode::{Quantiser, byte, level};
 pub use image::Image;
 
 mod files;
 
-pub use files::{Kind, PictureError, encode, read_exact, replace, write};
+pub use files::{Kind, PictureError, encode, encode_by, read_exact, replace, write};

@@ -61,6 +61,8 @@ choices! {
         Unclamped,
         /// Always 1, the cosine by its amount.
         BothSides,
+        /// The same where kt > 0 in some channel; elsewhere 1 if N·L > 0, else 0.
+        BothSidesOfTransmissive,
     }
     /// How often ke counts. [rule 3]
     Emission {

@@ -4,10 +4,13 @@
 //! removes every alternative: they cost nothing. A `&Rules` is looked up as the picture is rendered.
 
 mod choices;
+mod course;
 mod style;
 
 pub use choices::*;
 pub use style::*;
+
+use cases::film::Quantiser;
 
 use crate::real::Real;
 
@@ -50,8 +53,10 @@ impl RuleSource for &Rules {
 pub struct Rules {
     /// Whether a ray goes through the pixel's centre, not its top left corner. [rule 1]
     pub pixel_centre: bool,
-    /// Whether row 0 is the top one. [rule 1]
+    /// Whether rows are counted from the top. [rule 1]
     pub rows_from_top: bool,
+    /// Whether the picture's first row, the top one, is taken for row 0, not for the last. [rule 1]
+    pub picture_from_top: bool,
     /// Whether the shape of the picture widens the view, so that pixels are square. [rule 1]
     pub square_pixels: bool,
     /// Whether an eye ray's direction is of unit length. [rule 1]
@@ -98,6 +103,8 @@ pub struct Rules {
     pub object_ray: ObjectRay,
     pub world_normal: WorldNormal,
     pub epsilon: Epsilon,
+    /// How the picture's light becomes bytes; light itself it does not touch.
+    pub quantiser: Quantiser,
     /// What is free: it changes no more than roundings.
     pub style: Style,
 }
@@ -107,6 +114,7 @@ impl Rules {
     pub const LECTURE: Self = Self {
         pixel_centre: true,
         rows_from_top: true,
+        picture_from_top: true,
         square_pixels: true,
         unit_direction: true,
         fov: Fov::Vertical,
@@ -147,6 +155,7 @@ impl Rules {
         object_ray: ObjectRay::AsIs,
         world_normal: WorldNormal::InverseTranspose,
         epsilon: Epsilon::RayEpsilon,
+        quantiser: Quantiser::Rounding,
         style: Style::REFERENCE,
     };
 }

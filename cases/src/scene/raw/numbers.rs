@@ -12,7 +12,7 @@ use super::read::{Notes, Read, Value};
 pub(crate) const MAX_NUMBER: f64 = 1e18;
 
 /// Any number but NaN and infinity, of sensible size.
-fn finite(value: &Value<'_>, wanted: &str, notes: &mut Notes) -> Option<f64> {
+pub(crate) fn finite(value: &Value<'_>, wanted: &str, notes: &mut Notes) -> Option<f64> {
     let number = match value.get_ref() {
         DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix()).ok().map(|n| n as f64),
         DeValue::Float(float) => float.as_str().parse().ok(),

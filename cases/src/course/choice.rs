@@ -1,0 +1,270 @@
+//! How a decision is declared, read and described, once for all of them.
+
+use std::borrow::Cow;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde_json::Value as Json;
+use toml::de::DeValue;
+
+use crate::problem::{did_you_mean, quoted};
+use crate::ray::RAY_EPSILON;
+use crate::scene::raw::numbers::finite;
+use crate::scene::raw::read::{Notes, Read, Table, Value, json};
+
+/// Something that a course decides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Decision {
+    /// The key in `course.toml`.
+    pub key: &'static str,
+    /// What is decided, as a phrase.
+    pub decides: &'static str,
+    /// The rules of light it belongs to.
+    pub rules: &'static [u8],
+    /// The decision in `docs/shading-model.md` where no rule settles it: 25 for D25.
+    pub number: Option<u8>,
+    /// The values to choose from.
+    pub legal: Legal,
+}
+
+/// The values that a course may choose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Legal {
+    /// Each as it is written in the file, and what it means; the lecture's first.
+    OneOf(&'static [(&'static str, &'static str)]),
+    /// Any number from `least` to `most`.
+    Range {
+        /// Least value.
+        least: f64,
+        /// Greatest value.
+        most: f64,
+        /// The lecture's.
+        lecture: f64,
+    },
+}
+
+impl Legal {
+    /// The lecture's value, as it is written in the file.
+    pub fn lecture(&self) -> String {
+        match self {
+            Self::OneOf(values) => values.first().map_or_else(String::new, |(written, _)| (*written).to_owned()),
+            Self::Range { lecture, .. } => format!("{lecture:e}"),
+        }
+    }
+}
+
+/// A type with a value for everything that may be chosen.
+pub(super) trait Choice: Copy + Default + 'static {
+    /// The key it is chosen by.
+    const KEY: &'static str;
+    /// Every value, as it is written and what it means; the lecture's first.
+    const VALUES: &'static [(Self, &'static str, &'static str)];
+}
+
+/// The value written so, or `None` once what is wrong has been noted.
+pub(super) fn read<T: Choice>(value: &Value<'_>, notes: &mut Notes) -> Option<T> {
+    let legal = || T::VALUES.iter().map(|(_, written, _)| *written);
+    let written = match value.get_ref() {
+        DeValue::String(text) => format!("\"{text}\""),
+        DeValue::Integer(_) | DeValue::Float(_) => format!("{:?}", finite(value, "a number", notes)?),
+        _ => {
+            notes.wrong(value, &format!("one of {}", quoted(legal())));
+            return None;
+        }
+    };
+    let found = T::VALUES.iter().find(|(_, legal, _)| *legal == written);
+    if found.is_none() {
+        let all = format!("legal values are {}; the first is the lecture's", quoted(legal()));
+        let problem = notes.add(value.span(), format!("`{}` cannot be {written}", T::KEY), "no course decides so");
+        problem.help(match did_you_mean(&written, legal()) {
+            Some(meant) => format!("did you mean `{meant}`? {all}"),
+            None => all,
+        });
+    }
+    found.map(|(value, ..)| *value)
+}
+
+/// The value as it is written in a file.
+pub(super) fn written<T: Choice + PartialEq>(value: &T) -> String {
+    T::VALUES
+        .iter()
+        .find(|(known, ..)| known == value)
+        .map_or_else(String::new, |(_, written, _)| (*written).to_owned())
+}
+
+/// The schema of a choice: its values, the default, what each means.
+pub(super) fn schema<T: Choice>() -> Schema {
+    let values: Vec<Json> = T::VALUES.iter().map(|(_, written, _)| json(written)).collect();
+    let means: Vec<String> = T::VALUES.iter().map(|(_, written, means)| format!("`{written}`: {means}")).collect();
+    json_schema!({ "enum": values, "default": values.first(), "markdownDescription": means.join("; ") })
+}
+
+/// RAY_EPSILON as a course gives it. [rule 21]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct RawEpsilon(pub(super) f64);
+
+impl RawEpsilon {
+    /// Courses teach values from here ...
+    pub(super) const LEAST: f64 = RAY_EPSILON;
+    /// ... to here; a greater one loses contact shadows, a lesser one leaves acne in single precision.
+    pub(super) const MOST: f64 = 1e-3;
+}
+
+impl Read for RawEpsilon {
+    fn read(value: &Value<'_>, notes: &mut Notes) -> Option<Self> {
+        let wanted = format!("a number from {:e} to {:e}", Self::LEAST, Self::MOST);
+        let number = finite(value, &wanted, notes)?;
+        if !(Self::LEAST..=Self::MOST).contains(&number) {
+            notes.add(value.span(), format!("this is not {wanted}"), format!("{wanted} is due here"));
+            return None;
+        }
+        Some(Self(number))
+    }
+
+    fn absent(_: &str, _: &Table<'_>, _: &mut Notes) -> Option<Self> {
+        Some(Self(RAY_EPSILON))
+    }
+}
+
+impl JsonSchema for RawEpsilon {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "Epsilon".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "number", "minimum": Self::LEAST, "maximum": Self::MOST, "default": RAY_EPSILON })
+    }
+}
+
+/// Declares all decisions: for each its type, its key in the file and in [`Course`](super::Course), and its texts. Needs `table!` in scope.
+macro_rules! decisions {
+    ($(#[doc = $decides:tt] $key:ident : $name:ident [$($rule:literal),*] $(D $number:literal)? {
+        #[doc = $first_means:tt]
+        $first:ident = $first_written:literal,
+        $( #[doc = $means:tt] $variant:ident = $written:literal, )*
+    })*) => {
+        $(
+            #[doc = concat!($decides, ".")]
+            #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+            pub enum $name {
+                #[doc = concat!("The lecture's:", $first_means, ".")]
+                #[default]
+                $first,
+                $( #[doc = concat!($means, ".")] $variant, )*
+            }
+
+            impl $crate::course::choice::Choice for $name {
+                const KEY: &'static str = stringify!($key);
+                const VALUES: &'static [(Self, &'static str, &'static str)] = &[
+                    (Self::$first, stringify!($first_written), $first_means.trim_ascii()),
+                    $( (Self::$variant, stringify!($written), $means.trim_ascii()), )*
+                ];
+            }
+
+            impl $crate::scene::raw::read::Read for $name {
+                fn read(
+                    value: &$crate::scene::raw::read::Value<'_>,
+                    notes: &mut $crate::scene::raw::read::Notes,
+                ) -> Option<Self> {
+                    $crate::course::choice::read(value, notes)
+                }
+
+                fn absent(
+                    _: &str,
+                    _: &$crate::scene::raw::read::Table<'_>,
+                    _: &mut $crate::scene::raw::read::Notes,
+                ) -> Option<Self> {
+                    Some(Self::default())
+                }
+            }
+
+            impl schemars::JsonSchema for $name {
+                fn inline_schema() -> bool {
+                    true
+                }
+
+                fn schema_name() -> std::borrow::Cow<'static, str> {
+                    stringify!($name).into()
+                }
+
+                fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                    $crate::course::choice::schema::<Self>()
+                }
+            }
+        )*
+
+        table! {
+            /// What a course decides where courses differ; a key left out is decided as the lecture does.
+            "a course" RawCourse {
+                $( #[doc = $decides] $key: $name, )*
+                /// RAY_EPSILON: a hit at a lesser t does not count.
+                epsilon: $crate::course::choice::RawEpsilon,
+            }
+        }
+
+        /// What a course decided: one legal value for everything on which courses differ. The default is the lecture.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Course {
+            $(
+                #[doc = concat!($decides, ".")]
+                pub $key: $name,
+            )*
+            /// RAY_EPSILON, from 1e-6 to 1e-3. [rule 21]
+            pub epsilon: f64,
+        }
+
+        impl Default for Course {
+            fn default() -> Self {
+                Self { $( $key: $name::default(), )* epsilon: $crate::RAY_EPSILON }
+            }
+        }
+
+        impl From<RawCourse> for Course {
+            fn from(raw: RawCourse) -> Self {
+                Self { $( $key: raw.$key, )* epsilon: raw.epsilon.0 }
+            }
+        }
+
+        impl Course {
+            /// The value of every key as it is written in a file, in the order of [`DECISIONS`].
+            pub fn written(&self) -> Vec<String> {
+                vec![
+                    $( $crate::course::choice::written(&self.$key), )*
+                    format!("{:e}", self.epsilon),
+                ]
+            }
+        }
+
+        /// Everything that a course decides, in the order of the rules.
+        pub const DECISIONS: &[$crate::course::Decision] = &[
+            $( $crate::course::Decision {
+                key: stringify!($key),
+                decides: $decides.trim_ascii(),
+                rules: &[$($rule),*],
+                number: decisions!(@number $($number)?),
+                legal: $crate::course::Legal::OneOf(&[
+                    (stringify!($first_written), $first_means.trim_ascii()),
+                    $( (stringify!($written), $means.trim_ascii()), )*
+                ]),
+            }, )*
+            $crate::course::Decision {
+                key: "epsilon",
+                decides: "RAY_EPSILON: a hit at a lesser t does not count",
+                rules: &[21],
+                number: Some(24),
+                legal: $crate::course::Legal::Range {
+                    least: $crate::course::choice::RawEpsilon::LEAST,
+                    most: $crate::course::choice::RawEpsilon::MOST,
+                    lecture: $crate::RAY_EPSILON,
+                },
+            },
+        ];
+    };
+    (@number $number:literal) => { Some($number) };
+    (@number) => { None };
+}
+
+pub(super) use decisions;

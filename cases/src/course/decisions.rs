@@ -1,0 +1,122 @@
+//! What a course decides: each key of `course.toml` with its legal values, the lecture's first. The doc comments are the texts of the handout.
+
+use super::choice::decisions;
+use crate::scene::raw::read::table;
+
+decisions! {
+    /// The point of a pixel that its eye ray goes through
+    pixel: Pixel [1] {
+        /// its centre
+        Centre = "centre",
+        /// its corner, the one at which row and column begin
+        Corner = "corner",
+    }
+    /// Where row 0 is, as `eye_ray` counts rows; a picture file begins at the top either way
+    row_0: Row0 [1] {
+        /// at the top
+        Top = "top",
+        /// at the bottom
+        Bottom = "bottom",
+    }
+    /// The angle of the picture that a camera's `fov_y_deg` is
+    fov: FovAxis [1] {
+        /// from bottom to top
+        Vertical = "vertical",
+        /// from left to right
+        Horizontal = "horizontal",
+    }
+    /// The highlight
+    highlight: Lobe [3] {
+        /// Blinn's (N·H)₊^ns
+        Blinn = "blinn",
+        /// Phong's (R·V)₊^ns, R the direction to the light mirrored about N
+        Phong = "phong",
+    }
+    /// Which surfaces a light behind them shines on, with |N·L| in the place of N·L and B = 1
+    two_sided: TwoSided [3, 11] {
+        /// none
+        Never = "never",
+        /// those with kt > 0
+        Transmissive = "transmissive",
+        /// all
+        Always = "always",
+    }
+    /// Distance attenuation very near to a light
+    attenuation: Near [4] {
+        /// at most 1
+        Clamped = "clamped",
+        /// as the formula gives it, above 1 as well
+        Unclamped = "unclamped",
+    }
+    /// What a transparent object does to the light of a shadow ray
+    tint: ShadowTint [6] {
+        /// kt for every surface that is crossed, so twice for a ball
+        PerCrossing = "per_crossing",
+        /// kt once for every object that is crossed
+        PerObject = "per_object",
+        /// nothing: it casts no shadow
+        Nothing = "none",
+        /// it stops it: a black shadow
+        Opaque = "opaque",
+    }
+    /// The index of refraction outside of all objects
+    index_of_air: Air [9] {
+        /// that of air
+        Air = 1.0003,
+        /// that of a vacuum
+        Vacuum = 1.0,
+    }
+    /// The ambient term where a surface is seen from inside
+    ambient_inside: AmbientInside [12] {
+        /// multiplied by kt
+        TimesKt = "times_kt",
+        /// as from outside
+        AsOutside = "as_outside",
+    }
+    /// The depth at which a ray still spawns others; where max_depth is 0 a scene calls for none of them, and none is cast
+    depth: DepthTest [13] {
+        /// depth < max_depth
+        Less = "<",
+        /// depth ≤ max_depth: one bounce more
+        LessOrEqual = "<=",
+    }
+    /// When a path of small weight ends, where the scene has a threshold
+    cutoff: CutoffTest [13] {
+        /// all channels of its weight are below the threshold
+        AllChannels = "all_channels",
+        /// one channel of its weight is
+        AnyChannel = "any_channel",
+    }
+    /// The normal that tells inside from outside, where normals are interpolated
+    inside_by: InsideNormal [19] {
+        /// the geometric one
+        Geometric = "geometric",
+        /// the interpolated one
+        Interpolated = "interpolated",
+    }
+    /// The normal that reflects
+    reflect_by: ReflectNormal [19] {
+        /// the interpolated one; the geometric one where R would enter the object
+        WithFallback = "with_fallback",
+        /// the interpolated one, wherever R goes
+        Interpolated = "interpolated",
+        /// the geometric one
+        Geometric = "geometric",
+    }
+    /// The normal that refracts
+    refract_by: RefractNormal [19] {
+        /// the interpolated one; the geometric one where T would not cross the surface
+        WithFallback = "with_fallback",
+        /// the interpolated one, wherever T goes
+        Interpolated = "interpolated",
+        /// the geometric one
+        Geometric = "geometric",
+    }
+    /// How linear light becomes one of 256 levels
+    bytes: Bytes [] D 25 {
+        /// to the nearest level
+        Rounded = "rounded",
+        /// to the level below
+        Truncated = "truncated",
+    }
+}
