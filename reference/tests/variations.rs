@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use cases::film::{Image, level};
 use cases::stage::{self, Case, Stage};
 use rayon::prelude::*;
-use reference::misconceptions::MISCONCEPTIONS;
+use reference::misconceptions;
 use reference::render::{Options, render};
 use reference::rules::{Lecture, Rules};
 use reference::variations::{Precision, Variation, published, variations};
@@ -87,7 +87,7 @@ fn a_mistake_shows_in_any_style() {
     let scenes: Vec<_> = STAGES.iter().flat_map(|stage| &stage.cases).map(small).collect();
     let lecture = Variation { name: "the reference".into(), precision: Precision::F64, rules: Rules::LECTURE };
     let styles: Vec<_> = variations(&Rules::LECTURE).into_iter().step_by(7).collect();
-    MISCONCEPTIONS.par_iter().for_each(|wrong| {
+    misconceptions::of(&Rules::LECTURE).par_iter().for_each(|wrong| {
         let n_seen = |v: &Variation, scene: &cases::Scene| {
             let mut broken = v.clone();
             (wrong.apply)(&mut broken.rules);
