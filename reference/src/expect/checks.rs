@@ -10,8 +10,8 @@ use cases::stage::{Check, Stage};
 use super::Expected;
 use super::allowed::{self, Allowance};
 use crate::answers;
-use crate::misconceptions::MISCONCEPTIONS;
-use crate::rules::Lecture;
+use crate::misconceptions;
+use crate::rules::{Lecture, Rules};
 
 /// Relative error of an answer on paper against the reference in double precision.
 const PAPER: f64 = 1e-12;
@@ -71,7 +71,8 @@ pub fn of_check(check: &Check) -> Result<CheckAnswer, String> {
 
 /// What each known mistake says, where that is not right.
 fn wrong(ask: &Ask, right: &Answer, allowance: &Allowance) -> BTreeMap<String, Answer> {
-    let answers = MISCONCEPTIONS.iter().map(|wrong| (wrong.id.to_owned(), answers::answer(&wrong.rules(), ask)));
+    let known = misconceptions::of(&Rules::LECTURE).into_iter();
+    let answers = known.map(|wrong| (wrong.id.to_owned(), answers::answer(&wrong.on(&Rules::LECTURE), ask)));
     answers.filter(|(_, answer)| !allowance.takes(right, answer)).collect()
 }
 

@@ -5,14 +5,15 @@ use std::path::Path;
 use cases::answer::{self, Mistake};
 
 use super::Expected;
-use crate::misconceptions::{MISCONCEPTIONS, Misconception};
+use crate::misconceptions::{self, Misconception};
+use crate::rules::Rules;
 
 /// The list of all known mistakes, stored beside the stages.
 ///
 /// # Errors
 /// What the encoder says.
 pub fn mistakes(stages: &Path) -> Result<Expected, serde_json::Error> {
-    let list: Vec<Mistake> = MISCONCEPTIONS.iter().map(mistake).collect();
+    let list: Vec<Mistake> = misconceptions::of(&Rules::LECTURE).into_iter().map(mistake).collect();
     let text = answer::mistakes_to_string(&list)?;
     Ok(Expected { path: answer::mistakes_path(stages), bytes: text.into_bytes() })
 }
