@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// The version of this record's form.
-pub const SCHEMA: u32 = 1;
+pub const SCHEMA: u32 = 2;
 
 /// All there is to say about one submission.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -131,8 +131,19 @@ pub enum Verdict {
 impl Finding {
     /// A finding of words alone.
     pub fn new(kind: FindingKind, message: impl Into<String>) -> Self {
-        let message = message.into();
-        Self { kind, message, wrong_pixels: None, worst: None, asked: None, expected: None, actual: None, stderr: None }
+        Self {
+            kind,
+            message: message.into(),
+            wrong_pixels: None,
+            wrong_contested: None,
+            largest_cluster: None,
+            share: None,
+            worst: None,
+            asked: None,
+            expected: None,
+            actual: None,
+            stderr: None,
+        }
     }
 }
 
@@ -146,6 +157,15 @@ pub struct Finding {
     /// Pixels out of tolerance, for a picture.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub wrong_pixels: Option<u64>,
+    /// Those of them on which right tracers differ too.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub wrong_contested: Option<u64>,
+    /// Most of the wrong pixels that lie side by side, corners included.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub largest_cluster: Option<u64>,
+    /// The part of its points that a picture earns that is not right, in thousandths.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub share: Option<u32>,
     /// The pixel farthest out: column from the left, row from the top.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub worst: Option<[u32; 2]>,
@@ -169,6 +189,10 @@ pub struct Finding {
 pub enum FindingKind {
     /// A right answer was due and another came.
     Wrong,
+    /// The picture is anti-aliased: several rays a pixel where one was due.
+    Antialiased,
+    /// All pixels that differ are such on which right tracers differ: it counts as right, and a person should look at it.
+    Contested,
     /// The program ended with a signal, a panic, or a code other than 0.
     Crash,
     /// It ran longer than it may, by the clock or by CPU time.

@@ -1,12 +1,14 @@
-//! Points, in integer thousandths. Sees verdicts, never pixels.
+//! Points, in integer thousandths. Sees verdicts and shares, never pixels.
 
 use crate::record::{Score, Verdict};
 
-/// What a check with this verdict earns, and could have earned. `Ours` is left out of both, so that it costs nothing.
-pub fn score(verdict: Verdict, points: u64) -> Score {
+/// What a check with this verdict earns, and could have earned. `share` is the part that `Partial` earns, in thousandths, rounded
+/// down. `Ours` is left out of both, so that it costs nothing.
+pub fn score(verdict: Verdict, share: u32, points: u64) -> Score {
     match verdict {
         Verdict::Pass => Score { earned: points, possible: points },
-        Verdict::Partial | Verdict::Fail | Verdict::NotRun => Score { earned: 0, possible: points },
+        Verdict::Partial => Score { earned: points * u64::from(share.min(1000)) / 1000, possible: points },
+        Verdict::Fail | Verdict::NotRun => Score { earned: 0, possible: points },
         Verdict::Ours => Score::default(),
     }
 }
@@ -38,7 +40,17 @@ mod tests {
 
     #[test]
     fn our_fault_costs_nothing() {
-        let sum = total([score(Verdict::Pass, 2000), score(Verdict::Ours, 2000), score(Verdict::NotRun, 1000)]);
+        let ours = score(Verdict::Ours, 0, 2000);
+        let sum = total([score(Verdict::Pass, 0, 2000), ours, score(Verdict::NotRun, 0, 1000)]);
         assert_eq!(sum, Score { earned: 2000, possible: 3000 });
+    }
+
+    #[test]
+    fn a_part_is_rounded_down_and_never_more_than_all() {
+        for (share, points, earned) in [(900, 2000, 1800), (1, 2000, 2), (1, 999, 0), (333, 1000, 333), (5000, 70, 70)]
+        {
+            assert_eq!(score(Verdict::Partial, share, points), Score { earned, possible: points }, "{share}");
+        }
+        assert_eq!(score(Verdict::Fail, 900, 2000).earned, 0);
     }
 }

@@ -6,7 +6,7 @@ use super::perform::{Answers, Done};
 use super::plan::{Part, Plan};
 use super::{Pictures, VERSION};
 use crate::judge::Judgement;
-use crate::record::{Build, CheckKind, CheckRecord, Record, SCHEMA, Score, StageRecord, Submission};
+use crate::record::{Build, CheckKind, CheckRecord, Record, SCHEMA, Score, StageRecord, Submission, Verdict};
 use crate::sandbox::LEVEL;
 use crate::score;
 
@@ -63,8 +63,10 @@ fn take(answers: &mut Answers, id: &str) -> Done {
 }
 
 fn check(id: &str, kind: CheckKind, (about, rules): (&str, &[u8]), points: u64, done: Done) -> CheckRecord {
-    let Judgement { verdict, finding } = done.judgement;
-    let Score { earned, possible } = score::score(verdict, points);
+    let Judgement { verdict, share, finding } = done.judgement;
+    let Score { earned, possible } = score::score(verdict, share, points);
+    // A part that is less than a thousandth of a point is none.
+    let verdict = if verdict == Verdict::Partial && earned == 0 { Verdict::Fail } else { verdict };
     CheckRecord {
         id: id.to_owned(),
         kind,

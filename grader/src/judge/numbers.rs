@@ -13,6 +13,11 @@ pub(super) fn grouped(n: u64) -> String {
     text
 }
 
+/// A share as `2.3 %`.
+pub(super) fn percent(share: f64) -> String {
+    format!("{:.1} %", share * 100.0)
+}
+
 /// Nine significant digits, trailing zeros cut, no minus before zero.
 pub(super) fn short(x: f64) -> String {
     if !x.is_finite() || x == 0.0 {

@@ -41,6 +41,9 @@ fn case(stage: &str, check: &CheckRecord) -> TestCase {
     if let Some(stderr) = check.finding.as_ref().and_then(|finding| finding.stderr.as_deref()) {
         case.set_system_err(shown(stderr));
     }
+    if let (Verdict::Pass, Some(finding)) = (check.verdict, &check.finding) {
+        case.set_system_out(format!("{}: {}", words::finding(finding.kind), shown(&finding.message)));
+    }
     case
 }
 
@@ -55,6 +58,11 @@ fn status(check: &CheckRecord) -> TestCaseStatus {
             status
         }
         (Verdict::Ours, _) => bad(NonSuccessKind::Error, words::finding(kind), message),
+        (Verdict::Partial, _) => {
+            let (earned, possible) = (words::points(check.earned), words::points(check.possible));
+            let message = format!("{earned} of {possible} points: {message}");
+            bad(NonSuccessKind::Failure, words::finding(kind), &message)
+        }
         (_, FindingKind::Wrong | FindingKind::Size | FindingKind::Missing | FindingKind::Unreadable) => {
             bad(NonSuccessKind::Failure, words::finding(kind), message)
         }

@@ -104,16 +104,8 @@ fn check(name: &str, kind: CheckKind, verdict: Verdict, finding: Option<Finding>
 }
 
 pub(crate) fn finding(kind: FindingKind) -> Finding {
-    Finding {
-        kind,
-        message: format!("What came of it: {HOSTILE}"),
-        wrong_pixels: None,
-        worst: None,
-        asked: None,
-        expected: None,
-        actual: None,
-        stderr: Some(format!("panic: {HOSTILE}\nat src/sphere.rs:12")),
-    }
+    let stderr = Some(format!("panic: {HOSTILE}\nat src/sphere.rs:12"));
+    Finding { stderr, ..Finding::new(kind, format!("What came of it: {HOSTILE}")) }
 }
 
 fn wrong_answer() -> Finding {

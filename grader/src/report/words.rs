@@ -23,6 +23,8 @@ pub fn verdict(verdict: Verdict) -> &'static str {
 pub fn finding(kind: FindingKind) -> &'static str {
     match kind {
         FindingKind::Wrong => "wrong",
+        FindingKind::Antialiased => "anti-aliased",
+        FindingKind::Contested => "look at this",
         FindingKind::Crash => "crashed",
         FindingKind::Timeout => "took too long",
         FindingKind::Memory => "took too much memory",

@@ -26,8 +26,10 @@ pub struct Entry {
 }
 
 /// All kinds of finding that a row counts.
-const KINDS: [FindingKind; 13] = [
+const KINDS: [FindingKind; 15] = [
     FindingKind::Wrong,
+    FindingKind::Antialiased,
+    FindingKind::Contested,
     FindingKind::Crash,
     FindingKind::Timeout,
     FindingKind::Memory,

@@ -1,0 +1,116 @@
+//! Pictures: right, right as far as right tracers agree, or worth a part of their points.
+
+mod antialiased;
+mod difference;
+mod share;
+#[cfg(test)]
+mod tests;
+
+use cases::answer::ImageAnswer;
+use cases::film::{Image, byte};
+use cases::glam::DVec3;
+
+use super::Judgement;
+use super::numbers::{grouped, percent};
+use crate::record::{Finding, FindingKind};
+use difference::measure;
+
+pub use difference::{Difference, compare};
+
+/// What is said of an anti-aliased picture.
+const ONE_RAY: &str =
+    "graded pictures take one ray a pixel, through its centre [rule 1]: turn anti-aliasing (or the filter) off";
+
+/// Judges a picture, whose size is right, by its answer.
+///
+/// It passes where no more pixels are out, and no more of them side by side, than the answer allows; and where all that are out
+/// are contested, which a person is to look at. Else it earns the part of its points that its weighted right pixels are worth, a
+/// picture of one colour nothing. What is out because of anti-aliasing alone does not count as out, but bars from the full points.
+pub fn picture(actual: &Image, answer: &ImageAnswer) -> Judgement {
+    let out = answer.out(actual);
+    let all = measure(actual, answer, &out);
+    if answer.allows(all.cluster, all.n_out) {
+        return Judgement::PASS;
+    }
+    let message = describe(actual, answer, &all);
+    if is_one_colour(actual) {
+        let message = format!("{message}; yours is one colour all over, which earns nothing");
+        return Judgement::fail(finding(FindingKind::Wrong, message, &all));
+    }
+    if let Some(smoothed) = antialiased::smoothed(actual, answer, &out) {
+        return of_smoothed(actual, answer, &all, &out, &smoothed);
+    }
+    if all.n_contested == all.n_out {
+        let share = percent(answer.contested_share());
+        let message = format!(
+            "{message}; but right tracers differ on all of these pixels ({share} of the picture are such), so it counts as right, \
+             and a person should look at it"
+        );
+        return Judgement::pass_with(finding(FindingKind::Contested, message, &all));
+    }
+    Judgement::partial(finding(FindingKind::Wrong, message, &all), share::earned(answer, &out))
+}
+
+/// The judgement on a picture that is anti-aliased in the pixels that are `smoothed`: those that are out for another reason count.
+fn of_smoothed(actual: &Image, answer: &ImageAnswer, all: &Difference, out: &[bool], smoothed: &[bool]) -> Judgement {
+    let rest: Vec<bool> = out.iter().zip(smoothed).map(|(is_out, is_smoothed)| *is_out && !is_smoothed).collect();
+    let others = measure(actual, answer, &rest);
+    let n_smoothed = grouped(u64::from(all.n_out - others.n_out));
+    if answer.allows(others.cluster, others.n_out) || others.n_contested == others.n_out {
+        let message =
+            format!("it is anti-aliased: {n_smoothed} pixels along edges lie between their neighbours; {ONE_RAY}");
+        return Judgement::partial(finding(FindingKind::Antialiased, message, all), share::MOST);
+    }
+    let others = describe(actual, answer, &others);
+    let message = format!("{others}; besides, it is anti-aliased in {n_smoothed} other pixels: {ONE_RAY}");
+    Judgement::partial(finding(FindingKind::Wrong, message, all), share::earned(answer, &rest))
+}
+
+fn finding(kind: FindingKind, message: String, all: &Difference) -> Finding {
+    Finding {
+        wrong_pixels: Some(all.n_out.into()),
+        wrong_contested: (all.n_contested > 0).then_some(all.n_contested.into()),
+        largest_cluster: Some(all.cluster.into()),
+        worst: all.worst,
+        ..Finding::new(kind, message)
+    }
+}
+
+fn is_one_colour(picture: &Image) -> bool {
+    let levels = |pixel: &DVec3| pixel.to_array().map(byte);
+    let first = picture.pixels().first().map(levels);
+    picture.pixels().iter().all(|pixel| Some(levels(pixel)) == first)
+}
+
+/// How many pixels differ, where, and what the worst of them shows on both sides.
+fn describe(actual: &Image, answer: &ImageAnswer, difference: &Difference) -> String {
+    let [n_out, cluster, n_contested] = [difference.n_out, difference.cluster, difference.n_contested].map(u64::from);
+    let all = actual.pixels().len() as u64;
+    let verb = if n_out == 1 { "pixel of {} differs" } else { "pixels of {} differ" };
+    let mut text = format!("{} {}", grouped(n_out), verb.replace("{}", &grouped(all)));
+    if cluster > 1 && cluster < all {
+        text += &format!(", {} of them side by side", grouped(cluster));
+    }
+    if let (Some([x0, y0, x1, y1]), Some([x, y])) = (difference.bounds, difference.worst) {
+        if n_out < all {
+            text += &format!(" (columns {x0} to {x1}, rows {y0} to {y1})");
+        }
+        let (yours, right) = (shown(actual.pixel(x, y)), shown(answer.expected.pixel(x, y)));
+        text += &format!(", most at ({x}, {y}): yours {yours}, expected {right}");
+        let n = (y * actual.width() + x) as usize;
+        if answer.is_contested(n) {
+            let levels = |levels: [u8; 3]| levels.map(|level| level.to_string()).join(" ");
+            text += &format!(", allowed {} to {}", levels(answer.lo[n]), levels(answer.hi[n]));
+        }
+    }
+    if n_contested > 0 && n_contested < n_out {
+        let share = percent(answer.contested_share());
+        text += &format!("; on {} of them right tracers differ too (on {share} of the picture)", grouped(n_contested));
+    }
+    text
+}
+
+fn shown(colour: DVec3) -> String {
+    let channel = |light: f64| if light.is_finite() { byte(light).to_string() } else { light.to_string() };
+    colour.to_array().map(channel).join(" ")
+}
