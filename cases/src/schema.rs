@@ -134,6 +134,7 @@ pub fn scene_format_markdown() -> String {
 /// What the types are called for people, in the order in which they are read.
 const HEADINGS: &[(&str, &str)] = &[
     ("RawRender", "`[render]`"),
+    ("RawVary", "`[vary]`"),
     ("RawScene", "`[scene]`"),
     ("RawCamera", "`[scene.camera]`"),
     ("RawLight", "A light, `[[scene.lights]]`"),

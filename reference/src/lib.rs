@@ -10,6 +10,7 @@
 //! | [`camera`], [`lights`], [`shade`], [`optics`] | formulas; they cast no ray |
 //! | [`trace`], [`render`], [`watch`] | the kernel, pictures, and who looks on |
 //! | [`variations`] | other ways of computing the same pictures |
+//! | [`vary`] | other cases of the same kind, for hidden sets |
 
 pub mod answers;
 pub mod bounds;
@@ -32,6 +33,7 @@ pub mod shapes;
 mod testing;
 pub mod trace;
 pub mod variations;
+pub mod vary;
 pub mod vec3;
 pub mod watch;
 pub mod world;

@@ -6,8 +6,8 @@ use super::raw::RawStage;
 use super::{Case, Check, Stage, checks};
 use crate::effects::{self, Effect, Effects};
 use crate::problem::{Problems, quoted};
-use crate::scene::raw::RawCase;
 use crate::scene::raw::read::Notes;
+use crate::scene::raw::{RawCase, vary};
 use crate::scene::{self, Scene};
 
 /// The stages below `stages_dir`, ordered by name, each with its cases and unit checks ordered by file name.
@@ -117,10 +117,18 @@ fn allowed(raw: &RawStage) -> Effects {
 
 /// The case at `path` in the stage of that id.
 fn case(path: &Path, stage: &str, allows: Effects) -> Result<Case, Problems> {
-    let (name, text) = (path.display().to_string(), scene::read(path)?);
-    let (raw, mut notes) = scene::document::<RawCase>(&name, &text);
+    parse_case(path, &scene::read(path)?, stage, allows)
+}
+
+/// The case that a file at `path` would be in the stage of that id, with the effects that the stage allows, if it held `text`.
+///
+/// # Errors
+/// Everything that is wrong with the text.
+pub fn parse_case(path: &Path, text: &str, stage: &str, allows: Effects) -> Result<Case, Problems> {
+    let (raw, mut notes) = scene::document::<RawCase>(&path.display().to_string(), text);
     let found = raw.and_then(|raw| {
         let base = path.parent().unwrap_or(Path::new(""));
+        let bounds = raw.vary.as_ref().map(|vary| vary::bounds(vary, raw.scene.0.as_ref(), &mut notes));
         let mut scene = scene::body(&raw.render.0, &raw.scene.0, base, &mut notes)?;
         limit(&mut scene, allows, &mut notes);
         Some(Case {
@@ -130,6 +138,7 @@ fn case(path: &Path, stage: &str, allows: Effects) -> Result<Case, Problems> {
             rules: raw.rules.iter().map(|rule| rule.0).collect(),
             points: raw.points.0,
             scene,
+            bounds,
         })
     });
     notes.finish(found)

@@ -2,11 +2,13 @@
 
 mod args;
 pub(crate) mod ask;
+mod bounds;
 mod checks;
 mod load;
 pub(crate) mod raw;
 
-pub use load::{allowed_at, is_case, load_all, load_case};
+pub use bounds::Bounds;
+pub use load::{allowed_at, is_case, load_all, load_case, parse_case};
 
 use crate::effects::Effects;
 use crate::probe::Ask;
@@ -48,6 +50,8 @@ pub struct Case {
     pub points: u64,
     /// What to render; its effects are those the stage allows.
     pub scene: Scene,
+    /// How far its numbers may be moved to make another case like it; `None` where the file does not say.
+    pub bounds: Option<Bounds>,
 }
 
 /// A unit check: one question to one function, from `stages/NN_name/checks/FILE.toml`.

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
+use super::find::STAGES;
+
 /// Renders and explains scenes by the numbered rules of light, and writes the answers that submissions are judged by.
 #[derive(Debug, Parser)]
 #[command(name = "reference", version, after_help = AFTER, propagate_version = true)]
@@ -29,10 +31,11 @@ Examples:
   reference render 02_shadows/two_lamps -o two_lamps.png
   reference explain 04_refraction/crystal_ball 80 60
   reference expect --check
+  reference vary --seed 2026 --out hidden
 
 Exit codes:
   0  done; with `expect --check`: every stored answer is what the rules give
-  1  done, but a stored answer differs, or a check's answer on paper is wrong
+  1  done, but a stored answer differs, a check's answer on paper is wrong, or a case cannot be varied within its bounds
   2  usage, or a file that cannot be read
   3  the machine failed: a file cannot be written";
 
@@ -47,6 +50,7 @@ pub(super) enum Command {
     )]
     Probe,
     Expect(ExpectArgs),
+    Vary(VaryArgs),
     Schema(SchemaArgs),
     /// Prints the completions for a shell
     #[command(
@@ -148,6 +152,36 @@ pub(super) struct ExpectArgs {
     /// Compare with what is stored, byte for byte, and write nothing
     #[arg(long)]
     pub check: bool,
+}
+
+/// Makes a hidden set: the same cases with their numbers moved within the bounds of each case's `[vary]`
+#[derive(Debug, Parser)]
+#[command(after_help = "\
+The same seed gives the same files on every machine. A draw counts only where the case stays valid, still shows what its stage adds
+and every rule it names, and is fair to right programs; else it is drawn again.
+
+Examples:
+  reference vary --seed 2026                      ./cases/stages, moved, in ./varied-2026
+  reference vary --seed 2026 --out hidden
+  reference expect hidden                         the answers to it
+  grader grade tests/solution --cases hidden      all of it is earned
+  reference vary --check --seeds 100              writes nothing, says how well the bounds hold")]
+pub(super) struct VaryArgs {
+    /// Folder of stages
+    #[arg(default_value = STAGES)]
+    pub stages: PathBuf,
+    /// Which set; with --check the first one
+    #[arg(long, value_name = "N", required_unless_present = "check")]
+    pub seed: Option<u64>,
+    /// Folder to write, which must not exist or be empty [default: varied-N]
+    #[arg(short, long, value_name = "DIR", conflicts_with = "check")]
+    pub out: Option<PathBuf>,
+    /// Draws sets and writes nothing: a table of how often the first draw does, and how much it shows at least
+    #[arg(long)]
+    pub check: bool,
+    /// Sets that --check draws
+    #[arg(long, value_name = "COUNT", default_value = "20", requires = "check", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    pub seeds: u64,
 }
 
 /// Prints the JSON Schema of case files, resolved scenes or the probe protocol

@@ -10,6 +10,8 @@ mod probe;
 mod progress;
 mod render;
 mod schema;
+mod survey;
+mod vary;
 
 use std::io::Write;
 use std::process::ExitCode;
@@ -77,6 +79,7 @@ fn dispatch(command: &Command, talk: Talk) -> Result<(), Stop> {
         Command::Explain(args) => explain::run(args),
         Command::Probe => probe::run(),
         Command::Expect(args) => expect::run(args, talk),
+        Command::Vary(args) => vary::run(args, talk),
         Command::Schema(args) => schema::run(args),
         Command::Completions { shell } => pages::completions(*shell),
         Command::Man { command } => pages::man(command.as_deref()),

@@ -4,12 +4,14 @@
 pub(crate) mod numbers;
 pub(crate) mod objects;
 pub(crate) mod read;
+pub(crate) mod vary;
 
 use std::collections::BTreeMap;
 
 use numbers::{Colour, Depth, Direction, NonNegative, Point, Points, Rule, Side, Size, ViewAngle};
 use objects::RawObject;
 use read::{At, Each, Maybe, choice, table};
+use vary::RawVary;
 
 table! {
     /// An image case of a stage: what to render, and what it is worth.
@@ -26,6 +28,8 @@ table! {
         render: Maybe<RawRender>,
         /// Camera, lights, materials and objects.
         scene: Maybe<RawScene>,
+        /// How far `reference vary` may move its numbers. Left out: the case cannot be varied.
+        vary: Option<RawVary>,
     }
 }
 
@@ -45,6 +49,8 @@ table! {
         render: Maybe<RawRender>,
         /// Camera, lights, materials and objects.
         scene: Maybe<RawScene>,
+        /// As in a case.
+        vary: Option<RawVary>,
     }
 }
 

@@ -79,6 +79,12 @@ numbers! {
     Size("a number above 0", |x| x >= 1.0 / MAX_NUMBER, { "type": "number", "exclusiveMinimum": 0 }),
     /// A coefficient.
     NonNegative("a number of at least 0", |x| x >= 0.0, { "type": "number", "minimum": 0 }),
+    /// A part of something.
+    Share(
+        "a share above 0 and below 1",
+        |x| x > 0.0 && x < 1.0,
+        { "type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 1 }
+    ),
     /// An angle of view.
     ViewAngle(
         "an angle above 0 and below 180 degrees",
@@ -139,6 +145,8 @@ vectors! {
     Direction of Number, |v| unit(v).ok_or("a direction cannot be the zero vector"),
     /// Linear RGB.
     Colour of NonNegative, Ok,
+    /// A length for each axis, not all of them 0.
+    Reaches of NonNegative, |v| if v == DVec3::ZERO { Err("this moves nothing: leave it out") } else { Ok(v) },
     /// A factor for each axis.
     Factors of Factor, Ok,
 }

@@ -1,0 +1,223 @@
+//! What must hold for a varied case: it is as telling and as fair as the one it was made from.
+
+use std::fmt;
+
+use cases::film::Image;
+use cases::stage::Case;
+use cases::{Effect, Effects, Light, Scene};
+use glam::{DAffine3, DVec3};
+
+use crate::misconceptions::{MISCONCEPTIONS, Misconception};
+use crate::real::Real;
+use crate::render::{self, Options};
+use crate::rules::{Epsilon, Lecture, RuleSource, Rules};
+use crate::world::World;
+
+/// Light that is farther off than this differs: two 8-bit levels.
+const DIFFERENT: f64 = 2.0 / 255.0;
+/// A picture of which no more of the pixels differ might still be called right.
+const SEEN: f64 = 0.005;
+/// What the varied case must keep of the share of pixels that show its stage's effect.
+const KEPT: f64 = 0.5;
+
+/// What a case shows, as shares of its pixels.
+#[derive(Clone, Debug)]
+pub(super) struct Shows {
+    /// What its stage adds to the one before it; nothing in the first.
+    added: Vec<Effect>,
+    /// Pixels that differ where what the stage adds is left out; in the first stage, from the bare background.
+    pub(super) effect: f64,
+    /// For each rule that it names and can show broken: how, the most striking way first.
+    broken: Vec<(u8, Vec<(&'static Misconception, f64)>)>,
+    /// What the picture does not show, such as a red ball behind another: a case that hides something is about that.
+    hidden: Vec<Hidden>,
+}
+
+/// What no pixel shows, by its place in the scene's list.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Hidden {
+    /// The material's own light.
+    Material(usize),
+    /// What comes from the light directly.
+    Light(usize),
+}
+
+/// Why a draw will not do.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Refusal {
+    /// It is no case: the first problem.
+    Invalid(String),
+    /// It calls for other effects.
+    Effects,
+    /// What the stage adds shows on too few pixels: this share, where that is wanted.
+    Effect(f64, f64),
+    /// The rule could be broken and nobody would see it.
+    Rule(u8),
+    /// What the original hides is in the picture: this, on that share of the pixels.
+    Bared(String, f64),
+    /// A right program differs on too many pixels: what it does, and on what share.
+    Unfair(&'static str, f64),
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Invalid(why) => write!(f, "it is no case: {why}"),
+            Self::Effects => write!(f, "it calls for other effects than the case it is made from"),
+            Self::Effect(share, wanted) => {
+                let (share, wanted) = (100.0 * share, 100.0 * wanted);
+                write!(f, "what the stage adds shows on {share:.1} % of the pixels, {wanted:.1} % are wanted")
+            }
+            Self::Rule(rule) => write!(f, "rule {rule} could be broken and nobody would see it"),
+            Self::Bared(what, share) => {
+                write!(f, "{what}, which must not be seen, is, on {:.2} % of the pixels", 100.0 * share)
+            }
+            Self::Unfair(who, share) => {
+                write!(
+                    f,
+                    "{who} is off on {:.2} % of the pixels, at most {:.1} % are fair",
+                    100.0 * share,
+                    100.0 * SEEN
+                )
+            }
+        }
+    }
+}
+
+impl Refusal {
+    /// Refusals of one kind count together.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Rule(one), Self::Rule(other)) => one == other,
+            _ => std::mem::discriminant(self) == std::mem::discriminant(other),
+        }
+    }
+}
+
+impl Shows {
+    /// What `case` shows, where its stage adds `added`.
+    pub(super) fn of(case: &Case, added: Vec<Effect>) -> Self {
+        let right = picture::<f64, _>(&case.scene, Lecture, case.scene.effects);
+        let of_rule = |rule: u8| {
+            let wrong = MISCONCEPTIONS.iter().filter(|wrong| wrong.rule == rule);
+            let mut seen: Vec<_> =
+                wrong.map(|wrong| (wrong, broken(case, wrong, &right))).filter(|(_, share)| *share > SEEN).collect();
+            seen.sort_by(|a, b| b.1.total_cmp(&a.1));
+            (rule, seen)
+        };
+        let broken = case.rules.iter().map(|rule| of_rule(*rule)).filter(|(_, seen)| !seen.is_empty()).collect();
+        let materials = (0..case.scene.materials.len()).map(Hidden::Material);
+        let all = materials.chain((0..case.scene.lights.len()).map(Hidden::Light));
+        let hidden = all.filter(|hidden| hidden.bared(&case.scene, &right) == 0.0).collect();
+        Self { effect: effect(case, &added, &right), added, broken, hidden }
+    }
+
+    /// The share of pixels of `varied` that show what the stage adds, where it is as telling and as fair as `original`, whose shows these are.
+    ///
+    /// # Errors
+    /// What does not hold.
+    pub(super) fn kept_by(&self, original: &Case, varied: &Case) -> Result<f64, Refusal> {
+        if varied.scene.effects != original.scene.effects {
+            return Err(Refusal::Effects);
+        }
+        let right = picture::<f64, _>(&varied.scene, Lecture, varied.scene.effects);
+        let effect = effect(varied, &self.added, &right);
+        if effect < KEPT * self.effect {
+            return Err(Refusal::Effect(effect, KEPT * self.effect));
+        }
+        for hidden in &self.hidden {
+            let share = hidden.bared(&varied.scene, &right);
+            if share > 0.0 {
+                return Err(Refusal::Bared(hidden.name(&varied.scene), share));
+            }
+        }
+        for (rule, ways) in &self.broken {
+            let is_seen = |(wrong, share): &(&Misconception, f64)| {
+                broken(varied, wrong, &right) > (KEPT * share).clamp(SEEN, 2.0 * SEEN)
+            };
+            if !ways.iter().any(is_seen) {
+                return Err(Refusal::Rule(*rule));
+            }
+        }
+        fair(varied, &right)?;
+        Ok(effect)
+    }
+}
+
+impl Hidden {
+    /// The share of pixels that show it.
+    fn bared(self, scene: &Scene, right: &Image) -> f64 {
+        let mut scene = scene.clone();
+        match self {
+            Self::Material(at) => {
+                let material = &mut scene.materials[at];
+                (material.ke, material.ka, material.kd, material.ks) =
+                    (DVec3::ZERO, DVec3::ZERO, DVec3::ZERO, DVec3::ZERO);
+            }
+            Self::Light(at) => match &mut scene.lights[at] {
+                Light::Point { colour, .. } | Light::Directional { colour, .. } => *colour = DVec3::ZERO,
+            },
+        }
+        let effects = scene.effects;
+        differing(right, &picture::<f64, _>(&scene, Lecture, effects))
+    }
+
+    fn name(self, scene: &Scene) -> String {
+        match self {
+            Self::Material(at) => format!("material `{}`", scene.materials[at].name),
+            Self::Light(at) => format!("lights[{at}]"),
+        }
+    }
+}
+
+/// The pixels that differ where the program makes the mistake.
+fn broken(case: &Case, wrong: &Misconception, right: &Image) -> f64 {
+    differing(right, &picture::<f64, _>(&case.scene, &wrong.rules(), case.scene.effects))
+}
+
+/// Right programs of another precision or another epsilon differ on no more pixels than none would see.
+fn fair(case: &Case, right: &Image) -> Result<(), Refusal> {
+    let effects = case.scene.effects;
+    let coarse = Rules { epsilon: Epsilon::Fixed(1e-3), ..Rules::LECTURE };
+    let single = picture::<f32, _>(&case.scene, Lecture, effects);
+    let far = picture::<f64, _>(&case.scene, &coarse, effects);
+    for (who, actual) in [("single precision", single), ("an epsilon of 1e-3", far)] {
+        let share = differing(right, &actual);
+        if share > SEEN {
+            return Err(Refusal::Unfair(who, share));
+        }
+    }
+    Ok(())
+}
+
+fn effect(case: &Case, added: &[Effect], right: &Image) -> f64 {
+    let without = match added {
+        [] => Image::from_fn(right.width(), right.height(), |_, _| case.scene.background),
+        _ => without(&case.scene, added),
+    };
+    differing(right, &without)
+}
+
+/// The picture where what the stage adds is not simulated; an object that is not transformed lies where it was made.
+fn without(scene: &Scene, added: &[Effect]) -> Image {
+    let effects = added.iter().fold(scene.effects, |effects, effect| effects.without(*effect));
+    let mut scene = scene.clone();
+    if added.contains(&Effect::Transforms) {
+        for object in &mut scene.objects {
+            (object.world_from_object, object.object_from_world) = (DAffine3::IDENTITY, DAffine3::IDENTITY);
+        }
+    }
+    picture::<f64, _>(&scene, Lecture, effects)
+}
+
+fn picture<T: Real, R: RuleSource>(scene: &Scene, rules: R, effects: Effects) -> Image {
+    let world = World::<T>::new(scene);
+    render::render(&world, rules, &Options { effects, ..Options::of(&world) }, |_| {}).0
+}
+
+/// The share of pixels that differ in a channel, as far as a picture shows it.
+fn differing(one: &Image, other: &Image) -> f64 {
+    let shown = |light: &DVec3| light.clamp(DVec3::ZERO, DVec3::ONE);
+    let differ = |(a, b): &(&DVec3, &DVec3)| (shown(a) - shown(b)).abs().max_element() > DIFFERENT;
+    one.pixels().iter().zip(other.pixels()).filter(differ).count() as f64 / one.pixels().len() as f64
+}
