@@ -67,3 +67,17 @@ fn arguments_are_resolved() {
     let Ask::Reflect { direction, .. } = ask("/reflect") else { panic!() };
     assert!((direction.length() - 1.0).abs() < 1e-15);
 }
+
+#[test]
+fn bounds_are_read_and_what_they_keep_must_be_there() {
+    let path = here("stages/01_first/mirror.toml");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let case = |vary: &str| stage::parse_case(&path, &format!("{text}\n[vary]\n{vary}\n"), "01_first", Effects::all());
+    assert_eq!(stage::load_case(&path).unwrap().bounds, None);
+    let bounds = case("eye = 0.5\nlights = [0.1, 0, 0.2]\nradii = 0.25\nkeep = [\"tin\"]").unwrap().bounds.unwrap();
+    assert_eq!((bounds.eye.to_array(), bounds.lights.to_array()), ([0.5; 3], [0.1, 0.0, 0.2]));
+    assert_eq!((bounds.radii, bounds.colours), (0.25, 0.0), "what is left out moves nothing");
+    let problems = case("eye = 0.5\nkeep = [\"tinn\"]").unwrap_err().to_string();
+    assert!(problems.contains("no material and no object is called `tinn`"), "{problems}");
+    assert!(problems.contains("did you mean `tin`?"), "{problems}");
+}
