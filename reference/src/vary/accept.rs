@@ -7,7 +7,7 @@ use cases::stage::Case;
 use cases::{Effect, Effects, Light, Scene};
 use glam::{DAffine3, DVec3};
 
-use crate::misconceptions::{MISCONCEPTIONS, Misconception};
+use crate::misconceptions::{self, Misconception};
 use crate::real::Real;
 use crate::render::{self, Options};
 use crate::rules::{Epsilon, Lecture, RuleSource, Rules};
@@ -99,7 +99,7 @@ impl Shows {
     pub(super) fn of(case: &Case, added: Vec<Effect>) -> Self {
         let right = picture::<f64, _>(&case.scene, Lecture, case.scene.effects);
         let of_rule = |rule: u8| {
-            let wrong = MISCONCEPTIONS.iter().filter(|wrong| wrong.rule == rule);
+            let wrong = misconceptions::of(&Rules::LECTURE).into_iter().filter(|wrong| wrong.rule == rule);
             let mut seen: Vec<_> =
                 wrong.map(|wrong| (wrong, broken(case, wrong, &right))).filter(|(_, share)| *share > SEEN).collect();
             seen.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -172,7 +172,7 @@ impl Hidden {
 
 /// The pixels that differ where the program makes the mistake.
 fn broken(case: &Case, wrong: &Misconception, right: &Image) -> f64 {
-    differing(right, &picture::<f64, _>(&case.scene, &wrong.rules(), case.scene.effects))
+    differing(right, &picture::<f64, _>(&case.scene, &wrong.on(&Rules::LECTURE), case.scene.effects))
 }
 
 /// Right programs of another precision or another epsilon differ on no more pixels than none would see.
