@@ -9,6 +9,7 @@ use schemars::transform::{RecursiveTransform, Transform, transform_subschemas};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde_json::{Map, Value, json};
 
+use crate::course::RawCourse;
 use crate::probe::{Question, Reply};
 use crate::scene::Scene;
 use crate::scene::raw::{RawCase, RawSceneFile};
@@ -28,6 +29,11 @@ pub fn scene_file_schema() -> Value {
 /// The JSON Schema of a `stage.toml`.
 pub fn stage_schema() -> Value {
     written::<RawStage>("A stage of the ray-tracing assignment")
+}
+
+/// The JSON Schema of a `course.toml`.
+pub fn course_schema() -> Value {
+    written::<RawCourse>("What a course decides where courses differ")
 }
 
 /// The JSON Schema of the resolved scene, `SCENE.json`.

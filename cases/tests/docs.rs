@@ -17,6 +17,14 @@ fn the_scene_format_is_current() {
 }
 
 #[test]
+fn the_handout_is_that_of_the_committed_course() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let course = cases::course::load(&folder.join("course.toml")).unwrap_or_else(|problems| panic!("{problems}"));
+    let page = std::fs::read_to_string(folder.join("../docs/course.md")).unwrap();
+    assert_eq!(page, cases::course::markdown(&course), "run `reference course > docs/course.md`");
+}
+
+#[test]
 fn the_example_of_the_scene_format_is_a_scene() {
     let text = cases::schema::scene_format_markdown();
     let example = text.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
@@ -28,9 +36,10 @@ fn the_example_of_the_scene_format_is_a_scene() {
 /// Every property of every table is described, and every required key is a property.
 #[test]
 fn schemas_are_whole() {
-    use cases::schema::{case_schema, probe_schema, scene_file_schema, scene_schema, stage_schema};
+    use cases::schema::{case_schema, course_schema, probe_schema, scene_file_schema, scene_schema, stage_schema};
     let (mut n_properties, draft) = (0, "http://json-schema.org/draft-07/schema#");
-    for schema in [case_schema(), scene_file_schema(), stage_schema(), scene_schema(), probe_schema()] {
+    for schema in [case_schema(), course_schema(), scene_file_schema(), stage_schema(), scene_schema(), probe_schema()]
+    {
         assert_eq!(schema["$schema"], draft);
         walk(&schema, &mut |table| {
             let Some(properties) = table["properties"].as_object() else { return };

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::real::Real;
-use crate::rules::RuleSource;
+use crate::rules::{Lecture, RuleSource, Rules};
 use crate::trace::Kernel;
 use crate::vec3::Vec3;
 use crate::watch::Counts;
@@ -37,6 +37,20 @@ impl Options {
 pub struct Stats {
     /// Rays by kind.
     pub rays: Counts,
+}
+
+/// [`render`] by rules known only now: those of the lecture by the kernel that is made for them.
+pub fn render_by<T: Real>(
+    world: &World<T>,
+    rules: &Rules,
+    options: &Options,
+    progress: impl Fn(u64) + Sync,
+) -> (Image, Stats) {
+    if *rules == Rules::LECTURE {
+        render(world, Lecture, options, progress)
+    } else {
+        render(world, rules, options, progress)
+    }
 }
 
 /// The picture, and what it cost. Runs in the current `rayon` pool; `progress` is told the pixels of each tile that is done.

@@ -115,6 +115,49 @@ fn a_greater_depth_calls_for_what_the_file_does_not_within_the_stage() {
 }
 
 #[test]
+fn a_case_is_rendered_by_its_course_unless_another_is_given() {
+    let folder = folder();
+    let render = |args: &[&str]| {
+        expect(&run(folder.path(), &[&["render"], args, &["a.pfm"]].concat(), ""), 0, "");
+        std::fs::read(folder.path().join("a.pfm")).unwrap()
+    };
+    let lecture = render(&["cases/stages/01_one/card.toml"]);
+    std::fs::write(folder.path().join("cases/course.toml"), "pixel = \"corner\"").unwrap();
+    std::fs::write(folder.path().join("lecture.toml"), "pixel = \"centre\"").unwrap();
+    let by_course = render(&["01_one/card"]);
+    assert!(by_course != lecture, "half a pixel to the left and up");
+    assert_eq!(render(&["cases/stages/01_one/card.toml"]), by_course);
+    assert_eq!(render(&["01_one/card", "--course", "lecture.toml"]), lecture);
+    assert_eq!(render(&["stages/01_one/card.toml"]), lecture, "no course.toml lies beside those stages");
+    let scene = SCENE.replace("sphere = {}", "square = {}");
+    std::fs::write(folder.path().join("card.toml"), scene).unwrap();
+    assert_eq!(render(&["card.toml"]), lecture, "a scene of no stage");
+    assert_eq!(render(&["card.toml", "--course", "cases/course.toml"]), by_course);
+}
+
+#[test]
+fn probe_and_explain_follow_the_course() {
+    let folder = folder();
+    std::fs::write(folder.path().join("one.toml"), "index_of_air = 1").unwrap();
+    let question = "{\"id\":\"a\",\"fn\":\"indices\",\"inside\":false,\"index\":1.5}\n";
+    for (args, eta_i) in [(&["probe"][..], "1.0003"), (&["probe", "--course", "one.toml"], "1.0")] {
+        let output = run(folder.path(), args, question);
+        let said = String::from_utf8(output.stdout).unwrap();
+        assert!(said.contains(&format!("\"eta_i\":{eta_i},")), "{args:?}: {said}");
+    }
+    std::fs::write(folder.path().join("corner.toml"), "pixel = \"corner\"").unwrap();
+    let explain = |args: &[&str]| run(folder.path(), &[&["explain", "scene.toml", "4", "3"], args].concat(), "").stdout;
+    assert_ne!(explain(&[]), explain(&["--course", "corner.toml"]));
+    std::fs::write(folder.path().join("bad.toml"), "index_of_air = 2").unwrap();
+    expect(&run(folder.path(), &["probe", "--course", "bad.toml"], ""), 2, "bad.toml:1:16");
+    expect(&run(folder.path(), &["course"], ""), 2, "cases/course.toml");
+    let page = run(folder.path(), &["course", "--course", "one.toml"], "");
+    let page = String::from_utf8(page.stdout).unwrap();
+    assert!(page.contains("| `1.0`: that of a vacuum (not as in the lecture) | 9 |"), "{page}");
+    assert!(page.contains("One decision differs"), "{page}");
+}
+
+#[test]
 fn what_cannot_be_read_is_2_and_what_cannot_be_written_is_3() {
     let folder = folder();
     let render = |args: &[&str]| run(folder.path(), &[&["render"], args].concat(), "");

@@ -32,7 +32,7 @@ decisions! {
         /// Phong's (R·V)₊^ns, R the direction to the light mirrored about N
         Phong = "phong",
     }
-    /// Which surfaces a light behind them shines on, with |N·L| in the place of N·L and B = 1
+    /// Which surfaces a light behind them shines on, by the size of N·L whatever its sign, and with B = 1
     two_sided: TwoSided [3, 11] {
         /// none
         Never = "never",

@@ -5,16 +5,18 @@
 
 mod choice;
 mod decisions;
+mod page;
 
 use std::path::{Path, PathBuf};
 
 pub use choice::{Decision, Legal};
 pub use decisions::*;
+pub use page::markdown;
 
 use crate::problem::Problems;
 use crate::{scene, stage};
 
-/// The file's name, beside the folder of stages.
+/// The file's name.
 pub const FILE: &str = "course.toml";
 
 /// The course of the file at `path`.
@@ -34,14 +36,18 @@ pub fn parse(name: &str, text: &str) -> Result<Course, Problems> {
     notes.finish(raw.map(Course::from))
 }
 
-/// The course whose stages lie in the folder `stages`: that of the `course.toml` beside the folder, `cases/course.toml` for `cases/stages`;
-/// the lecture where there is none.
+/// The course whose stages lie in the folder `stages`: that of the `course.toml` in it, as a varied set has one, or else beside it, which is
+/// `cases/course.toml` for `cases/stages`; the lecture where there is neither.
 ///
 /// # Errors
 /// Everything that is wrong with the file.
 pub fn course_of(stages: &Path) -> Result<Course, Problems> {
-    let path = folder_of(stages).join(FILE);
-    if path.exists() { load(&path) } else { Ok(Course::default()) }
+    path_of(stages).map_or_else(|| Ok(Course::default()), |path| load(&path))
+}
+
+/// The file that [`course_of`] reads; `None` where there is none.
+pub fn path_of(stages: &Path) -> Option<PathBuf> {
+    [stages.join(FILE), folder_of(stages).join(FILE)].into_iter().find(|path| path.exists())
 }
 
 /// The course of the scene or case at `path`: for a case that of the folder its stage lies in, else the lecture.

@@ -44,13 +44,10 @@ pub(super) enum Command {
     Render(RenderArgs),
     Effects(EffectsArgs),
     Explain(ExplainArgs),
-    /// Answers the questions of the unit checks: JSON, a question a line in, an answer a line out
-    #[command(
-        after_help = "Example:\n  echo '{\"id\":\"a\",\"fn\":\"reflect\",\"direction\":[0,-1,0],\"normal\":[0,1,0]}' | reference probe"
-    )]
-    Probe,
+    Probe(ProbeArgs),
     Expect(ExpectArgs),
     Vary(VaryArgs),
+    Course(CourseArgs),
     Schema(SchemaArgs),
     /// Prints the completions for a shell
     #[command(
@@ -66,6 +63,36 @@ pub(super) enum Command {
         /// The command it is about; none: the program as a whole
         command: Option<String>,
     },
+}
+
+/// The rules to follow where courses differ.
+#[derive(Debug, Parser)]
+pub(super) struct CourseArg {
+    /// What the course decides [default: for a case the course.toml in the folder of its stages or beside it; else the lecture]
+    #[arg(long, value_name = "FILE")]
+    pub course: Option<PathBuf>,
+}
+
+/// Answers the questions of the unit checks: JSON, a question a line in, an answer a line out
+#[derive(Debug, Parser)]
+#[command(
+    after_help = "Example:\n  echo '{\"id\":\"a\",\"fn\":\"reflect\",\"direction\":[0,-1,0],\"normal\":[0,1,0]}' | reference probe"
+)]
+pub(super) struct ProbeArgs {
+    #[command(flatten)]
+    pub course: CourseArg,
+}
+
+/// Prints what a course decides where courses differ, as a page for its students
+#[derive(Debug, Parser)]
+#[command(after_help = "\
+Examples:
+  reference course > docs/course.md             the course of ./cases/course.toml
+  reference course --course my_course.toml      another one")]
+pub(super) struct CourseArgs {
+    /// What the course decides
+    #[arg(long, value_name = "FILE", default_value = "cases/course.toml")]
+    pub course: PathBuf,
 }
 
 /// Renders a picture
@@ -109,6 +136,8 @@ pub(super) struct RenderArgs {
     /// Says how many rays of each kind were cast, and the time of each step; on the error stream where the picture goes to the output
     #[arg(long, value_name = "FORM", num_args = 0..=1, default_missing_value = "text")]
     pub stats: Option<Form>,
+    #[command(flatten)]
+    pub course: CourseArg,
 }
 
 /// Says which effects a scene calls for, and why
@@ -130,11 +159,13 @@ pub(super) struct ExplainArgs {
     pub scene: String,
     /// Column from the left, from 0
     pub x: u32,
-    /// Row from the top, from 0
+    /// Row of the picture from the top, from 0
     pub y: u32,
     /// As JSON
     #[arg(long)]
     pub json: bool,
+    #[command(flatten)]
+    pub course: CourseArg,
 }
 
 /// Writes the answers that submissions are judged by, beside the cases
@@ -184,7 +215,7 @@ pub(super) struct VaryArgs {
     pub seeds: u64,
 }
 
-/// Prints the JSON Schema of case files, resolved scenes or the probe protocol
+/// Prints the JSON Schema of case files, courses, resolved scenes or the probe protocol
 #[derive(Debug, Parser)]
 #[command(after_help = "\
 Examples:
@@ -207,6 +238,8 @@ pub(super) enum SchemaKind {
     SceneFile,
     /// The `stage.toml` of a stage
     Stage,
+    /// What a course decides, `course.toml`
+    Course,
     /// A resolved scene in JSON, as submissions get it
     Scene,
     /// The lines of the probe protocol

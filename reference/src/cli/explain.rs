@@ -4,7 +4,7 @@ use cases::ray_tree;
 
 use super::args::ExplainArgs;
 use super::{Stop, find, print, print_json};
-use crate::rules::Lecture;
+use crate::rules::Rules;
 use crate::trace::Kernel;
 use crate::watch::Recorder;
 use crate::world::World;
@@ -18,7 +18,8 @@ pub(super) fn run(args: &ExplainArgs) -> Result<(), Stop> {
         return Err(Stop::Usage(format!("pixel ({x}, {y}) does not lie in a picture of {width}×{height}")));
     }
     let world = World::<f64>::new(&scene);
-    let kernel = Kernel::new(&world, Lecture, scene.effects);
+    let rules = Rules::of(&find::course(&args.scene, &args.course)?);
+    let kernel = Kernel::new(&world, &rules, scene.effects);
     let tree = ray_tree::record(|| {
         kernel.eye((args.x, args.y), (0.5, 0.5), &mut Recorder);
     });

@@ -2,10 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
+use cases::course::{self, Course};
 use cases::problem::did_you_mean;
 use cases::{Effects, Scene, scene, stage};
 
 use super::Stop;
+use super::args::CourseArg;
 
 /// Where stages are sought.
 pub(super) const STAGES: &str = "cases/stages";
@@ -20,6 +22,19 @@ pub(super) fn allowed(named: &str, scene: &Scene) -> Result<Effects, Stop> {
     let path = path(named)?;
     let lists_them = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("json"));
     if lists_them { Ok(scene.effects) } else { Ok(stage::allowed_at(&path)?) }
+}
+
+/// The course by which the scene that `named` names is rendered: the one given, else that of the case, else the lecture.
+pub(super) fn course(named: &str, arg: &CourseArg) -> Result<Course, Stop> {
+    match given(arg)? {
+        Some(course) => Ok(course),
+        None => Ok(course::course_at(&path(named)?)?),
+    }
+}
+
+/// The course given on the command line.
+pub(super) fn given(arg: &CourseArg) -> Result<Option<Course>, Stop> {
+    Ok(arg.course.as_deref().map(course::load).transpose()?)
 }
 
 fn path(named: &str) -> Result<PathBuf, Stop> {

@@ -1,6 +1,7 @@
 //! The command line: what was typed, what it means, and how it ended.
 
 mod args;
+mod course;
 mod effects;
 mod expect;
 mod explain;
@@ -77,9 +78,10 @@ fn dispatch(command: &Command, talk: Talk) -> Result<(), Stop> {
         Command::Render(args) => render::run(args, talk),
         Command::Effects(args) => effects::run(args),
         Command::Explain(args) => explain::run(args),
-        Command::Probe => probe::run(),
+        Command::Probe(args) => probe::run(args),
         Command::Expect(args) => expect::run(args, talk),
         Command::Vary(args) => vary::run(args, talk),
+        Command::Course(args) => course::run(args),
         Command::Schema(args) => schema::run(args),
         Command::Completions { shell } => pages::completions(*shell),
         Command::Man { command } => pages::man(command.as_deref()),

@@ -4,12 +4,14 @@ use std::io::BufRead;
 
 use cases::probe::{Question, Reply};
 
-use super::{Stop, print};
+use super::args::ProbeArgs;
+use super::{Stop, find, print};
 use crate::answers::answer;
-use crate::rules::Lecture;
+use crate::rules::Rules;
 
 /// Answers a line for every line, in order.
-pub(super) fn run() -> Result<(), Stop> {
+pub(super) fn run(args: &ProbeArgs) -> Result<(), Stop> {
+    let rules = Rules::of(&find::given(&args.course)?.unwrap_or_default());
     for line in std::io::stdin().lock().lines() {
         let line = line.map_err(|why| Stop::Usage(format!("cannot read a question: {why}")))?;
         if line.trim().is_empty() {
@@ -17,7 +19,7 @@ pub(super) fn run() -> Result<(), Stop> {
         }
         let question: Question = serde_json::from_str(&line)
             .map_err(|why| Stop::Usage(format!("cannot understand the question {line}: {why}")))?;
-        let reply = Reply { answer: answer(Lecture, &question.ask), id: question.id };
+        let reply = Reply { answer: answer(&rules, &question.ask), id: question.id };
         let text =
             serde_json::to_string(&reply).map_err(|why| Stop::Machine(format!("cannot write an answer: {why}")))?;
         print(format!("{text}\n").as_bytes())?;

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use cases::film::exr::{Depth, Part, rgb};
-use cases::film::{self, Image, PictureError};
+use cases::film::{self, Image, PictureError, Quantiser};
 use cases::{Effect, Effects, Scene, effects};
 use serde::Serialize;
 
@@ -13,7 +13,7 @@ use super::progress::Bar;
 use super::{Stop, Talk, find, print};
 use crate::real::Real;
 use crate::render::{self, Options, Stats};
-use crate::rules::Lecture;
+use crate::rules::Rules;
 use crate::watch::Counts;
 use crate::world::World;
 
@@ -38,6 +38,7 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     let out = args.output.as_ref().or(args.out.as_ref()).ok_or_else(|| Stop::Usage("OUT is missing".to_owned()))?;
     let kind = Kind::of(out, args.bits)?;
     let mut clock = Clock(Instant::now());
+    let rules = Rules::of(&find::course(&args.scene, &args.course)?);
     let mut scene = find::scene(&args.scene)?;
     let allowed = find::allowed(&args.scene, &scene)?;
     adjust(&mut scene, args, allowed);
@@ -47,11 +48,11 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
     let samples = args.samples;
     let (image, stats, prepare_s) = pool.install(|| match args.precision {
-        Precision::F32 => picture::<f32>(&scene, samples, talk),
-        Precision::F64 => picture::<f64>(&scene, samples, talk),
+        Precision::F32 => picture::<f32>(&scene, &rules, samples, talk),
+        Precision::F64 => picture::<f64>(&scene, &rules, samples, talk),
     });
     let render_s = clock.lap() - prepare_s;
-    kind.write(out, &image)?;
+    kind.write(out, &image, rules.quantiser)?;
     let report = Report {
         width: image.width(),
         height: image.height(),
@@ -108,14 +109,14 @@ fn asked_for(scene: &Scene, asked: &str) -> Result<Effects, Stop> {
 }
 
 /// The picture, what it cost, and the seconds it took to make the world ready.
-fn picture<T: Real>(scene: &Scene, samples: u32, talk: Talk) -> (Image, Stats, f64) {
+fn picture<T: Real>(scene: &Scene, rules: &Rules, samples: u32, talk: Talk) -> (Image, Stats, f64) {
     let start = Instant::now();
     let world = World::<T>::new(scene);
     let prepare_s = start.elapsed().as_secs_f64();
     let n_pixels = u64::from(scene.render.width) * u64::from(scene.render.height);
     let bar = Bar::rendering(n_pixels, u64::from(samples) * u64::from(samples), talk);
     let options = Options { samples, ..Options::of(&world) };
-    let (image, stats) = render::render(&world, Lecture, &options, |n| bar.add(n));
+    let (image, stats) = render::render_by(&world, rules, &options, |n| bar.add(n));
     (image, stats, prepare_s)
 }
 
@@ -185,11 +186,11 @@ impl Kind {
         })
     }
 
-    fn write(self, out: &Path, image: &Image) -> Result<(), Stop> {
+    fn write(self, out: &Path, image: &Image, quantiser: Quantiser) -> Result<(), Stop> {
         let machine = |why: PictureError| Stop::Machine(format!("cannot write {}: {why}", out.display()));
         let bytes = match self {
-            Self::Stream(kind) => return print(&film::encode(kind, image).map_err(machine)?),
-            Self::File(kind) => film::encode(kind, image),
+            Self::Stream(kind) => return print(&film::encode_by(quantiser, kind, image).map_err(machine)?),
+            Self::File(kind) => film::encode_by(quantiser, kind, image),
             Self::Exr => {
                 let part = Part { name: "colour".to_owned(), planes: rgb("", image, Depth::Float).into() };
                 film::exr::encode((image.width(), image.height()), &[part], "")

@@ -14,6 +14,7 @@ pub(super) fn run(args: &SchemaArgs) -> Result<(), Stop> {
         SchemaKind::Case => schema::case_schema(),
         SchemaKind::SceneFile => schema::scene_file_schema(),
         SchemaKind::Stage => schema::stage_schema(),
+        SchemaKind::Course => schema::course_schema(),
         SchemaKind::Scene => schema::scene_schema(),
         SchemaKind::Probe => schema::probe_schema(),
     })

@@ -4,6 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use cases::course;
 use cases::film;
 use cases::stage::{self, Case, Stage};
 use rayon::prelude::*;
@@ -80,7 +81,7 @@ fn all<T>(results: Vec<Result<T, String>>) -> Result<Vec<T>, String> {
     if wrong.is_empty() { Ok(values) } else { Err(wrong.join("\n")) }
 }
 
-/// Writes the set beside `out` and moves it there, whole.
+/// Writes the set beside `out`, what its course decides with it, and moves it there, whole.
 fn write(folder: &Path, stages: &[Stage], set: &[Varied], out: &Path, talk: Talk) -> Result<(), Stop> {
     let machine = |why: io::Error| Stop::Machine(format!("cannot write {}: {why}", out.display()));
     let beside = match out.parent() {
@@ -97,6 +98,10 @@ fn write(folder: &Path, stages: &[Stage], set: &[Varied], out: &Path, talk: Talk
         let path = case_path(&whole, &varied.case.id);
         put(&path, varied.text.as_bytes())?;
         take(&case_path(folder, &varied.case.id), &path, &varied.assets)?;
+    }
+    if let Some(path) = course::path_of(folder) {
+        let bytes = fs::read(&path).map_err(|why| Stop::Usage(format!("{}: {why}", path.display())))?;
+        put(&whole.join(course::FILE), &bytes)?;
     }
     fs::rename(&whole, out).map_err(machine)?;
     if talk >= Talk::Normal {
