@@ -33,29 +33,39 @@ fn n_stray(centre: &Image, other: &Image) -> usize {
     centre.pixels().iter().zip(other.pixels()).filter(|pair| differs(*pair)).count()
 }
 
-/// A line for every variation that strays from the picture of a case, the worst first.
+/// For every variation the share of the pixels of a case on which it strays.
+fn stray_shares<'a>(case: &'a Case, variations: &'a [Variation]) -> Vec<(f64, &'a str, &'a Variation)> {
+    let centre = World::<f64>::new(&case.scene);
+    let centre = render(&centre, Lecture, &Options::of(&centre), |_| {}).0;
+    let share = |v: &Variation| {
+        let picture = v.picture(&case.scene, case.scene.effects);
+        n_stray(&centre, &picture) as f64 / centre.pixels().len() as f64
+    };
+    variations.iter().map(|v| (share(v), case.id.as_str(), v)).collect()
+}
+
+/// A line for every variation and case, the worst first.
 #[test]
 fn no_variation_strays_from_the_reference() {
     let variations = variations(&Rules::LECTURE);
     let cases: Vec<_> = STAGES.iter().flat_map(|stage| &stage.cases).collect();
-    let mut shares: Vec<(f64, &str, &Variation)> = cases
-        .par_iter()
-        .flat_map_iter(|case| {
-            let centre = World::<f64>::new(&case.scene);
-            let centre = render(&centre, Lecture, &Options::of(&centre), |_| {}).0;
-            let share = move |v: &Variation| {
-                let picture = v.picture(&case.scene, case.scene.effects);
-                n_stray(&centre, &picture) as f64 / centre.pixels().len() as f64
-            };
-            variations.iter().map(move |v| (share(v), case.id.as_str(), v))
-        })
-        .collect();
+    let mut shares: Vec<_> = cases.par_iter().flat_map_iter(|case| stray_shares(case, &variations)).collect();
     shares.sort_by(|a, b| b.0.total_cmp(&a.0));
     let line = |(share, case, v): &(f64, &str, &Variation)| format!("{:6.2} %  {case}: {}", share * 100.0, v.name);
     let table: Vec<_> = shares.iter().take(60).map(line).collect();
     println!("{}", table.join("\n"));
     let n_ill = shares.iter().filter(|(share, ..)| *share > STRAY_SHARE).count();
     assert!(n_ill == 0, "{n_ill} stray on more than {} % of the pixels:\n{}", STRAY_SHARE * 100.0, table.join("\n"));
+}
+
+#[test]
+fn noise_that_is_too_large_strays() {
+    let mut noisy = variations(&Rules::LECTURE);
+    for v in &mut noisy {
+        v.rules.style.nudge = [0.5, 0.5];
+    }
+    let shares = stray_shares(&STAGES[0].cases[0], &noisy);
+    assert!(shares.iter().all(|(share, ..)| *share > STRAY_SHARE), "half a pixel goes unnoticed");
 }
 
 #[test]
