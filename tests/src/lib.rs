@@ -1,4 +1,11 @@
-//! What the proofs across crates share: where the workspace is, and its source files.
+//! What the proofs across crates share: where the workspace is, its source files, and variants of the solution before the judge.
+
+pub mod bars;
+pub mod lab;
+pub mod page;
+pub mod peers;
+pub mod rules;
+pub mod variants;
 
 use std::path::{Path, PathBuf};
 

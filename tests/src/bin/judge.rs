@@ -1,0 +1,80 @@
+//! Judges the judge: tries all variants of the solution, lets other judges see the same pictures, and writes `docs/judging.md`.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressStyle};
+use tests::bars::Tally;
+use tests::lab::{Lab, Trial};
+use tests::{page, peers, variants, workspace};
+
+/// Tries the variants of tests/mutants and says which right ones lost points and which wrong ones did not.
+#[derive(Parser)]
+struct Arguments {
+    /// Only variants whose names hold this
+    only: Option<String>,
+    /// Write the page here, with what other judges say: they are installed below target/peers
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Say of every variant which checks it lost
+    #[arg(long)]
+    verbose: bool,
+}
+
+fn main() -> ExitCode {
+    match judge(&Arguments::parse()) {
+        Ok(faults) if faults.is_empty() => ExitCode::SUCCESS,
+        Ok(faults) => {
+            println!("{}", faults.join("\n"));
+            ExitCode::FAILURE
+        }
+        Err(why) => {
+            eprintln!("error: {why}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// What keeps the grader from its bars.
+fn judge(arguments: &Arguments) -> Result<Vec<String>, String> {
+    let mut variants = variants::all()?;
+    if let Some(only) = &arguments.only {
+        variants.retain(|variant| variant.name.contains(only));
+    }
+    let folder = workspace().join("target/peers");
+    let lab = Lab::open(arguments.out.as_ref().map(|_| folder.join("pictures")))?;
+    let bar = ProgressBar::new(variants.len() as u64);
+    bar.set_style(ProgressStyle::with_template("{pos}/{len} {wide_bar} {eta} {msg}").map_err(|why| why.to_string())?);
+    let trials = lab.try_all(&variants, &|variant| {
+        bar.set_message(variant.name.clone());
+        bar.inc(1);
+    });
+    bar.finish_and_clear();
+    let trials = trials.map_err(|faults| faults.join("\n"))?;
+    if arguments.verbose {
+        trials.iter().for_each(say);
+    }
+    let tally = Tally::of_this_grader(&trials);
+    println!(
+        "{} right programs, {} failed; {} wrong ones, {} passed; {} of {} caught in their own stage",
+        tally.n_right,
+        tally.false_fails.len(),
+        tally.n_wrong,
+        tally.misses.len(),
+        tally.n_in_right_stage(),
+        tally.n_caught(),
+    );
+    if let Some(out) = &arguments.out {
+        let tools = peers::ask(&folder, &trials)?;
+        let text = page::page(&trials, &tools);
+        cases::film::replace(out, text.as_bytes()).map_err(|why| format!("{}: {why}", out.display()))?;
+    }
+    Ok(tally.faults())
+}
+
+fn say(trial: &Trial) {
+    let lost: Vec<&str> = trial.lost().map(|check| check.id.as_str()).collect();
+    let n_changed: usize = trial.shown.iter().map(|shown| shown.n_changed).sum();
+    println!("{}: {n_changed} pixels changed; lost {}", trial.variant.name, lost.join(" "));
+}
