@@ -18,7 +18,7 @@ pub fn page(trials: &[Trial], tools: &[Tool]) -> String {
     let mut judges = vec![Judge {
         name: "**this grader**, its pictures alone".to_owned(),
         says: "its cases' own limits (grading.md); unit checks left out".to_owned(),
-        tally: by_first_case(&seen, |trial| pictures_lost(trial)),
+        tally: by_first_case(&seen, pictures_lost),
     }];
     judges.extend(RULES.iter().enumerate().map(|(at, rule)| Judge {
         name: rule.name.to_owned(),
