@@ -2,6 +2,7 @@
 
 pub mod batch;
 pub mod build;
+pub mod diagnose;
 pub mod exam;
 pub mod exercise;
 pub mod files;

@@ -1,5 +1,6 @@
 //! The grade record: the versioned truth behind every report. Reports decide nothing; they only show what stands here.
 
+use cases::answer::Mistake;
 use serde::{Deserialize, Serialize};
 
 /// The version of this record's form.
@@ -22,8 +23,20 @@ pub struct Record {
     pub build: Build,
     /// The sum over the stages.
     pub score: Score,
+    /// The known mistakes that explain what is wrong, the one that explains most first. Mostly one or none.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub diagnoses: Vec<Diagnosis>,
     /// Stages in order.
     pub stages: Vec<StageRecord>,
+}
+
+/// A known mistake that explains some of what is wrong.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Diagnosis {
+    /// The mistake; several where what was asked does not tell them apart.
+    pub mistakes: Vec<Mistake>,
+    /// Ids of the cases and checks that it explains.
+    pub explains: Vec<String>,
 }
 
 /// What was graded.
@@ -142,6 +155,7 @@ impl Finding {
             asked: None,
             expected: None,
             actual: None,
+            diagnosis: None,
             stderr: None,
         }
     }
@@ -178,6 +192,9 @@ pub struct Finding {
     /// The program's answer, as lines of text.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub actual: Option<String>,
+    /// Id of the known mistake that explains it; it stands among the record's diagnoses.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub diagnosis: Option<String>,
     /// What the program wrote on its error stream last; cut at a limit.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub stderr: Option<String>,

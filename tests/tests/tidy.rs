@@ -87,6 +87,7 @@ const BANS: &[Ban] = &[
         except: &[
             "grader/src/arguments.rs",
             "grader/src/commands",
+            "grader/src/diagnose",
             "grader/src/exam.rs",
             "grader/src/exercise",
             "grader/src/grade",

@@ -149,6 +149,16 @@ impl ImageAnswer {
 }
 
 impl Wrong {
+    /// The ids of the mistakes that a stored answer holds, without unpacking their pictures: those that the case does not let pass.
+    ///
+    /// # Errors
+    /// As [`ImageAnswer::decode`].
+    pub fn ids(bytes: &[u8], width: u32, height: u32) -> Result<Vec<String>, PictureError> {
+        let parts = exr::plane_names(bytes, width, height)?;
+        let names = parts.into_iter().filter(|(part, _)| part == MISTAKES).flat_map(|(_, names)| names);
+        Ok(names.filter_map(|name| name.strip_suffix(".R").map(str::to_owned)).collect())
+    }
+
     /// The pictures of mistakes that a stored answer holds, ordered by id.
     ///
     /// # Errors
@@ -205,6 +215,7 @@ mod tests {
         let wrong = Wrong { id: "no_shadows".to_owned(), levels: (0..512).map(|n| [n as u8, 0, 255]).collect() };
         let bytes = answer().encode(std::slice::from_ref(&wrong)).unwrap();
         assert_eq!(ImageAnswer::decode(&bytes, 256, 2).unwrap(), answer());
+        assert_eq!(Wrong::ids(&bytes, 256, 2).unwrap(), ["no_shadows"]);
         assert_eq!(Wrong::decode_all(&bytes, 256, 2).unwrap(), [wrong]);
         assert_eq!(Wrong::decode_all(&answer().encode(&[]).unwrap(), 256, 2).unwrap(), []);
         assert!(ImageAnswer::decode(&bytes, 2, 256).is_err());

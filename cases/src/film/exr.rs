@@ -6,6 +6,8 @@
 
 use std::io::Cursor;
 
+use ::exr::meta::Headers;
+use ::exr::meta::header::Header;
 use ::exr::prelude::{
     AnyChannel, AnyChannels, AttributeValue, Compression, Encoding, FlatSamples, Image as Exr, ImageAttributes,
     IntegerBounds, Layer as ExrPart, LayerAttributes, MetaData, ReadChannels, ReadLayers, Text, WritableImage, f16,
@@ -138,8 +140,18 @@ pub fn decode(bytes: &[u8], width: u32, height: u32) -> Result<(Vec<Part>, Strin
     Ok((file.layer_data.into_iter().map(our_part).collect(), notes))
 }
 
+/// The names of all parts, each with those of its planes; nothing is decoded.
+///
+/// # Errors
+/// As [`decode_first`].
+pub fn plane_names(bytes: &[u8], width: u32, height: u32) -> Result<Vec<(String, Vec<String>)>, PictureError> {
+    let planes = |header: &Header| header.channels.list.iter().map(|channel| channel.name.to_string()).collect();
+    let name = |header: &Header| header.own_attributes.layer_name.as_ref().map(Text::to_string).unwrap_or_default();
+    Ok(demand(bytes, (width, height))?.iter().map(|header| (name(header), planes(header))).collect())
+}
+
 /// Reads the headers alone.
-fn demand(bytes: &[u8], wanted: (u32, u32)) -> Result<(), PictureError> {
+fn demand(bytes: &[u8], wanted: (u32, u32)) -> Result<Headers, PictureError> {
     let headers = MetaData::read_from_buffered(Cursor::new(bytes), true).map_err(broken)?.headers;
     let n_planes: usize = headers.iter().map(|header| header.channels.list.len()).sum();
     if headers.len() > MOST || n_planes > MOST {
@@ -153,7 +165,7 @@ fn demand(bytes: &[u8], wanted: (u32, u32)) -> Result<(), PictureError> {
             return Err(PictureError::Size { found, wanted });
         }
     }
-    Ok(())
+    Ok(headers)
 }
 
 fn notes(part: &ExrPart<AnyChannels<FlatSamples>>) -> String {

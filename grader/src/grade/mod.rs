@@ -1,5 +1,6 @@
 //! One submission from folder to record.
 
+mod diagnosis;
 mod perform;
 mod plan;
 mod write_up;
@@ -140,16 +141,17 @@ pub fn grade(bench: &Bench, options: &Options, progress: &dyn Progress) -> Resul
     let plan = plan::Plan::new(&bench.exam, &options.stages, &options.cases).map_err(GradeError::Input)?;
     let epoch = bench.epoch()?;
     let (digest, prepared) = prepare(bench, options, progress)?;
-    let (answers, build) = match prepared {
+    let (mut answers, build) = match prepared {
         Ok((built, ignored)) => {
             let answers = perform::exercise(&plan, &bench.candidate(&built), options.jobs, progress);
             (answers, accepted(&built, ignored))
         }
         Err(build) => (perform::nothing(&plan, build.finding.as_ref()), build),
     };
+    let diagnoses = diagnosis::diagnose(&bench.exam, &plan, &mut answers);
     let (stages, pictures) = write_up::stages(&plan, answers);
     let submission = Submission { path: options.name.clone(), digest };
-    Ok(Graded { record: write_up::record(epoch, submission, build, stages), pictures })
+    Ok(Graded { record: write_up::record(epoch, submission, build, stages, diagnoses), pictures })
 }
 
 /// A program with what was left aside, or what is to be said where there is none.
@@ -194,11 +196,12 @@ fn rejected(verdict: Verdict, finding: Finding, ignored: Vec<String>) -> Build {
 pub fn images(bench: &Bench, folder: &Path, options: &Options) -> Result<Graded, GradeError> {
     let plan = plan::Plan::new(&bench.exam, &options.stages, &options.cases).map_err(GradeError::Input)?;
     let plan = plan.pictures_only();
-    let answers = perform::review(&plan, folder);
+    let mut answers = perform::review(&plan, folder);
+    let diagnoses = diagnosis::diagnose(&bench.exam, &plan, &mut answers);
     let (stages, pictures) = write_up::stages(&plan, answers);
     let submission = Submission { path: options.name.clone(), digest: String::new() };
     let build = Build { verdict: Verdict::Pass, finding: None, warnings: vec![], ignored: vec![], time_s: 0.0 };
-    let mut record = write_up::record(bench.epoch()?, submission, build, stages);
+    let mut record = write_up::record(bench.epoch()?, submission, build, stages, diagnoses);
     "nothing was run".clone_into(&mut record.sandbox);
     Ok(Graded { record, pictures })
 }

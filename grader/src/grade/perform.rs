@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use cases::film::Image;
-use cases::probe::Question;
+use cases::probe::{Answer, Question};
 use cases::stage::{Case, Check};
 use rayon::prelude::*;
 
@@ -22,6 +22,8 @@ pub(super) struct Done {
     pub(super) judgement: Judgement,
     /// The picture, if one of the right size could be read.
     pub(super) picture: Option<Image>,
+    /// The answer to a unit check, if one could be read.
+    pub(super) answer: Option<Answer>,
     pub(super) time_s: f64,
     pub(super) peak_bytes: u64,
 }
@@ -37,7 +39,7 @@ pub(super) struct Answers {
 
 impl Done {
     fn unmeasured(judgement: Judgement, picture: Option<Image>) -> Self {
-        Self { judgement, picture, time_s: 0.0, peak_bytes: 0 }
+        Self { judgement, picture, answer: None, time_s: 0.0, peak_bytes: 0 }
     }
 }
 
@@ -113,6 +115,7 @@ fn picture(candidate: &Candidate, questions: &Questions, case: &Case) -> Answers
             time_s: shot.finished.wall.as_secs_f64(),
             peak_bytes: shot.finished.peak_bytes,
             picture: shot.picture.ok(),
+            answer: None,
         },
     };
     Answers { done: BTreeMap::from([(case.id.clone(), done)]), remarks: BTreeMap::new() }
@@ -177,6 +180,7 @@ fn units(candidate: &Candidate, part: &Part) -> Answers {
             Ok(probed) => Done {
                 judgement: judge_answer(question, probed, &candidate.allowance.questions, part.questions),
                 picture: None,
+                answer: answer_to(question, probed),
                 time_s: probed.time.as_secs_f64(),
                 peak_bytes: probed.peak_bytes,
             },
@@ -186,6 +190,13 @@ fn units(candidate: &Candidate, part: &Part) -> Answers {
     let remarks = probed.map(|probed| probed.remarks).unwrap_or_default();
     answers.remarks.insert(part.questions.stage.id.clone(), remarks);
     answers
+}
+
+fn answer_to(question: &Question, probed: &Probed) -> Option<Answer> {
+    match probed.got.get(&question.id) {
+        Some(Got::Answer(answer)) => Some(answer.clone()),
+        _ => None,
+    }
 }
 
 fn judge_answer(question: &Question, probed: &Probed, limits: &Limits, questions: &Questions) -> Judgement {

@@ -6,12 +6,20 @@ use super::perform::{Answers, Done};
 use super::plan::{Part, Plan};
 use super::{Pictures, VERSION};
 use crate::judge::Judgement;
-use crate::record::{Build, CheckKind, CheckRecord, Record, SCHEMA, Score, StageRecord, Submission, Verdict};
+use crate::record::{
+    Build, CheckKind, CheckRecord, Diagnosis, Record, SCHEMA, Score, StageRecord, Submission, Verdict,
+};
 use crate::sandbox::LEVEL;
 use crate::score;
 
 /// The whole record.
-pub(super) fn record(epoch: String, submission: Submission, build: Build, stages: Vec<StageRecord>) -> Record {
+pub(super) fn record(
+    epoch: String,
+    submission: Submission,
+    build: Build,
+    stages: Vec<StageRecord>,
+    diagnoses: Vec<Diagnosis>,
+) -> Record {
     let of = |stage: &StageRecord| Score { earned: stage.earned, possible: stage.possible };
     Record {
         schema: SCHEMA,
@@ -21,6 +29,7 @@ pub(super) fn record(epoch: String, submission: Submission, build: Build, stages
         sandbox: LEVEL.to_owned(),
         build,
         score: score::total(stages.iter().map(of)),
+        diagnoses,
         stages,
     }
 }
@@ -57,6 +66,7 @@ fn take(answers: &mut Answers, id: &str) -> Done {
     answers.done.remove(id).unwrap_or(Done {
         judgement: Judgement::ours("it was planned, but not asked"),
         picture: None,
+        answer: None,
         time_s: 0.0,
         peak_bytes: 0,
     })

@@ -7,7 +7,7 @@ mod unit;
 
 pub use ending::{ending, todo};
 pub use picture::{Difference, compare, picture};
-pub use unit::{lines, unit};
+pub use unit::{alike, lines, unit};
 
 use crate::record::{Finding, FindingKind, Verdict};
 

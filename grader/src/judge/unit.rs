@@ -114,6 +114,14 @@ fn is_near(expected: f64, given: f64, allowed: f64) -> bool {
     expected == given || (expected - given).abs() <= allowed
 }
 
+/// Whether two answers say the same: one decision, and numbers that agree, NaN with NaN too.
+pub fn alike(one: &Answer, other: &Answer, allowed: f64) -> bool {
+    let (one, other) = (parts(one), parts(other));
+    let numbers = |parts: &Parts| parts.values.iter().flat_map(|value| value.numbers.clone()).collect::<Vec<_>>();
+    let agree = |(a, b): (f64, f64)| is_near(a, b, allowed) || a.is_nan() && b.is_nan();
+    one.decision == other.decision && numbers(&one).into_iter().zip(numbers(&other)).all(agree)
+}
+
 impl Value {
     fn is_near(&self, given: &Self, allowed: f64) -> bool {
         self.numbers.iter().zip(&given.numbers).all(|(e, g)| is_near(*e, *g, allowed))

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
-use super::words;
+use super::{mistakes, words};
 use crate::plain::shown;
 use crate::record::{CheckRecord, FindingKind, Record, StageRecord, Verdict};
 
@@ -15,7 +15,7 @@ use crate::record::{CheckRecord, FindingKind, Record, StageRecord, Verdict};
 pub fn to_string(record: &Record) -> Result<String, String> {
     let mut report = Report::new(format!("grade of {}", shown(&record.submission.path)));
     report.add_test_suite(build(record));
-    report.add_test_suites(record.stages.iter().map(suite));
+    report.add_test_suites(record.stages.iter().map(|stage| suite(record, stage)));
     report.to_string().map_err(|why| why.to_string())
 }
 
@@ -29,14 +29,14 @@ fn build(record: &Record) -> TestSuite {
     suite
 }
 
-fn suite(stage: &StageRecord) -> TestSuite {
+fn suite(record: &Record, stage: &StageRecord) -> TestSuite {
     let mut suite = TestSuite::new(shown(&stage.id));
-    suite.add_test_cases(stage.checks.iter().map(|check| case(&stage.id, check)));
+    suite.add_test_cases(stage.checks.iter().map(|check| case(record, &stage.id, check)));
     suite
 }
 
-fn case(stage: &str, check: &CheckRecord) -> TestCase {
-    let mut case = TestCase::new(shown(&check.id), status(check));
+fn case(record: &Record, stage: &str, check: &CheckRecord) -> TestCase {
+    let mut case = TestCase::new(shown(&check.id), status(record, check));
     case.set_classname(shown(stage)).set_time(Duration::from_secs_f64(check.time_s.max(0.0)));
     if let Some(stderr) = check.finding.as_ref().and_then(|finding| finding.stderr.as_deref()) {
         case.set_system_err(shown(stderr));
@@ -47,9 +47,13 @@ fn case(stage: &str, check: &CheckRecord) -> TestCase {
     case
 }
 
-fn status(check: &CheckRecord) -> TestCaseStatus {
+fn status(record: &Record, check: &CheckRecord) -> TestCaseStatus {
     let kind = check.finding.as_ref().map_or(FindingKind::Remark, |finding| finding.kind);
-    let message = check.finding.as_ref().map_or("", |finding| finding.message.as_str());
+    let finding = check.finding.as_ref();
+    let likely = finding.and_then(|finding| mistakes::says(record, finding.diagnosis.as_ref()?));
+    let mut message = finding.map_or(String::new(), |finding| finding.message.clone());
+    message.extend(likely.map(|says| format!("; most likely {says}")));
+    let message = message.as_str();
     match (check.verdict, kind) {
         (Verdict::Pass, _) => TestCaseStatus::success(),
         (Verdict::NotRun, _) => {
@@ -88,6 +92,7 @@ mod tests {
         let n_checks = record.stages.iter().map(|stage| stage.checks.len()).sum::<usize>();
         assert_eq!(xml.matches("<testcase ").count(), n_checks + 1);
         assert!(xml.chars().all(|c| c == '\n' || !c.is_control()), "{xml:?}");
+        assert!(xml.contains("; most likely the one is &lt;wrong&gt;"), "{xml}");
         for part in ["<failure", "<error", "<skipped"] {
             assert!(xml.contains(part), "no {part} in\n{xml}");
         }

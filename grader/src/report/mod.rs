@@ -3,6 +3,7 @@
 pub mod class;
 pub mod html;
 pub mod junit;
+pub mod mistakes;
 #[cfg(test)]
 pub(crate) mod sample;
 pub mod terminal;

@@ -1,6 +1,6 @@
 //! A submission for the tests of the reports: something of each kind, with hostile text wherever a student can put it.
 
-use cases::answer::ImageAnswer;
+use cases::answer::{ImageAnswer, Mistake};
 use cases::film::Image;
 use cases::glam::DVec3;
 
@@ -44,7 +44,12 @@ pub(crate) fn record(name: &str) -> Record {
             "shifted",
             CheckKind::Image,
             Verdict::Fail,
-            Some(Finding { wrong_pixels: Some(1200), worst: Some([61, 60]), ..finding(FindingKind::Wrong) }),
+            Some(Finding {
+                wrong_pixels: Some(1200),
+                worst: Some([61, 60]),
+                diagnosis: Some("one".to_owned()),
+                ..finding(FindingKind::Wrong)
+            }),
         ),
         check(
             "not_a_number",
@@ -72,6 +77,7 @@ pub(crate) fn record(name: &str) -> Record {
             time_s: 2.5,
         },
         score: Score { earned, possible },
+        diagnoses: vec![diagnosis()],
         stages: vec![StageRecord {
             id: "01_ray_casting".to_owned(),
             title: "Ray casting".to_owned(),
@@ -81,6 +87,18 @@ pub(crate) fn record(name: &str) -> Record {
             remarks: vec![],
         }],
     }
+}
+
+/// Explains two of the three that are wrong.
+fn diagnosis() -> Diagnosis {
+    let mistake = |id: &str, rule| Mistake {
+        id: id.to_owned(),
+        rule,
+        says: format!("the {id} is <wrong>"),
+        look_at: "sphere.rs intersect_sphere".to_owned(),
+    };
+    let explains = ["shifted", "sphere/inside"].map(|name| format!("01_ray_casting/{name}")).into();
+    Diagnosis { mistakes: vec![mistake("one", 3), mistake("other", 14)], explains }
 }
 
 fn check(name: &str, kind: CheckKind, verdict: Verdict, finding: Option<Finding>) -> CheckRecord {
@@ -114,6 +132,7 @@ fn wrong_answer() -> Finding {
         asked: Some(serde_json::json!({ "fn": "sphere", "radius": 0.5, "hostile": HOSTILE })),
         expected: Some("hit\n  t       0.5\n  normal  0 0 1\n".to_owned()),
         actual: Some(format!("hit\n  t       -0.5\n  normal  0 0 1\n{HOSTILE}\n")),
+        diagnosis: Some("one".to_owned()),
         stderr: None,
         ..finding(FindingKind::Wrong)
     }

@@ -6,9 +6,9 @@ use std::fmt::Write;
 use anstyle::{AnsiColor, Style};
 use similar::{ChangeTag, TextDiff};
 
-use super::words;
+use super::{mistakes, words};
 use crate::plain::shown;
-use crate::record::{CheckKind, CheckRecord, Finding, FindingKind, Record, StageRecord, Verdict};
+use crate::record::{CheckKind, CheckRecord, Diagnosis, Finding, FindingKind, Record, StageRecord, Verdict};
 
 const GOOD: Style = AnsiColor::Green.on_default();
 const BAD: Style = AnsiColor::Red.on_default();
@@ -22,7 +22,7 @@ pub fn render(record: &Record, is_verbose: bool) -> String {
     build(record, is_verbose, &mut text);
     for stage in &record.stages {
         stage.checks.iter().filter(|check| check.verdict != Verdict::NotRun).for_each(|one| {
-            check(one, is_verbose, &mut text);
+            check(record, one, is_verbose, &mut text);
         });
         not_run(stage, &mut text);
         for remark in &stage.remarks {
@@ -33,7 +33,20 @@ pub fn render(record: &Record, is_verbose: bool) -> String {
         text.push('\n');
     }
     table(record, &mut text);
+    record.diagnoses.iter().for_each(|one| diagnosis(record, one, &mut text));
     text
+}
+
+/// What the program most likely does, where to look, and how much that explains.
+fn diagnosis(record: &Record, diagnosis: &Diagnosis, text: &mut String) {
+    let mut lead = format!("{BOLD}Most likely{BOLD:#}");
+    for mistake in &diagnosis.mistakes {
+        let see = mistakes::rule(mistake.rule).map_or(String::new(), |rule| format!("; see {}", rule.link()));
+        line(text, &format!("{lead}  {} [rule {}]", shown(&mistake.says), mistake.rule));
+        line(text, &format!("    look at {}{see}", mistakes::place(mistake)));
+        lead = format!("{BOLD}or{BOLD:#}");
+    }
+    line(text, &format!("    It explains {}.", mistakes::extent(record, diagnosis)));
 }
 
 fn line(text: &mut String, line: &str) {
@@ -63,7 +76,7 @@ fn build(record: &Record, is_verbose: bool, text: &mut String) {
 }
 
 /// A line on a check that is not simply right; for a wrong answer also the difference.
-fn check(check: &CheckRecord, is_verbose: bool, text: &mut String) {
+fn check(record: &Record, check: &CheckRecord, is_verbose: bool, text: &mut String) {
     let Some(finding) = &check.finding else { return };
     let style = match check.verdict {
         Verdict::Pass | Verdict::Ours => ODD,
@@ -72,6 +85,9 @@ fn check(check: &CheckRecord, is_verbose: bool, text: &mut String) {
     let rules: String = check.rules.iter().map(|rule| format!(" [rule {rule}]")).collect();
     let kind = words::finding(finding.kind);
     line(text, &format!("{style}{}{style:#}  {kind}: {}{rules}", check.id, shown(&finding.message)));
+    if let Some(says) = finding.diagnosis.as_ref().and_then(|id| mistakes::says(record, id)) {
+        line(text, &format!("    most likely {}", shown(says)));
+    }
     if let (Some(expected), Some(actual)) = (&finding.expected, &finding.actual) {
         difference(&shown(expected), &shown(actual), text);
     }
@@ -169,6 +185,17 @@ mod tests {
         for part in ["left aside", "1 warning (-v", "[rule 3] [rule 14]", "- expected ", "+ yours    ", " points"] {
             assert!(shown.contains(part), "no {part:?} in\n{shown}");
         }
+    }
+
+    #[test]
+    fn names_the_mistakes_that_explain_what_is_wrong() {
+        let shown = text(&sample::record("somebody"), false);
+        let end = "\nMost likely  the one is <wrong> [rule 3]\n    look at sphere.rs, function intersect_sphere; \
+                   see docs/shading-model.md#rule-3-direct-light\nor  the other is <wrong> [rule 14]\n    \
+                   look at sphere.rs, function intersect_sphere; see docs/shading-model.md#rule-14-the-sphere\n    \
+                   It explains 1 of 3 failed pictures and 1 of 1 failed unit check.\n";
+        assert!(shown.ends_with(end), "{shown}");
+        assert_eq!(shown.matches("    most likely the one is <wrong>\n").count(), 2, "{shown}");
     }
 
     #[test]

@@ -89,6 +89,16 @@ fn the_page_links_to_the_reports_and_names_who_is_missing() {
 }
 
 #[test]
+fn the_page_counts_the_mistakes_that_are_made() {
+    let mut entries = entries();
+    entries[2].record.as_mut().unwrap().diagnoses.clear();
+    let row =
+        "<tr><th scope=\"row\">the one is &lt;wrong&gt;</th><td class=\"number\">3</td><td class=\"number\">2</td>";
+    assert!(page(&entries).contains(row));
+    assert!(!page(&[]).contains("The most common mistakes"));
+}
+
+#[test]
 fn bars_count_tenths_and_full_marks() {
     let scores = [(0, 10), (9, 100), (10, 100), (99, 100), (100, 100), (5, 0)];
     let bars = histogram::of("x".to_owned(), scores.into_iter()).bars;

@@ -19,6 +19,7 @@ pub(super) struct Class {
     histograms: Vec<Histogram>,
     stages: Vec<Stage>,
     rows: Vec<Row>,
+    mistakes: Vec<Mistake>,
     checks: Vec<Check>,
 }
 
@@ -55,6 +56,14 @@ struct Check {
     n_asked: usize,
 }
 
+/// How many seem to make a mistake.
+#[derive(Serialize)]
+struct Mistake {
+    says: String,
+    rule: u8,
+    n: usize,
+}
+
 pub(super) fn class(entries: &[Entry]) -> Class {
     let (stages, rows) = rows::of(entries);
     let totals = rows.iter().filter_map(|row| row.earned.zip(row.possible));
@@ -75,6 +84,7 @@ pub(super) fn class(entries: &[Entry]) -> Class {
         histograms,
         stages: stages.iter().map(stage).collect(),
         rows: rows.iter().map(row).collect(),
+        mistakes: mistakes(entries),
         checks: checks(entries),
     }
 }
@@ -119,4 +129,16 @@ fn checks(entries: &[Entry]) -> Vec<Check> {
     let mut checks: Vec<Check> = counts.into_iter().map(check).collect();
     checks.sort_by(|a, b| (a.n_right * b.n_asked).cmp(&(b.n_right * a.n_asked)).then_with(|| a.id.cmp(&b.id)));
     checks
+}
+
+/// The mistakes that most make first. Where several may be meant, the first of them counts.
+fn mistakes(entries: &[Entry]) -> Vec<Mistake> {
+    let records = entries.iter().filter_map(|entry| entry.record.as_ref());
+    let named = records.flat_map(|record| &record.diagnoses).filter_map(|diagnosis| diagnosis.mistakes.first());
+    let mut counts: BTreeMap<(u8, &str), usize> = BTreeMap::new();
+    named.for_each(|mistake| *counts.entry((mistake.rule, &mistake.says)).or_default() += 1);
+    let mistake = |((rule, says), n): ((u8, &str), usize)| Mistake { says: shown(says), rule, n };
+    let mut mistakes: Vec<Mistake> = counts.into_iter().map(mistake).collect();
+    mistakes.sort_by_key(|mistake| std::cmp::Reverse(mistake.n)); // stable: by rule where as many make both
+    mistakes
 }

@@ -27,6 +27,20 @@ fn the_page_says_what_the_record_says() {
 }
 
 #[test]
+fn the_page_names_the_mistakes_with_their_rules_and_beside_what_they_explain() {
+    let page = page();
+    has(&page, "<h2 id=\"mistake-one\"><small>Most likely</small> the one is &lt;wrong&gt;</h2>");
+    has(&page, "<h2 id=\"mistake-other\"><small>or</small> the other is &lt;wrong&gt;</h2>");
+    has(&page, "<code>sphere.rs, function intersect_sphere</code>");
+    has(&page, "<summary>Rule 14: the sphere</summary><pre>    (d·d) t² + 2 (f·d) t");
+    has(&page, "It explains 1 of 3 failed pictures and 1 of 1 failed unit check");
+    has(&page, "<li><a href=\"#01_ray_casting&#x2f;shifted\">");
+    let beside =
+        page.matches("<p class=\"likely\">Most likely <a href=\"#mistake-one\">the one is &lt;wrong&gt;</a>.</p>");
+    assert_eq!(beside.count(), 2);
+}
+
+#[test]
 fn only_what_is_not_right_stands_open() {
     let page = page();
     has(&page, "<details class=\"check pass\" id=\"01_ray_casting&#x2f;ball\">");

@@ -1,12 +1,13 @@
 //! The record turned into what the template shows: texts made harmless, numbers in words, nothing decided.
 
+use cases::answer::Mistake;
 use serde::Serialize;
 
 use super::{diff, picture};
 use crate::grade::{Graded, Pictures};
 use crate::plain::shown;
-use crate::record::{Build, CheckKind, CheckRecord, Finding, Score, StageRecord, Verdict};
-use crate::report::words;
+use crate::record::{Build, CheckKind, CheckRecord, Diagnosis, Finding, Record, Score, StageRecord, Verdict};
+use crate::report::{mistakes, words};
 
 #[derive(Serialize)]
 pub(super) struct Submission {
@@ -17,6 +18,7 @@ pub(super) struct Submission {
     sandbox: String,
     score: Points,
     build: BuildView,
+    diagnoses: Vec<DiagnosisView>,
     stages: Vec<Stage>,
 }
 
@@ -37,6 +39,28 @@ struct BuildView {
     finding: Option<FindingView>,
     warnings: Vec<String>,
     ignored: Vec<String>,
+}
+
+/// What the program most likely does.
+#[derive(Serialize)]
+struct DiagnosisView {
+    /// Those that what was asked does not tell apart.
+    mistakes: Vec<MistakeView>,
+    /// How much it explains, in words.
+    extent: String,
+    /// Ids of what it explains.
+    explains: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct MistakeView {
+    id: String,
+    says: String,
+    rule: u8,
+    place: String,
+    /// Title and text of the rule.
+    title: &'static str,
+    text: &'static str,
 }
 
 #[derive(Serialize)]
@@ -74,6 +98,8 @@ struct Check {
 struct FindingView {
     kind: &'static str,
     message: String,
+    /// Id and sentence of the mistake that explains it.
+    mistake: Option<[String; 2]>,
     wrong_pixels: Option<u64>,
     worst: Option<[u32; 2]>,
     asked: Option<String>,
@@ -109,7 +135,24 @@ pub(super) fn submission(graded: &Graded) -> Submission {
         sandbox: shown(&record.sandbox),
         score: points(record.score),
         build: build(&record.build),
+        diagnoses: record.diagnoses.iter().map(|one| diagnosis(record, one)).collect(),
         stages: record.stages.iter().map(|one| stage(one, graded)).collect(),
+    }
+}
+
+fn diagnosis(record: &Record, diagnosis: &Diagnosis) -> DiagnosisView {
+    let mistake = |one: &Mistake| MistakeView {
+        id: shown(&one.id),
+        says: shown(&one.says),
+        rule: one.rule,
+        place: mistakes::place(one),
+        title: mistakes::rule(one.rule).map_or("", |rule| rule.title),
+        text: mistakes::rule(one.rule).map_or("", |rule| rule.text),
+    };
+    DiagnosisView {
+        mistakes: diagnosis.mistakes.iter().map(mistake).collect(),
+        extent: mistakes::extent(record, diagnosis),
+        explains: diagnosis.explains.iter().map(|id| shown(id)).collect(),
     }
 }
 
@@ -123,16 +166,19 @@ fn build(build: &Build) -> BuildView {
         verdict: class(build.verdict),
         words: if build.verdict == Verdict::Pass { "worked" } else { words::verdict(build.verdict) },
         seconds: seconds(build.time_s),
-        finding: build.finding.as_ref().map(finding),
+        finding: build.finding.as_ref().map(|one| finding(None, one)),
         warnings: build.warnings.iter().map(|text| shown(text)).collect(),
         ignored: build.ignored.iter().map(|text| shown(text)).collect(),
     }
 }
 
 fn stage(stage: &StageRecord, graded: &Graded) -> Stage {
+    let record = &graded.record;
     let of_kind = |kind: CheckKind| stage.checks.iter().filter(move |one| one.kind == kind);
-    let cases: Vec<Check> = of_kind(CheckKind::Image).map(|one| check(one, graded.pictures.get(&one.id))).collect();
-    let (unit_passed, unit_failed) = of_kind(CheckKind::Unit).map(|one| check(one, None)).partition(|one| one.is_right);
+    let cases: Vec<Check> =
+        of_kind(CheckKind::Image).map(|one| check(record, one, graded.pictures.get(&one.id))).collect();
+    let (unit_passed, unit_failed) =
+        of_kind(CheckKind::Unit).map(|one| check(record, one, None)).partition(|one| one.is_right);
     Stage {
         id: shown(&stage.id),
         title: shown(&stage.title),
@@ -145,7 +191,7 @@ fn stage(stage: &StageRecord, graded: &Graded) -> Stage {
     }
 }
 
-fn check(check: &CheckRecord, pictures: Option<&Pictures>) -> Check {
+fn check(record: &Record, check: &CheckRecord, pictures: Option<&Pictures>) -> Check {
     Check {
         id: shown(&check.id),
         name: shown(check.id.split_once('/').map_or(&*check.id, |(_, name)| name)),
@@ -157,18 +203,21 @@ fn check(check: &CheckRecord, pictures: Option<&Pictures>) -> Check {
         score: points(Score { earned: check.earned, possible: check.possible }),
         seconds: seconds(check.time_s),
         megabytes: (check.peak_bytes > 0).then(|| format!("{:.0} MB", check.peak_bytes as f64 / 1e6)),
-        finding: check.finding.as_ref().map(finding),
+        finding: check.finding.as_ref().map(|one| finding(Some(record), one)),
         pictures: pictures.map(both),
     }
 }
 
-fn finding(finding: &Finding) -> FindingView {
+fn finding(record: Option<&Record>, finding: &Finding) -> FindingView {
     let text = |text: &Option<String>| text.as_deref().unwrap_or_default().to_owned();
     let is_compared = finding.expected.is_some() || finding.actual.is_some();
     let asked = finding.asked.as_ref().map(|asked| format!("{asked:#}"));
     FindingView {
         kind: words::finding(finding.kind),
         message: shown(finding.message.trim()),
+        mistake: record
+            .zip(finding.diagnosis.as_deref())
+            .and_then(|(record, id)| Some([shown(id), shown(mistakes::says(record, id)?)])),
         wrong_pixels: finding.wrong_pixels,
         worst: finding.worst,
         asked: asked.map(|asked| shown(&asked)),
