@@ -188,6 +188,8 @@ misconceptions! {
         "the threshold is ignored";
     cutoff_by_last_surface, 13, "reflection.rs reflected_light", cutoff = Cutoff::LastOnly,
         "the threshold is compared with the last surface's kr or kt, not with the product along the path";
+    faint_rays_not_cast, 13, "reflection.rs reflected_light", casts_faint_rays = false,
+        "a ray whose weight is below the threshold is not cast; it still brings back its own light, and spawns no more";
     sphere_far_root_ignored, 14, "sphere.rs intersect_sphere", sphere_roots = SphereRoots::NearOnly,
         "from inside the sphere nothing is hit: the far root is ignored";
     sphere_far_root_first, 14, "sphere.rs intersect_sphere", sphere_roots = SphereRoots::FarFirst,

@@ -81,12 +81,18 @@ pub fn goes_on<T: Real, R: RuleSource>(rules: R, depth: u32, max_depth: u32, wei
         Depth::LessOrEqual => depth <= max_depth,
         Depth::OneLess => depth + 1 < max_depth,
     };
+    is_shallow && !is_faint(rules, weight, threshold)
+}
+
+/// Whether a path of this weight has fallen below the threshold. [rule 13]
+#[inline(always)]
+fn is_faint<T: Real, R: RuleSource>(rules: R, weight: Vec3<T>, threshold: T) -> bool {
     let greatest = match rules.get().cutoff {
         Cutoff::AllChannels | Cutoff::LastOnly => weight.max_element(),
         Cutoff::AnyChannel => weight.min_element(),
         Cutoff::Absent => T::INFINITY,
     };
-    is_shallow && !(threshold > T::ZERO && greatest < threshold)
+    threshold > T::ZERO && greatest < threshold
 }
 
 impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
@@ -173,8 +179,12 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
     }
 
     fn goes_on(&self, path: Path<T>) -> bool {
-        let threshold = if self.does.adaptive_depth { T::of(self.world.render.threshold) } else { T::ZERO };
-        goes_on(self.rules, path.depth, self.world.render.max_depth, path.weight, threshold)
+        goes_on(self.rules, path.depth, self.world.render.max_depth, path.weight, self.threshold())
+    }
+
+    /// 0 where no path ends for its weight.
+    fn threshold(&self) -> T {
+        if self.does.adaptive_depth { T::of(self.world.render.threshold) } else { T::ZERO }
     }
 
     /// 0 where no ray is reflected. [rule 7]
@@ -203,6 +213,9 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
 
     fn spawn(&self, kind: RayKind, ray: &Ray<T>, parent: Path<T>, weight: Vec3<T>, watch: &mut impl Watch) -> Vec3<T> {
         let weight = if self.rules.get().cutoff == Cutoff::LastOnly { weight } else { parent.weight * weight };
+        if !self.rules.get().casts_faint_rays && is_faint(self.rules, weight, self.threshold()) {
+            return Vec3::ZERO;
+        }
         let path = Path { kind, depth: parent.depth + 1, weight };
         self.trace(ray, path, watch)
     }

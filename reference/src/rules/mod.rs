@@ -88,6 +88,8 @@ pub struct Rules {
     pub ambient_inside: bool,
     pub depth: Depth,
     pub cutoff: Cutoff,
+    /// Whether a ray of too small a weight is cast nevertheless, to bring back its own light. [rule 13]
+    pub casts_faint_rays: bool,
     pub sphere_roots: SphereRoots,
     pub sphere_normal: SphereNormal,
     pub plane: PlaneSide,
@@ -140,6 +142,7 @@ impl Rules {
         ambient_inside: true,
         depth: Depth::Less,
         cutoff: Cutoff::AllChannels,
+        casts_faint_rays: true,
         sphere_roots: SphereRoots::NearThenFar,
         sphere_normal: SphereNormal::FromCentre,
         plane: PlaneSide::Both,
