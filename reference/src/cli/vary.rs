@@ -4,28 +4,45 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use cases::course;
-use cases::film;
-use cases::stage::{self, Case, Stage};
-use rayon::prelude::*;
-use toml_edit::DocumentMut;
+use cases::course::{self, course_of};
+use cases::stage;
 
 use super::args::VaryArgs;
 use super::progress::Bar;
 use super::{Stop, Talk, survey};
-use crate::vary::{self, Asset, Original, Varied};
+use crate::rules::Rules;
+use crate::vary::folder;
 
 /// Carries out the command.
 pub(super) fn run(args: &VaryArgs, talk: Talk) -> Result<(), Stop> {
-    let stages = stage::load_all(&args.stages)?;
-    if let (Some(seed), false) = (args.seed, args.check) {
-        let out = args.out.clone().unwrap_or_else(|| PathBuf::from(format!("varied-{seed}")));
-        free(&out)?;
-        let originals = originals(&args.stages, &stages, talk)?;
-        return write(&args.stages, &stages, &drawn(&originals, seed, talk)?, &out, talk);
+    let out = match (args.seed, args.check) {
+        (Some(seed), false) => {
+            Some((seed, args.out.clone().unwrap_or_else(|| PathBuf::from(format!("varied-{seed}")))))
+        }
+        _ => None,
+    };
+    if let Some((_, out)) = &out {
+        free(out)?;
+        same_course(&args.stages, out)?;
     }
-    let originals = originals(&args.stages, &stages, talk)?;
-    survey::run(&originals, args.seed.unwrap_or(1), args.seeds, talk)
+    let rules = Rules::of(&course_of(&args.stages)?);
+    let stages = stage::load_all(&args.stages)?;
+    let n_cases: usize = stages.iter().map(|stage| stage.cases.len()).sum();
+    let bar = Bar::cases(n_cases as u64, talk);
+    let originals = folder::originals(&args.stages, &stages, &rules, || bar.add(1)).map_err(Stop::Usage)?;
+    drop(bar);
+    let Some((seed, out)) = out else {
+        return survey::run(&originals, args.seed.unwrap_or(1), args.seeds, talk);
+    };
+    let bar = Bar::cases(n_cases as u64, talk);
+    let set = folder::set(&originals, seed, || bar.add(1)).map_err(Stop::NotPassed)?;
+    drop(bar);
+    folder::write(&args.stages, &stages, &set, &out).map_err(Stop::Machine)?;
+    if talk >= Talk::Normal {
+        let out = out.display();
+        anstream::eprintln!("wrote {n_cases} cases to {out}; next: `reference expect {out}`");
+    }
+    Ok(())
 }
 
 /// Where a set goes must not hold anything yet: a mixture of two sets would be graded.
@@ -35,116 +52,23 @@ fn free(out: &Path) -> Result<(), Stop> {
         Err(why) => why.kind() != io::ErrorKind::NotFound,
     };
     if taken {
-        Err(Stop::Usage(format!("`{}` is there already: remove it, or say where else with --out DIR", out.display())))
-    } else {
-        Ok(())
-    }
-}
-
-fn case_path(folder: &Path, id: &str) -> PathBuf {
-    folder.join(format!("{id}.toml"))
-}
-
-/// All cases, ready to be varied.
-fn originals(folder: &Path, stages: &[Stage], talk: Talk) -> Result<Vec<Original>, Stop> {
-    let cases: Vec<_> = vary::with_predecessors(stages).collect();
-    let bar = Bar::cases(cases.len() as u64, talk);
-    let one = |(case, stage, before): &(&Case, &Stage, _)| {
-        let path = case_path(folder, &case.id);
-        let text = fs::read_to_string(&path).map_err(|why| format!("{}: {why}", path.display()))?;
-        let original = Original::new(case, stage, *before, &path, &text);
-        bar.add(1);
-        original
-    };
-    all(cases.par_iter().map(one).collect()).map_err(Stop::Usage)
-}
-
-fn drawn(originals: &[Original], seed: u64, talk: Talk) -> Result<Vec<Varied>, Stop> {
-    let bar = Bar::cases(originals.len() as u64, talk);
-    let one = |original: &Original| {
-        let varied = original.vary(seed);
-        bar.add(1);
-        varied
-    };
-    all(originals.par_iter().map(one).collect()).map_err(Stop::NotPassed)
-}
-
-/// All values, or all that went wrong.
-fn all<T>(results: Vec<Result<T, String>>) -> Result<Vec<T>, String> {
-    let (mut values, mut wrong) = (vec![], vec![]);
-    for result in results {
-        match result {
-            Ok(value) => values.push(value),
-            Err(why) => wrong.push(why),
-        }
-    }
-    if wrong.is_empty() { Ok(values) } else { Err(wrong.join("\n")) }
-}
-
-/// Writes the set beside `out`, what its course decides with it, and moves it there, whole.
-fn write(folder: &Path, stages: &[Stage], set: &[Varied], out: &Path, talk: Talk) -> Result<(), Stop> {
-    let machine = |why: io::Error| Stop::Machine(format!("cannot write {}: {why}", out.display()));
-    let beside = match out.parent() {
-        Some(parent) if parent != Path::new("") => parent,
-        _ => Path::new("."),
-    };
-    fs::create_dir_all(beside).map_err(machine)?;
-    let part = tempfile::Builder::new().prefix(".vary-").tempdir_in(beside).map_err(machine)?;
-    let whole = part.path().join("stages");
-    for stage in stages {
-        copy_stage(&folder.join(&stage.id), &whole.join(&stage.id))?;
-    }
-    for varied in set {
-        let path = case_path(&whole, &varied.case.id);
-        put(&path, varied.text.as_bytes())?;
-        take(&case_path(folder, &varied.case.id), &path, &varied.assets)?;
-    }
-    if let Some(path) = course::path_of(folder) {
-        let bytes = fs::read(&path).map_err(|why| Stop::Usage(format!("{}: {why}", path.display())))?;
-        put(&whole.join(course::FILE), &bytes)?;
-    }
-    fs::rename(&whole, out).map_err(machine)?;
-    if talk >= Talk::Normal {
-        let out = out.display();
-        anstream::eprintln!("wrote {} cases to {out}; next: `reference expect {out}`", set.len());
+        return Err(Stop::Usage(format!(
+            "`{}` is there already: remove it, or say where else with --out DIR",
+            out.display()
+        )));
     }
     Ok(())
 }
 
-/// The stage's own file and its unit checks; they stay as they are.
-fn copy_stage(from: &Path, to: &Path) -> Result<(), Stop> {
-    let read = |path: &Path| fs::read_to_string(path).map_err(|why| Stop::Usage(format!("{}: {why}", path.display())));
-    put(&to.join("stage.toml"), read(&from.join("stage.toml"))?.as_bytes())?;
-    let checks = fs::read_dir(from.join("checks")).into_iter().flatten().flatten().map(|entry| entry.path());
-    for path in checks.filter(|path| path.extension().is_some_and(|end| end == "toml")) {
-        let text = read(&path)?;
-        let mut document: DocumentMut =
-            text.parse().map_err(|why| Stop::Usage(format!("{}: {why}", path.display())))?;
-        let target = to.join("checks").join(path.file_name().unwrap_or_default());
-        put(&target, document_text(&mut document, &path, &target)?.as_bytes())?;
+/// The rules of a set are those of the `course.toml` beside it: they must be the ones that the cases were made for.
+fn same_course(stages: &Path, out: &Path) -> Result<(), Stop> {
+    if course_of(stages)? == course_of(out)? {
+        return Ok(());
     }
-    Ok(())
-}
-
-/// The text of a file of checks, whose meshes are taken along.
-fn document_text(document: &mut DocumentMut, from: &Path, to: &Path) -> Result<String, Stop> {
-    let assets = vary::take_along(document);
-    take(from, to, &assets)?;
-    Ok(document.to_string())
-}
-
-/// Copies the meshes that the file `from` names to where the file `to` names them.
-fn take(from: &Path, to: &Path, assets: &[Asset]) -> Result<(), Stop> {
-    assets.iter().try_for_each(|asset| {
-        let source = from.with_file_name("").join(&asset.from);
-        let bytes = fs::read(&source).map_err(|why| Stop::Usage(format!("{}: {why}", source.display())))?;
-        put(&to.with_file_name("").join(&asset.to), &bytes)
-    })
-}
-
-fn put(path: &Path, bytes: &[u8]) -> Result<(), Stop> {
-    let folder = path.parent().unwrap_or(Path::new("."));
-    fs::create_dir_all(folder)
-        .and_then(|()| film::replace(path, bytes))
-        .map_err(|why| Stop::Machine(format!("cannot write {}: {why}", path.display())))
+    let (beside, out) = (stages.with_file_name(course::FILE), out.display());
+    Err(Stop::Usage(format!(
+        "`{out}` would not follow the course of `{}`: copy {} beside it first, and have no other there",
+        stages.display(),
+        beside.display()
+    )))
 }

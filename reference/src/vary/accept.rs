@@ -10,7 +10,7 @@ use glam::{DAffine3, DVec3};
 use crate::misconceptions::{self, Misconception};
 use crate::real::Real;
 use crate::render::{self, Options};
-use crate::rules::{Epsilon, Lecture, RuleSource, Rules};
+use crate::rules::{Epsilon, Lecture, Rules};
 use crate::world::World;
 
 /// Light that is farther off than this differs: two 8-bit levels.
@@ -23,6 +23,8 @@ const KEPT: f64 = 0.5;
 /// What a case shows, as shares of its pixels.
 #[derive(Clone, Debug)]
 pub(super) struct Shows {
+    /// The course's.
+    rules: Rules,
     /// What its stage adds to the one before it; nothing in the first.
     added: Vec<Effect>,
     /// Pixels that differ where what the stage adds is left out; in the first stage, from the bare background.
@@ -96,20 +98,22 @@ impl Refusal {
 
 impl Shows {
     /// What `case` shows, where its stage adds `added`.
-    pub(super) fn of(case: &Case, added: Vec<Effect>) -> Self {
-        let right = picture::<f64, _>(&case.scene, Lecture, case.scene.effects);
+    pub(super) fn of(case: &Case, added: Vec<Effect>, rules: &Rules) -> Self {
+        let right = picture::<f64>(&case.scene, rules, case.scene.effects);
         let of_rule = |rule: u8| {
-            let wrong = misconceptions::of(&Rules::LECTURE).into_iter().filter(|wrong| wrong.rule == rule);
-            let mut seen: Vec<_> =
-                wrong.map(|wrong| (wrong, broken(case, wrong, &right))).filter(|(_, share)| *share > SEEN).collect();
+            let wrong = misconceptions::of(rules).into_iter().filter(|wrong| wrong.rule == rule);
+            let mut seen: Vec<_> = wrong
+                .map(|wrong| (wrong, broken(case, wrong, rules, &right)))
+                .filter(|(_, share)| *share > SEEN)
+                .collect();
             seen.sort_by(|a, b| b.1.total_cmp(&a.1));
             (rule, seen)
         };
         let broken = case.rules.iter().map(|rule| of_rule(*rule)).filter(|(_, seen)| !seen.is_empty()).collect();
         let materials = (0..case.scene.materials.len()).map(Hidden::Material);
         let all = materials.chain((0..case.scene.lights.len()).map(Hidden::Light));
-        let hidden = all.filter(|hidden| hidden.bared(&case.scene, &right) == 0.0).collect();
-        Self { effect: effect(case, &added, &right), added, broken, hidden }
+        let hidden = all.filter(|hidden| hidden.bared(&case.scene, rules, &right) == 0.0).collect();
+        Self { rules: *rules, effect: effect(case, &added, rules, &right), added, broken, hidden }
     }
 
     /// The share of pixels of `varied` that show what the stage adds, where it is as telling and as fair as `original`, whose shows these are.
@@ -117,36 +121,37 @@ impl Shows {
     /// # Errors
     /// What does not hold.
     pub(super) fn kept_by(&self, original: &Case, varied: &Case) -> Result<f64, Refusal> {
+        let rules = &self.rules;
         if varied.scene.effects != original.scene.effects {
             return Err(Refusal::Effects);
         }
-        let right = picture::<f64, _>(&varied.scene, Lecture, varied.scene.effects);
-        let effect = effect(varied, &self.added, &right);
+        let right = picture::<f64>(&varied.scene, rules, varied.scene.effects);
+        let effect = effect(varied, &self.added, rules, &right);
         if effect < KEPT * self.effect {
             return Err(Refusal::Effect(effect, KEPT * self.effect));
         }
         for hidden in &self.hidden {
-            let share = hidden.bared(&varied.scene, &right);
+            let share = hidden.bared(&varied.scene, rules, &right);
             if share > 0.0 {
                 return Err(Refusal::Bared(hidden.name(&varied.scene), share));
             }
         }
         for (rule, ways) in &self.broken {
             let is_seen = |(wrong, share): &(&Misconception, f64)| {
-                broken(varied, wrong, &right) > (KEPT * share).clamp(SEEN, 2.0 * SEEN)
+                broken(varied, wrong, rules, &right) > (KEPT * share).clamp(SEEN, 2.0 * SEEN)
             };
             if !ways.iter().any(is_seen) {
                 return Err(Refusal::Rule(*rule));
             }
         }
-        fair(varied, &right)?;
+        fair(varied, rules, &right)?;
         Ok(effect)
     }
 }
 
 impl Hidden {
     /// The share of pixels that show it.
-    fn bared(self, scene: &Scene, right: &Image) -> f64 {
+    fn bared(self, scene: &Scene, rules: &Rules, right: &Image) -> f64 {
         let mut scene = scene.clone();
         match self {
             Self::Material(at) => {
@@ -159,7 +164,7 @@ impl Hidden {
             },
         }
         let effects = scene.effects;
-        differing(right, &picture::<f64, _>(&scene, Lecture, effects))
+        differing(right, &picture::<f64>(&scene, rules, effects))
     }
 
     fn name(self, scene: &Scene) -> String {
@@ -171,16 +176,16 @@ impl Hidden {
 }
 
 /// The pixels that differ where the program makes the mistake.
-fn broken(case: &Case, wrong: &Misconception, right: &Image) -> f64 {
-    differing(right, &picture::<f64, _>(&case.scene, &wrong.on(&Rules::LECTURE), case.scene.effects))
+fn broken(case: &Case, wrong: &Misconception, rules: &Rules, right: &Image) -> f64 {
+    differing(right, &picture::<f64>(&case.scene, &wrong.on(rules), case.scene.effects))
 }
 
 /// Right programs of another precision or another epsilon differ on no more pixels than none would see.
-fn fair(case: &Case, right: &Image) -> Result<(), Refusal> {
+fn fair(case: &Case, rules: &Rules, right: &Image) -> Result<(), Refusal> {
     let effects = case.scene.effects;
-    let coarse = Rules { epsilon: Epsilon::Fixed(1e-3), ..Rules::LECTURE };
-    let single = picture::<f32, _>(&case.scene, Lecture, effects);
-    let far = picture::<f64, _>(&case.scene, &coarse, effects);
+    let coarse = Rules { epsilon: Epsilon::Fixed(1e-3), ..*rules };
+    let single = picture::<f32>(&case.scene, rules, effects);
+    let far = picture::<f64>(&case.scene, &coarse, effects);
     for (who, actual) in [("single precision", single), ("an epsilon of 1e-3", far)] {
         let share = differing(right, &actual);
         if share > SEEN {
@@ -190,16 +195,16 @@ fn fair(case: &Case, right: &Image) -> Result<(), Refusal> {
     Ok(())
 }
 
-fn effect(case: &Case, added: &[Effect], right: &Image) -> f64 {
+fn effect(case: &Case, added: &[Effect], rules: &Rules, right: &Image) -> f64 {
     let without = match added {
         [] => Image::from_fn(right.width(), right.height(), |_, _| case.scene.background),
-        _ => without(&case.scene, added),
+        _ => without(&case.scene, added, rules),
     };
     differing(right, &without)
 }
 
 /// The picture where what the stage adds is not simulated; an object that is not transformed lies where it was made.
-fn without(scene: &Scene, added: &[Effect]) -> Image {
+fn without(scene: &Scene, added: &[Effect], rules: &Rules) -> Image {
     let effects = added.iter().fold(scene.effects, |effects, effect| effects.without(*effect));
     let mut scene = scene.clone();
     if added.contains(&Effect::Transforms) {
@@ -207,12 +212,16 @@ fn without(scene: &Scene, added: &[Effect]) -> Image {
             (object.world_from_object, object.object_from_world) = (DAffine3::IDENTITY, DAffine3::IDENTITY);
         }
     }
-    picture::<f64, _>(&scene, Lecture, effects)
+    picture::<f64>(&scene, rules, effects)
 }
 
-fn picture<T: Real, R: RuleSource>(scene: &Scene, rules: R, effects: Effects) -> Image {
+fn picture<T: Real>(scene: &Scene, rules: &Rules, effects: Effects) -> Image {
     let world = World::<T>::new(scene);
-    render::render(&world, rules, &Options { effects, ..Options::of(&world) }, |_| {}).0
+    let options = Options { effects, ..Options::of(&world) };
+    if *rules == Rules::LECTURE {
+        return render::render(&world, Lecture, &options, |_| {}).0; // the kernel that is made for them
+    }
+    render::render(&world, rules, &options, |_| {}).0
 }
 
 /// The share of pixels that differ in a channel, as far as a picture shows it.

@@ -7,6 +7,7 @@ mod accept;
 mod assets;
 mod decimal;
 mod edit;
+pub mod folder;
 mod stream;
 
 use std::path::{Path, PathBuf};
@@ -15,6 +16,7 @@ use cases::Effects;
 use cases::stage::{self, Bounds, Case, Stage};
 use toml_edit::DocumentMut;
 
+use crate::rules::Rules;
 use accept::{Refusal, Shows};
 pub use assets::{Asset, take_along};
 use stream::Stream;
@@ -50,11 +52,19 @@ pub struct Varied {
 }
 
 impl Original {
-    /// The case of `stage` whose file at `path` holds `text`; `before` is what the stage before it allows. Renders it a few dozen times.
+    /// The case of `stage` whose file at `path` holds `text`; `before` is what the stage before it allows,
+    /// `rules` are the course's. Renders it a few dozen times.
     ///
     /// # Errors
     /// A case without bounds, or a key of them that moves nothing.
-    pub fn new(case: &Case, stage: &Stage, before: Option<Effects>, path: &Path, text: &str) -> Result<Self, String> {
+    pub fn new(
+        case: &Case,
+        stage: &Stage,
+        before: Option<Effects>,
+        rules: &Rules,
+        path: &Path,
+        text: &str,
+    ) -> Result<Self, String> {
         let id = &case.id;
         let bounds = case.bounds.clone().ok_or_else(|| {
             format!("{id} does not say how far its numbers may be moved: add a table `[vary]` (docs/scene-format.md)")
@@ -69,14 +79,14 @@ impl Original {
             .map(|(key, _)| key)
             .filter(|key| *key != "keep" && !moved.contains_key(key))
             .collect();
-        if !idle.is_empty() || moved.is_empty() {
-            let keys = if idle.is_empty() { "no key".to_owned() } else { format!("`{}`", idle.join("`, `")) };
-            return Err(format!(
-                "{id}: in `[vary]`, {keys} moves nothing that stands in the file: change or leave out what is idle"
-            ));
+        if let Some(key) = idle.first() {
+            return Err(format!("{id}: in `[vary]`, `{key}` moves nothing that stands in the file: leave it out"));
+        }
+        if moved.is_empty() {
+            return Err(format!("{id}: in `[vary]`, no key moves anything: add one (docs/scene-format.md)"));
         }
         let added = before.map_or(vec![], |before| stage.allows.iter().filter(|effect| !before.has(*effect)).collect());
-        let shows = Shows::of(case, added);
+        let shows = Shows::of(case, added, rules);
         Ok(Self {
             case: case.clone(),
             bounds,

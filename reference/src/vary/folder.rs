@@ -1,0 +1,124 @@
+//! Folders of stages: the cases to vary are read from one, a varied set is written as another.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use cases::film;
+use cases::stage::Stage;
+use rayon::prelude::*;
+use toml_edit::DocumentMut;
+
+use super::{Asset, Original, Varied, take_along, with_predecessors};
+use crate::rules::Rules;
+
+fn case_path(folder: &Path, id: &str) -> PathBuf {
+    folder.join(format!("{id}.toml"))
+}
+
+/// The cases of the `stages` read from `folder`, ready to be varied, each rendered by `rules`; `done` is told of each.
+///
+/// # Errors
+/// All that keeps any of them from being varied, a paragraph each.
+pub fn originals(
+    folder: &Path,
+    stages: &[Stage],
+    rules: &Rules,
+    done: impl Fn() + Sync,
+) -> Result<Vec<Original>, String> {
+    let cases: Vec<_> = with_predecessors(stages).collect();
+    let read = cases.par_iter().map(|(case, stage, before)| {
+        let path = case_path(folder, &case.id);
+        let text = fs::read_to_string(&path).map_err(|why| cannot("read", &path, &why))?;
+        let original = Original::new(case, stage, *before, rules, &path, &text);
+        done();
+        original
+    });
+    all(read.collect())
+}
+
+/// The set under `seed`; `done` is told of each case.
+///
+/// # Errors
+/// Which cases will not do, and why, a paragraph each.
+pub fn set(originals: &[Original], seed: u64, done: impl Fn() + Sync) -> Result<Vec<Varied>, String> {
+    let draw = |original: &Original| {
+        let varied = original.vary(seed);
+        done();
+        varied
+    };
+    all(originals.par_iter().map(draw).collect())
+}
+
+/// All values, or all that went wrong.
+fn all<T>(results: Vec<Result<T, String>>) -> Result<Vec<T>, String> {
+    let (mut values, mut wrong) = (vec![], vec![]);
+    for result in results {
+        match result {
+            Ok(value) => values.push(value),
+            Err(why) => wrong.push(why),
+        }
+    }
+    if wrong.is_empty() { Ok(values) } else { Err(wrong.join("\n")) }
+}
+
+/// Writes the varied `set` of the `stages` in `folder` to `out`: beside it first, then moved there whole. `out` is not there, or empty.
+///
+/// # Errors
+/// What cannot be read or written; `out` is then as it was.
+pub fn write(folder: &Path, stages: &[Stage], set: &[Varied], out: &Path) -> Result<(), String> {
+    let beside = match out.parent() {
+        Some(parent) if parent != Path::new("") => parent,
+        _ => Path::new("."),
+    };
+    let failed = |why: io::Error| cannot("write", out, &why);
+    fs::create_dir_all(beside).map_err(failed)?;
+    let part = tempfile::Builder::new().prefix(".varied-").tempdir_in(beside).map_err(failed)?;
+    let whole = part.path().join("stages");
+    for stage in stages {
+        write_stage(&folder.join(&stage.id), &whole.join(&stage.id))?;
+    }
+    for varied in set {
+        let path = case_path(&whole, &varied.case.id);
+        put(&path, varied.text.as_bytes())?;
+        take(&case_path(folder, &varied.case.id), &path, &varied.assets)?;
+    }
+    fs::rename(&whole, out).map_err(failed)
+}
+
+/// The stage's own file and its unit checks, which stay as they are.
+fn write_stage(from: &Path, to: &Path) -> Result<(), String> {
+    let read = |path: &Path| fs::read_to_string(path).map_err(|why| cannot("read", path, &why));
+    put(&to.join("stage.toml"), read(&from.join("stage.toml"))?.as_bytes())?;
+    let checks = from.join("checks");
+    let entries =
+        if checks.is_dir() { Some(fs::read_dir(&checks).map_err(|why| cannot("read", &checks, &why))?) } else { None };
+    for entry in entries.into_iter().flatten() {
+        let path = entry.map_err(|why| cannot("read", &checks, &why))?.path();
+        if path.extension().is_some_and(|end| end == "toml") {
+            let mut document: DocumentMut = read(&path)?.parse().map_err(|why| cannot("read", &path, &why))?;
+            let target = to.join("checks").join(path.file_name().unwrap_or_default());
+            take(&path, &target, &take_along(&mut document))?;
+            put(&target, document.to_string().as_bytes())?;
+        }
+    }
+    Ok(())
+}
+
+/// Copies the meshes that the file `from` names to where the file `to` names them.
+fn take(from: &Path, to: &Path, assets: &[Asset]) -> Result<(), String> {
+    assets.iter().try_for_each(|asset| {
+        let source = from.with_file_name("").join(&asset.from);
+        let bytes = fs::read(&source).map_err(|why| cannot("read", &source, &why))?;
+        put(&to.with_file_name("").join(&asset.to), &bytes)
+    })
+}
+
+fn put(path: &Path, bytes: &[u8]) -> Result<(), String> {
+    let folder = path.parent().unwrap_or(Path::new("."));
+    fs::create_dir_all(folder).and_then(|()| film::replace(path, bytes)).map_err(|why| cannot("write", path, &why))
+}
+
+fn cannot(what: &str, path: &Path, why: &dyn std::fmt::Display) -> String {
+    format!("cannot {what} {}: {why}", path.display())
+}

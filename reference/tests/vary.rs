@@ -1,0 +1,179 @@
+//! `reference vary` from outside: what it writes, what it refuses, and how it ends.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+const STAGE: &str = "title = \"One\"\nabout = \"a\"\nallows = []\nneeds = []\nunit_points = 1\n";
+
+const CHECK: &str = r#"
+[[check]]
+name = "ahead"
+about = "a"
+rules = [14]
+ask = { fn = "sphere", ray = { origin = [0, 0, 2], direction = [0, 0, -1] }, center = [0, 0, 0], radius = 0.5 }
+"#;
+
+const MESH: &str = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
+
+/// A case of a triangle from a file, with these bounds.
+fn case(vary: &str) -> String {
+    format!(
+        r#"title = "A card" # of paper
+about = "a"
+rules = [16]
+points = 2
+
+[render]
+size = [16, 12]
+{vary}
+[scene.camera]
+eye = [0.125, 0, 4]
+look_at = [0, 0, 0]
+up = [0, 1, 0]
+fov_y_deg = 40
+
+[scene.materials]
+paper = {{ kd = [0.5, 0, 1] }}
+
+[[scene.lights]]
+directional = {{ direction = [0, 0, -1], colour = [1, 1, 1] }}
+
+[[scene.objects]]
+name = "card"
+mesh = {{ file = "../../meshes/card.obj" }}
+material = "paper"
+"#
+    )
+}
+
+/// A folder with the stages `cases/stages/01_one`: a case with these bounds, a check, and the mesh of the case.
+fn folder(vary: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let stage = "cases/stages/01_one";
+    for (name, text) in [
+        (format!("{stage}/stage.toml"), STAGE),
+        (format!("{stage}/card.toml"), &case(vary)),
+        (format!("{stage}/checks/sphere.toml"), CHECK),
+        ("cases/meshes/card.obj".to_owned(), MESH),
+    ] {
+        let path = folder.path().join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+    folder
+}
+
+/// Runs the program in `folder`: its exit code, and what it says on the error stream and the output stream.
+fn run(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {
+    let program = Command::new(env!("CARGO_BIN_EXE_reference")).current_dir(folder).args(args).output();
+    let Output { status, stdout, stderr } = program.unwrap();
+    (status.code(), String::from_utf8(stderr).unwrap(), String::from_utf8(stdout).unwrap())
+}
+
+const NARROW: &str = "\n[vary]\neye = 0.1\ncolours = 0.05\n";
+
+/// All files below `folder` with their bytes, by path.
+fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    let mut found = vec![];
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        match path.is_dir() {
+            true => found.extend(files(&path)),
+            false => found.push((path.display().to_string(), fs::read(&path).unwrap())),
+        }
+    }
+    found.sort();
+    found.iter().map(|(path, bytes)| (path.clone(), bytes.clone())).collect()
+}
+
+#[test]
+fn writes_a_whole_set_that_can_be_answered() {
+    let folder = folder(NARROW);
+    let (code, errors, _) = run(folder.path(), &["vary", "--seed", "3"]);
+    assert_eq!(code, Some(0), "{errors}");
+    let set = folder.path().join("varied-3");
+    let names: Vec<String> =
+        files(&set).into_iter().map(|(path, _)| path[set.display().to_string().len() + 1..].to_owned()).collect();
+    assert_eq!(
+        names,
+        ["card.toml", "checks/sphere.toml", "stage.toml", "up/up/meshes/card.obj"].map(|name| format!("01_one/{name}"))
+    );
+    let text = fs::read_to_string(set.join("01_one/card.toml")).unwrap();
+    assert!(text.contains("title = \"A card\" # of paper"), "comments stay: {text}");
+    assert!(text.contains("look_at = [0, 0, 0]") && text.contains("file = \"up/up/meshes/card.obj\""), "{text}");
+    assert!(!text.contains("[vary]") && !text.contains("[0.125, 0, 4]"), "{text}");
+    let (code, errors, _) = run(folder.path(), &["expect", "varied-3"]);
+    assert_eq!(code, Some(0), "{errors}");
+    assert!(set.join("01_one/card.answer.exr").is_file());
+}
+
+#[test]
+fn a_seed_gives_the_same_bytes_and_another_one_others() {
+    let folder = folder(NARROW);
+    let set = |seed: &str, out: &str| {
+        let (code, errors, _) = run(folder.path(), &["vary", "--seed", seed, "--out", out]);
+        assert_eq!(code, Some(0), "{errors}");
+        files(&folder.path().join(out)).into_iter().map(|(_, bytes)| bytes).collect::<Vec<_>>()
+    };
+    let one = set("1", "one");
+    assert_eq!(one, set("1", "one_again"));
+    assert_ne!(one, set("2", "two"));
+}
+
+#[test]
+fn says_how_well_the_bounds_hold() {
+    let folder = folder(NARROW);
+    let (code, errors, table) = run(folder.path(), &["vary", "--check", "--seeds", "5"]);
+    assert_eq!(code, Some(0), "{errors}");
+    assert!(table.contains("01_one/card") && table.contains("100.0 %"), "{table}");
+    assert!(!folder.path().join("varied-1").exists());
+}
+
+/// The bounds, what is asked, and how it must end.
+#[test]
+fn what_cannot_be_varied_is_an_error_that_says_why() {
+    let table = [
+        (
+            "",
+            &["vary", "--seed", "1"][..],
+            2,
+            "01_one/card does not say how far its numbers may be moved: add a table `[vary]`",
+        ),
+        ("\n[vary]\neye = 0.1\nindices = 0.1\n", &["vary", "--seed", "1"], 2, "`indices` moves nothing"),
+        ("\n[vary]\nkeep = [\"card\"]\n", &["vary", "--seed", "1"], 2, "no key moves anything"),
+        (
+            "\n[vary]\nlook_at = [1000, 0, 0]\n",
+            &["vary", "--seed", "1"],
+            1,
+            "none of 50 draws will do; make its `[vary]` narrower",
+        ),
+        ("\n[vary]\nlook_at = [1000, 0, 0]\n", &["vary", "--check", "--seeds", "2"], 1, "with seed 2 none of 50 draws"),
+        (NARROW, &["vary", "--seed", "1", "--out", "cases"], 2, "`cases` is there already"),
+        (NARROW, &["vary"], 2, "--seed"),
+        (NARROW, &["vary", "--seed", "1", "nowhere"], 2, "nowhere"),
+    ];
+    for (vary, args, code, said) in table {
+        let folder = folder(vary);
+        let (ended, errors, _) = run(folder.path(), args);
+        assert_eq!(ended, Some(code), "{args:?} {vary}: {errors}");
+        assert!(errors.contains(said), "{args:?} {vary}: {errors}");
+        assert!(!folder.path().join("varied-1").exists(), "{args:?} {vary}: something was written");
+    }
+}
+
+#[test]
+fn a_set_goes_only_where_the_same_course_holds() {
+    let folder = folder(NARROW);
+    fs::write(folder.path().join("cases/course.toml"), "depth = \"less_or_equal\"\n").unwrap();
+    let (code, errors, _) = run(folder.path(), &["vary", "--seed", "1"]);
+    assert_eq!(code, Some(2), "{errors}");
+    assert!(
+        errors.contains("would not follow the course of `cases/stages`: copy cases/course.toml beside it"),
+        "{errors}"
+    );
+    fs::create_dir(folder.path().join("hidden")).unwrap();
+    fs::copy(folder.path().join("cases/course.toml"), folder.path().join("hidden/course.toml")).unwrap();
+    let (code, errors, _) = run(folder.path(), &["vary", "--seed", "1", "--out", "hidden/stages"]);
+    assert_eq!(code, Some(0), "{errors}");
+}
