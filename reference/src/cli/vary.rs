@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use cases::course::{self, course_of};
+use cases::course::course_of;
 use cases::stage;
 
 use super::args::VaryArgs;
@@ -23,7 +23,6 @@ pub(super) fn run(args: &VaryArgs, talk: Talk) -> Result<(), Stop> {
     };
     if let Some((_, out)) = &out {
         free(out)?;
-        same_course(&args.stages, out)?;
     }
     let rules = Rules::of(&course_of(&args.stages)?);
     let stages = stage::load_all(&args.stages)?;
@@ -58,17 +57,4 @@ fn free(out: &Path) -> Result<(), Stop> {
         )));
     }
     Ok(())
-}
-
-/// The rules of a set are those of the `course.toml` beside it: they must be the ones that the cases were made for.
-fn same_course(stages: &Path, out: &Path) -> Result<(), Stop> {
-    if course_of(stages)? == course_of(out)? {
-        return Ok(());
-    }
-    let (beside, out) = (stages.with_file_name(course::FILE), out.display());
-    Err(Stop::Usage(format!(
-        "`{out}` would not follow the course of `{}`: copy {} beside it first, and have no other there",
-        stages.display(),
-        beside.display()
-    )))
 }

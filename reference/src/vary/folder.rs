@@ -4,6 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use cases::course;
 use cases::film;
 use cases::stage::Stage;
 use rayon::prelude::*;
@@ -62,7 +63,7 @@ fn all<T>(results: Vec<Result<T, String>>) -> Result<Vec<T>, String> {
     if wrong.is_empty() { Ok(values) } else { Err(wrong.join("\n")) }
 }
 
-/// Writes the varied `set` of the `stages` in `folder` to `out`: beside it first, then moved there whole. `out` is not there, or empty.
+/// Writes the varied `set` of the `stages` in `folder` to `out`, with what their course decides: beside it first, then moved there whole. `out` is not there, or empty.
 ///
 /// # Errors
 /// What cannot be read or written; `out` is then as it was.
@@ -82,6 +83,10 @@ pub fn write(folder: &Path, stages: &[Stage], set: &[Varied], out: &Path) -> Res
         let path = case_path(&whole, &varied.case.id);
         put(&path, varied.text.as_bytes())?;
         take(&case_path(folder, &varied.case.id), &path, &varied.assets)?;
+    }
+    if let Some(path) = course::path_of(folder) {
+        let bytes = fs::read(&path).map_err(|why| cannot("read", &path, &why))?;
+        put(&whole.join(course::FILE), &bytes)?;
     }
     fs::rename(&whole, out).map_err(failed)
 }
