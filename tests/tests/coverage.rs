@@ -6,24 +6,26 @@ use std::sync::LazyLock;
 
 use cases::answer::{self, CheckAnswer, ImageAnswer};
 use cases::film::Image;
-use cases::glam::DAffine3;
 use cases::stage::{self, Case, Stage};
 use cases::{Effect, Effects, Scene};
 use grader::judge;
 use grader::record::Verdict;
+use reference::answers;
+use reference::expect::{self, Set};
 use reference::misconceptions::{self, Misconception};
 use reference::real::Real;
 use reference::render::{self, Options};
 use reference::rules::{Epsilon, Lecture, RuleSource, Rules};
 use reference::watch::Counts;
 use reference::world::World;
-use reference::{answers, expect};
 
 /// The rules that stages test; the rest are extras.
 const RULES: std::ops::RangeInclusive<u8> = 1..=21;
 
 static STAGES: LazyLock<Vec<Stage>> =
     LazyLock::new(|| stage::load_all(&folder()).unwrap_or_else(|problems| panic!("{}", problems.render(false))));
+
+static SET: LazyLock<Set> = LazyLock::new(|| Set::new(STAGES.clone(), Rules::LECTURE));
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages")
@@ -129,33 +131,17 @@ fn check_answers(stage: &Stage) -> Vec<CheckAnswer> {
     answer::check_answers_from_str(&text).unwrap_or_else(|why| panic!("{}: {why}", path.display()))
 }
 
-/// What a stage adds to the one before it.
-fn added(stages: &[Stage; 2]) -> Vec<Effect> {
-    stages[1].allows.iter().filter(|effect| !stages[0].allows.has(*effect)).collect()
-}
-
 /// The first stage adds nothing to another one, so its cases have nothing to fail without.
 #[test]
 fn no_case_passes_without_what_its_stage_adds() {
-    let pairs = STAGES.array_windows::<2>();
+    let later = SET.stages.iter().enumerate().skip(1);
     none(
-        pairs
-            .flat_map(|pair| pair[1].cases.iter().map(move |case| (added(pair), case)))
-            .filter(|(added, case)| passes(case, &picture_without(case, added)))
-            .map(|(added, case)| format!("{} passes without {added:?}", case.id))
+        later
+            .flat_map(|(n, stage)| stage.cases.iter().map(move |case| (n, case)))
+            .filter(|(n, case)| passes(case, &SET.without(*n, case)))
+            .map(|(n, case)| format!("{} passes without {:?}", case.id, SET.added(n)))
             .collect(),
     );
-}
-
-fn picture_without(case: &Case, added: &[Effect]) -> Image {
-    let effects = added.iter().fold(case.scene.effects, |effects, effect| effects.without(*effect));
-    let mut scene = case.scene.clone();
-    if added.contains(&Effect::Transforms) {
-        for object in &mut scene.objects {
-            (object.world_from_object, object.object_from_world) = (DAffine3::IDENTITY, DAffine3::IDENTITY);
-        }
-    }
-    picture::<f64, _>(&scene, Lecture, effects)
 }
 
 /// What a scene does not call for changes nothing: all that the stage allows gives the same bits, and casts no ray of a kind not called for.
@@ -230,11 +216,13 @@ fn a_program_in_single_precision_passes_every_check() {
 #[test]
 fn the_stored_answers_are_what_the_reference_gives() {
     let stages = folder();
-    let pictures = image_cases().flat_map(|case| expect::of_case(&stages, case).unwrap_or_else(|why| panic!("{why}")));
-    let checks = STAGES
-        .iter()
-        .filter_map(|stage| expect::of_checks(&stages, stage).unwrap_or_else(|wrong| panic!("{}", wrong.join("\n"))));
-    let mistakes = expect::mistakes(&stages).unwrap_or_else(|why| panic!("{why}"));
+    let cases = SET.stages.iter().enumerate().flat_map(|(n, stage)| stage.cases.iter().map(move |case| (n, case)));
+    let pictures =
+        cases.flat_map(|(n, case)| expect::of_case(&stages, &SET, n, case).unwrap_or_else(|why| panic!("{why}")).files);
+    let checks = STAGES.iter().filter_map(|stage| {
+        expect::of_checks(&stages, stage, &Rules::LECTURE).unwrap_or_else(|wrong| panic!("{}", wrong.join("\n")))
+    });
+    let mistakes = expect::mistakes(&stages, &Rules::LECTURE).unwrap_or_else(|why| panic!("{why}"));
     none(
         pictures
             .chain(checks)

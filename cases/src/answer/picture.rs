@@ -3,8 +3,8 @@
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use crate::film::exr::{self, Depth, Part, Plane, plane_name, rgb};
-use crate::film::{Image, PictureError, level};
+use crate::film::exr::{self, Depth, Part, Plane, plane_name};
+use crate::film::{Image, PictureError, byte, level};
 
 /// Red, green and blue in whole 8-bit levels.
 pub type Levels = [u8; 3];
@@ -12,7 +12,7 @@ pub type Levels = [u8; 3];
 /// The answer to an image case, stored as `CASE.answer.exr` beside it. All lists go row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImageAnswer {
-    /// The picture in linear light; the file has it in half precision, an eighth of a level at full light.
+    /// The picture in linear light; the file has it in whole levels.
     pub expected: Image,
     /// The least that a right tracer gives, rounded down.
     pub lo: Vec<Levels>,
@@ -41,17 +41,23 @@ pub struct Limits {
     pub unearned: f64,
 }
 
-/// The picture that a known mistake gives.
+/// What a known mistake changes in the picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Wrong {
     /// The id of the mistake.
     pub id: String,
-    /// Rounded to levels.
-    pub levels: Vec<Levels>,
+    /// The colours it gives, row by row from the top; `None` where the picture stays right. The file has every eighth level.
+    pub changes: Vec<Option<Levels>>,
 }
 
 /// A pixel whose envelope is wider than this many levels is contested: right tracers do not agree on it.
 const CONTESTED: u8 = 4;
+/// The colours of mistakes are stored to the nearest multiple of this many levels.
+const COARSE: u16 = 8;
+/// A colour that differs from a mistake's by no more than this many levels is that of the mistake: what the file rounds away, and the quantiser.
+const ALIKE: f64 = 6.0;
+/// Levels are stored as this part of full light: unlike a 255th, exact in half precision, and half the size when packed.
+const UNIT: f32 = 256.0;
 const ANSWER: &str = "answer";
 const MISTAKES: &str = "mistakes";
 const WEIGHT: &str = "weight.Y";
@@ -119,13 +125,14 @@ impl ImageAnswer {
     /// A list of another length than the picture's, or what the encoder says.
     pub fn encode(&self, wrong: &[Wrong]) -> Result<Vec<u8>, PictureError> {
         let notes = serde_json::to_string(&self.limits).map_err(|why| PictureError::Broken(why.to_string()))?;
-        let mut planes = Vec::from(rgb("", &self.expected, Depth::Half));
+        let expected: Vec<Levels> = self.expected.pixels().iter().map(|light| light.to_array().map(byte)).collect();
+        let mut planes = Vec::from(layer("", &expected));
         planes.extend(layer("lo", &self.lo));
         planes.extend(layer("hi", &self.hi));
         planes.push(byte_plane(WEIGHT.to_owned(), self.weight.iter().copied()));
         let mut parts = vec![Part { name: ANSWER.to_owned(), planes }];
         if !wrong.is_empty() {
-            let planes = wrong.iter().flat_map(|wrong| layer(&wrong.id, &wrong.levels)).collect();
+            let planes = wrong.iter().flat_map(|wrong| layer(&wrong.id, &wrong.stored())).collect();
             parts.push(Part { name: MISTAKES.to_owned(), planes });
         }
         exr::encode((self.expected.width(), self.expected.height()), &parts, &notes)
@@ -139,9 +146,8 @@ impl ImageAnswer {
         let (part, notes) = exr::decode_first(bytes, width, height)?;
         let limits =
             serde_json::from_str(&notes).map_err(|why| PictureError::Broken(format!("it holds no limits: {why}")))?;
-        let (red, green, blue) = (part.plane("R")?, part.plane("G")?, part.plane("B")?);
-        let light = |n: usize| DVec3::new(f64::from(red[n]), f64::from(green[n]), f64::from(blue[n]));
-        let expected = Image::from_pixels(width, height, (0..red.len()).map(light).collect())
+        let light = levels_of(&part, "")?.into_iter().map(|levels| DVec3::from(levels.map(f64::from)) / 255.0);
+        let expected = Image::from_pixels(width, height, light.collect())
             .ok_or_else(|| PictureError::Broken("the picture lacks pixels".to_owned()))?;
         let weight = part.plane(WEIGHT)?.iter().map(|share| to_byte(*share)).collect();
         Ok(Self { expected, lo: levels_of(&part, "lo")?, hi: levels_of(&part, "hi")?, weight, limits })
@@ -159,7 +165,24 @@ impl Wrong {
         Ok(names.filter_map(|name| name.strip_suffix(".R").map(str::to_owned)).collect())
     }
 
-    /// The pictures of mistakes that a stored answer holds, ordered by id.
+    /// Whether the mistake gives about this colour to the pixel with index `n`, and not the right one.
+    pub fn explains(&self, n: usize, colour: DVec3) -> bool {
+        let is_near = |levels: Levels| (0..3).all(|at| (level(colour[at]) - f64::from(levels[at])).abs() <= ALIKE);
+        self.changes[n].is_some_and(is_near) // false for NaN
+    }
+
+    /// Black where nothing changes; what turns black is stored as nearly so.
+    fn stored(&self) -> Vec<Levels> {
+        let coarse = |level: u8| ((u16::from(level) + COARSE / 2) / COARSE * COARSE).min(255) as u8;
+        let stored = |change: &Option<Levels>| match change.map(|levels| levels.map(coarse)) {
+            None => [0; 3],
+            Some([0, 0, 0]) => [1; 3],
+            Some(levels) => levels,
+        };
+        self.changes.iter().map(stored).collect()
+    }
+
+    /// What known mistakes change that a stored answer holds, ordered by id.
     ///
     /// # Errors
     /// As [`ImageAnswer::decode`].
@@ -167,7 +190,12 @@ impl Wrong {
         let (parts, _) = exr::decode(bytes, width, height)?;
         let Some(part) = parts.into_iter().find(|part| part.name == MISTAKES) else { return Ok(vec![]) };
         let ids = part.planes.iter().filter_map(|plane| plane.name.strip_suffix(".R"));
-        ids.map(|id| Ok(Self { id: id.to_owned(), levels: levels_of(&part, id)? })).collect()
+        let change = |levels: Levels| (levels != [0; 3]).then_some(levels);
+        let wrong = |id: &str| {
+            let changes = levels_of(&part, id)?.into_iter().map(change).collect();
+            Ok(Self { id: id.to_owned(), changes })
+        };
+        ids.map(wrong).collect()
     }
 }
 
@@ -181,13 +209,12 @@ fn layer(name: &str, levels: &[Levels]) -> [Plane; 3] {
     [plane("R", 0), plane("G", 1), plane("B", 2)]
 }
 
-/// Bytes as 0..1, which half precision keeps apart.
 fn byte_plane(name: String, bytes: impl Iterator<Item = u8>) -> Plane {
-    Plane { name, samples: bytes.map(|byte| f32::from(byte) / 255.0).collect(), depth: Depth::Half }
+    Plane { name, samples: bytes.map(|byte| f32::from(byte) / UNIT).collect(), depth: Depth::Half }
 }
 
 fn to_byte(share: f32) -> u8 {
-    (share * 255.0).round() as u8
+    (share * UNIT).round() as u8
 }
 
 fn levels_of(part: &Part, name: &str) -> Result<Vec<Levels>, PictureError> {
@@ -202,7 +229,7 @@ mod tests {
 
     /// All 256 levels in a row, and light above 1.
     fn answer() -> ImageAnswer {
-        let expected = Image::from_fn(256, 2, |i, j| DVec3::new(f64::from(i) / 256.0, f64::from(j), 2.0));
+        let expected = Image::from_fn(256, 2, |i, j| DVec3::new(f64::from(i) / 255.0, f64::from(j), 1.0));
         let mut answer = ImageAnswer::exact(expected, 1.0, 3);
         answer.hi[7] = [8, 0, 255];
         answer.hi[9] = [14, 0, 255];
@@ -210,15 +237,36 @@ mod tests {
         answer
     }
 
+    /// Every eighth level in the first row, nothing in the second.
+    fn change(n: u32) -> Option<Levels> {
+        (n < 256).then_some([n as u8 & 0xf8, 8, 248])
+    }
+
     #[test]
     fn an_answer_and_its_mistakes_come_back() {
-        let wrong = Wrong { id: "no_shadows".to_owned(), levels: (0..512).map(|n| [n as u8, 0, 255]).collect() };
+        let wrong = Wrong { id: "no_shadows".to_owned(), changes: (0..512).map(change).collect() };
         let bytes = answer().encode(std::slice::from_ref(&wrong)).unwrap();
         assert_eq!(ImageAnswer::decode(&bytes, 256, 2).unwrap(), answer());
         assert_eq!(Wrong::ids(&bytes, 256, 2).unwrap(), ["no_shadows"]);
         assert_eq!(Wrong::decode_all(&bytes, 256, 2).unwrap(), [wrong]);
         assert_eq!(Wrong::decode_all(&answer().encode(&[]).unwrap(), 256, 2).unwrap(), []);
         assert!(ImageAnswer::decode(&bytes, 2, 256).is_err());
+    }
+
+    #[test]
+    fn what_a_mistake_gives_is_known_again_when_it_was_stored() {
+        let given = [[0, 0, 0], [1, 2, 3], [254, 255, 253], [130, 129, 127]];
+        let wrong = Wrong { id: "x".to_owned(), changes: given.map(Some).into_iter().chain([None]).collect() };
+        let stored = wrong.stored();
+        assert_eq!(stored[4], [0; 3]);
+        let back =
+            Wrong { changes: stored.into_iter().map(|levels| (levels != [0; 3]).then_some(levels)).collect(), ..wrong };
+        for (n, levels) in given.into_iter().enumerate() {
+            let colour = DVec3::from(levels.map(f64::from)) / 255.0;
+            assert!(back.explains(n, colour), "{levels:?} as {:?}", back.changes[n]);
+            assert!(!back.explains(n, colour + 20.0 / 255.0 * if levels[0] > 127 { -DVec3::X } else { DVec3::X }));
+        }
+        assert!(!back.explains(4, DVec3::ZERO) && !back.explains(0, DVec3::NAN));
     }
 
     #[test]
@@ -232,7 +280,7 @@ mod tests {
     fn a_pixel_is_out_beyond_the_slack_only_and_weighs_what_it_weighs() {
         let answer = answer();
         let blue_and = |level: f64| DVec3::new(level / 255.0, 0.0, 1.0);
-        for (n, level, is_out) in [(7, 5.0, false), (7, 4.9, true), (7, 9.0, false), (7, 9.1, true), (9, 15.0, false)] {
+        for (n, level, is_out) in [(7, 6.0, false), (7, 5.9, true), (7, 9.0, false), (7, 9.1, true), (9, 15.0, false)] {
             assert_eq!(answer.is_out(n, blue_and(level)), is_out, "{n} {level}");
         }
         assert!(answer.is_out(0, DVec3::NAN) && answer.is_out(511, DVec3::INFINITY));

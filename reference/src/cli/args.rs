@@ -177,6 +177,8 @@ Examples:
   reference expect 02_shadows/two_lamps       one case
   reference expect --check                    writes nothing, fails where anything differs")]
 pub(super) struct ExpectArgs {
+    #[command(flatten)]
+    pub course: CourseArg,
     /// Ids of cases or stages, case files, stage folders, or folders of stages
     #[arg(value_name = "CASE|STAGE|DIR")]
     pub what: Vec<PathBuf>,

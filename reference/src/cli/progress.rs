@@ -32,11 +32,6 @@ impl Bar {
     pub(super) fn add(&self, n: u64) {
         self.0.inc(n);
     }
-
-    /// Runs `say` with the bar out of its way.
-    pub(super) fn aside<T>(&self, say: impl FnOnce() -> T) -> T {
-        self.0.suspend(say)
-    }
 }
 
 impl Drop for Bar {

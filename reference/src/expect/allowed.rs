@@ -13,7 +13,7 @@ use cases::probe::{Answer, Ask};
 use serde_json::Value;
 
 use crate::answers::answer;
-use crate::rules::Lecture;
+use crate::rules::Rules;
 
 /// One rounding in single precision, relatively.
 const SINGLE: f64 = 1.0 / (1u32 << 23) as f64;
@@ -45,7 +45,7 @@ impl Allowance {
 /// # Errors
 /// The place of a number in the question at which the answer jumps without a change of decision, say from one object's colour to
 /// another's: no error bound describes that, and the author must choose other numbers.
-pub fn allowance(ask: &Ask, exact: &Answer) -> Result<Allowance, String> {
+pub fn allowance(rules: &Rules, ask: &Ask, exact: &Answer) -> Result<Allowance, String> {
     let question = serde_json::to_value(ask).map_err(|why| why.to_string())?;
     let mut places = Vec::new();
     collect(&question, String::new(), &mut places);
@@ -53,7 +53,7 @@ pub fn allowance(ask: &Ask, exact: &Answer) -> Result<Allowance, String> {
     let mut allowed = SINGLE * size;
     let mut either = false;
     for place in places {
-        let moved = |relative: f64| Some(answer(Lecture, &nudged(&question, &place, relative)?));
+        let moved = |relative: f64| Some(answer(rules, &nudged(&question, &place, relative)?));
         let mut most = 0.0f64;
         for sign in [-1.0, 1.0] {
             let Some(other) = moved(sign * SINGLE) else { continue };
@@ -147,7 +147,7 @@ mod tests {
     }
 
     fn check(ask: &Ask) -> Result<Allowance, String> {
-        allowance(ask, &answer(Lecture, ask))
+        allowance(&Rules::LECTURE, ask, &answer(&Rules::LECTURE, ask))
     }
 
     #[test]

@@ -11,22 +11,22 @@ use super::Expected;
 use super::allowed::{self, Allowance};
 use crate::answers;
 use crate::misconceptions;
-use crate::rules::{Lecture, Rules};
+use crate::rules::Rules;
 
 /// Relative error of an answer on paper against the reference in double precision.
 const PAPER: f64 = 1e-12;
 
-/// The answers to the unit checks of a stage; `None` where it has none.
+/// The answers to the unit checks of a stage by these rules; `None` where it has none.
 ///
 /// # Errors
 /// A sentence for every check that is ill posed, or whose answer on paper is not the reference's.
-pub fn of_checks(stages: &Path, stage: &Stage) -> Result<Option<Expected>, Vec<String>> {
+pub fn of_checks(stages: &Path, stage: &Stage, rules: &Rules) -> Result<Option<Expected>, Vec<String>> {
     if stage.checks.is_empty() {
         return Ok(None);
     }
     let (mut answers, mut wrong) = (Vec::new(), Vec::new());
     for check in &stage.checks {
-        match of_check(check) {
+        match of_check(check, rules) {
             Ok(answer) => answers.push(answer),
             Err(why) => wrong.push(why),
         }
@@ -42,12 +42,12 @@ pub fn of_checks(stages: &Path, stage: &Stage) -> Result<Option<Expected>, Vec<S
 ///
 /// # Errors
 /// Why the check cannot stand as it is.
-pub fn of_check(check: &Check) -> Result<CheckAnswer, String> {
-    let ours = answers::answer(Lecture, &check.ask);
+pub fn of_check(check: &Check, rules: &Rules) -> Result<CheckAnswer, String> {
+    let ours = answers::answer(rules, &check.ask);
     if let Answer::Panic(why) = &ours {
         return Err(format!("{}: the question cannot be answered: {why}", check.id));
     }
-    let allowance = allowed::allowance(&check.ask, &ours)
+    let allowance = allowed::allowance(rules, &check.ask, &ours)
         .map_err(|why| format!("{}: {why}; choose numbers farther from the edge", check.id))?;
     if let Some(paper) = &check.paper {
         let scale =
@@ -64,15 +64,15 @@ pub fn of_check(check: &Check) -> Result<CheckAnswer, String> {
         }
     }
     let answer = check.paper.clone().unwrap_or(ours);
-    let wrong = wrong(&check.ask, &answer, &allowance);
+    let wrong = wrong(rules, &check.ask, &answer, &allowance);
     let Allowance { allowed, either } = allowance;
     Ok(CheckAnswer { id: check.id.clone(), answer, allowed, either, wrong })
 }
 
 /// What each known mistake says, where that is not right.
-fn wrong(ask: &Ask, right: &Answer, allowance: &Allowance) -> BTreeMap<String, Answer> {
-    let known = misconceptions::of(&Rules::LECTURE).into_iter();
-    let answers = known.map(|wrong| (wrong.id.to_owned(), answers::answer(&wrong.on(&Rules::LECTURE), ask)));
+fn wrong(rules: &Rules, ask: &Ask, right: &Answer, allowance: &Allowance) -> BTreeMap<String, Answer> {
+    let known = misconceptions::of(rules).into_iter();
+    let answers = known.map(|wrong| (wrong.id.to_owned(), answers::answer(&wrong.on(rules), ask)));
     answers.filter(|(_, answer)| !allowance.takes(right, answer)).collect()
 }
 

@@ -8,12 +8,12 @@ use super::Expected;
 use crate::misconceptions::{self, Misconception};
 use crate::rules::Rules;
 
-/// The list of all known mistakes, stored beside the stages.
+/// The list of all that are mistakes under these rules, stored beside the stages.
 ///
 /// # Errors
 /// What the encoder says.
-pub fn mistakes(stages: &Path) -> Result<Expected, serde_json::Error> {
-    let list: Vec<Mistake> = misconceptions::of(&Rules::LECTURE).into_iter().map(mistake).collect();
+pub fn mistakes(stages: &Path, rules: &Rules) -> Result<Expected, serde_json::Error> {
+    let list: Vec<Mistake> = misconceptions::of(rules).into_iter().map(mistake).collect();
     let text = answer::mistakes_to_string(&list)?;
     Ok(Expected { path: answer::mistakes_path(stages), bytes: text.into_bytes() })
 }

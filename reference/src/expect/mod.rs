@@ -2,25 +2,20 @@
 
 pub mod allowed;
 mod checks;
+mod envelope;
 mod mistakes;
+mod set;
+mod weight;
 
 use std::path::{Path, PathBuf};
 
-use cases::answer::{self, ImageAnswer};
-use cases::film::{self, Image};
+use cases::answer::{self, ImageAnswer, Wrong};
+use cases::film;
 use cases::stage::Case;
 
 pub use checks::{of_check, of_checks};
 pub use mistakes::mistakes;
-
-use crate::render::{self, Options};
-use crate::rules::Lecture;
-use crate::world::World;
-
-/// A channel may be off by this many 8-bit levels.
-const SLACK: f64 = 1.0;
-/// This share of the pixels may be out.
-const OUT_SHARE: f64 = 0.005;
+pub use set::{Set, picture};
 
 /// A file as it is to be stored.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,23 +33,28 @@ impl Expected {
     }
 }
 
-/// The picture of a case, by the rules of the lecture, in f64.
-pub fn picture(case: &Case) -> Image {
-    let world = World::<f64>::new(&case.scene);
-    render::render(&world, Lecture, &Options::of(&world), |_| {}).0
+/// All there is to store of an image case.
+#[derive(Clone, Debug)]
+pub struct CaseAnswer {
+    /// The case's.
+    pub id: String,
+    /// Envelope, weights, limits.
+    pub answer: ImageAnswer,
+    /// The pictures of the mistakes that it does not let pass.
+    pub wrong: Vec<Wrong>,
+    /// The answer file, to be stored below the folder of stages, and the picture for people.
+    pub files: [Expected; 2],
 }
 
-/// The answer file of a case, and the picture for people.
+/// The answer by the rules of the set to a case of the stage with index `n` of the set, to be stored below `stages`.
 ///
 /// # Errors
 /// What the encoders say.
-pub fn of_case(stages: &Path, case: &Case) -> Result<Vec<Expected>, film::PictureError> {
-    let expected = picture(case);
-    let n_pixels = f64::from(expected.width()) * f64::from(expected.height());
-    let png = film::encode(film::Kind::Png, &expected)?;
-    let exr = ImageAnswer::exact(expected, SLACK, (n_pixels * OUT_SHARE) as u32).encode(&[])?;
-    Ok(vec![
-        Expected { path: answer::image_answer_path(stages, &case.id), bytes: exr },
-        Expected { path: answer::expected_png_path(stages, &case.id), bytes: png },
-    ])
+pub fn of_case(stages: &Path, set: &Set, n: usize, case: &Case) -> Result<CaseAnswer, film::PictureError> {
+    let answer = set.answer(n, case);
+    let wrong = set.mistakes(case, &answer);
+    let exr = Expected { path: answer::image_answer_path(stages, &case.id), bytes: answer.encode(&wrong)? };
+    let png = film::encode_by(set.rules.quantiser, film::Kind::Png, set.picture(case))?;
+    let png = Expected { path: answer::expected_png_path(stages, &case.id), bytes: png };
+    Ok(CaseAnswer { id: case.id.clone(), answer, wrong, files: [exr, png] })
 }
