@@ -15,14 +15,16 @@ use cases::film::{Image, level};
 /// At most one pixel of so many that are out may be left unexplained: what is thinner than a pixel shows only to several rays.
 const UNEXPLAINED: u32 = 8;
 /// At least one pixel of so many that are out must lie at a clear step: slopes look alike in a mean and in a shift.
-const AT_STEPS: u32 = 8;
+const AT_STEPS: u32 = 16;
+/// At least one pixel of so many at steps must lie well between both sides.
+const BETWEEN: u32 = 3;
 /// At most one pixel of so many at steps may have the value of the far side.
 const FLIPPED: u32 = 5;
 /// Fewer pixels at steps prove nothing.
 const LEAST: u32 = 8;
 /// Levels between the sides of a clear step.
-const STEP: f64 = 16.0;
-/// Each side of a clear step is flat within this share of it; nearer than this to the far side, a pixel has its value.
+const STEP: f64 = 24.0;
+/// Each side of a clear step is flat within this share of it, and a pixel is well between if it is farther than this from both.
 const FLAT: f64 = 0.2;
 
 /// How a pixel that is out stands to its neighbours.
@@ -32,9 +34,11 @@ enum Stands {
     Apart,
     /// Within, where there is no clear step.
     Within,
-    /// Between both sides of a clear step.
+    /// At a clear step, near its own side.
+    Near,
+    /// At a clear step, well between both sides.
     Between,
-    /// On the far side of a clear step.
+    /// At a clear step, on the far side.
     Flipped,
 }
 
@@ -44,12 +48,13 @@ pub(super) fn smoothed(actual: &Image, answer: &ImageAnswer, out: &[bool]) -> Op
     let all: Vec<Stands> = (0..out.len()).map(stand).collect();
     let count = |wanted: Stands| all.iter().filter(|one| **one == wanted).count() as u32;
     let n_out = out.iter().filter(|is_out| **is_out).count() as u32;
-    let [within, between, flipped] = [Stands::Within, Stands::Between, Stands::Flipped].map(count);
-    let n_steps = between + flipped;
+    let [within, near, between, flipped] = [Stands::Within, Stands::Near, Stands::Between, Stands::Flipped].map(count);
+    let n_steps = near + between + flipped;
     let n_unexplained = n_out - within - n_steps;
     let is_smoothed = n_steps >= LEAST
         && n_steps * AT_STEPS >= n_out
         && n_unexplained * UNEXPLAINED <= n_out
+        && between * BETWEEN >= n_steps
         && flipped * FLIPPED <= n_steps;
     is_smoothed.then(|| all.iter().map(|one| *one != Stands::Apart).collect())
 }
@@ -80,8 +85,11 @@ fn stands(actual: &Image, answer: &ImageAnswer, n: usize) -> Stands {
         return Stands::Within;
     }
     let expected = level(answer.expected.pixels()[n][steepest]);
-    let moved = (level(colour[steepest]) - expected).abs();
-    if moved > (1.0 - FLAT) * step { Stands::Flipped } else { Stands::Between }
+    match (level(colour[steepest]) - expected).abs() / step {
+        moved if moved < FLAT => Stands::Near,
+        moved if moved <= 1.0 - FLAT => Stands::Between,
+        _ => Stands::Flipped,
+    }
 }
 
 /// The pixel `n` and those beside it, corners included.
@@ -90,3 +98,6 @@ fn around(n: usize, width: usize, height: usize) -> Vec<usize> {
     let columns = x.saturating_sub(1)..(x + 2).min(width);
     (y.saturating_sub(1)..(y + 2).min(height)).flat_map(|row| columns.clone().map(move |x| row * width + x)).collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -56,14 +56,14 @@ fn of_smoothed(actual: &Image, answer: &ImageAnswer, all: &Difference, out: &[bo
     let rest: Vec<bool> = out.iter().zip(smoothed).map(|(is_out, is_smoothed)| *is_out && !is_smoothed).collect();
     let others = measure(actual, answer, &rest);
     let n_smoothed = grouped(u64::from(all.n_out - others.n_out));
-    if answer.allows(others.cluster, others.n_out) || others.n_contested == others.n_out {
-        let message =
-            format!("it is anti-aliased: {n_smoothed} pixels along edges lie between their neighbours; {ONE_RAY}");
-        return Judgement::partial(finding(FindingKind::Antialiased, message, all), share::MOST);
-    }
-    let others = describe(actual, answer, &others);
-    let message = format!("{others}; besides, it is anti-aliased in {n_smoothed} other pixels: {ONE_RAY}");
-    Judgement::partial(finding(FindingKind::Wrong, message, all), share::earned(answer, &rest))
+    let message =
+        format!("it is anti-aliased: {n_smoothed} pixels along edges lie between their neighbours; {ONE_RAY}");
+    let is_fine = answer.allows(others.cluster, others.n_out) || others.n_contested == others.n_out;
+    let (share, message) = match is_fine {
+        true => (share::MOST, message),
+        false => (share::earned(answer, &rest), format!("{message}; besides, {}", describe(actual, answer, &others))),
+    };
+    Judgement::partial(finding(FindingKind::Antialiased, message, all), share)
 }
 
 fn finding(kind: FindingKind, message: String, all: &Difference) -> Finding {
