@@ -14,10 +14,12 @@ pub(crate) fn graded(name: &str) -> Graded {
     let ball = pictures(true, |_| DVec3::ZERO);
     let shifted = pictures(true, |i| DVec3::splat(f64::from(u8::from((60..70).contains(&i))) * 0.3));
     let not_a_number = pictures(true, |i| DVec3::splat(if i == 7 { f64::NAN } else { 0.0 }));
+    let contested = pictures(true, |_| DVec3::ZERO);
     let named = [
         ("ball", ball),
         ("shifted", shifted),
         ("not_a_number", not_a_number),
+        ("contested", contested),
         ("crashed", pictures(false, |_| DVec3::ZERO)),
     ];
     let pictures = named.map(|(name, both)| (format!("01_ray_casting/{name}"), both)).into();
@@ -34,7 +36,10 @@ pub(crate) fn pictures(has_actual: bool, extra: impl Fn(u32) -> DVec3) -> Pictur
     };
     let expected = Image::from_fn(160, 120, colour);
     let actual = has_actual.then(|| Image::from_fn(160, 120, |i, j| colour(i, j) + extra(i)));
-    Pictures { answer: ImageAnswer::exact(expected, 2.0, 96), actual }
+    let mut answer = ImageAnswer::exact(expected, 2.0, 96);
+    answer.hi[160 * 5 + 3] = [212; 3]; // contested
+    answer.weight[..160].fill(0);
+    Pictures { answer, actual }
 }
 
 pub(crate) fn record(name: &str) -> Record {
@@ -46,6 +51,8 @@ pub(crate) fn record(name: &str) -> Record {
             Verdict::Fail,
             Some(Finding {
                 wrong_pixels: Some(1200),
+                wrong_contested: Some(7),
+                largest_cluster: Some(1100),
                 worst: Some([61, 60]),
                 diagnosis: Some("one".to_owned()),
                 ..finding(FindingKind::Wrong)
@@ -55,7 +62,13 @@ pub(crate) fn record(name: &str) -> Record {
             "not_a_number",
             CheckKind::Image,
             Verdict::Partial,
-            Some(Finding { wrong_pixels: Some(120), ..finding(FindingKind::Wrong) }),
+            Some(Finding { wrong_pixels: Some(120), share: Some(375), ..finding(FindingKind::Wrong) }),
+        ),
+        check(
+            "contested",
+            CheckKind::Image,
+            Verdict::Pass,
+            Some(Finding { wrong_pixels: Some(1), ..finding(FindingKind::Contested) }),
         ),
         check("crashed", CheckKind::Image, Verdict::Fail, Some(finding(FindingKind::Crash))),
         check("sphere/tangent", CheckKind::Unit, Verdict::Pass, None),

@@ -15,15 +15,16 @@ const BAD: Style = AnsiColor::Red.on_default();
 const ODD: Style = AnsiColor::Yellow.on_default();
 const BOLD: Style = Style::new().bold();
 
+/// Wrong answers of one function that are shown; more of them say little more.
+const MOST_OF_ONE: usize = 3;
+
 /// The report as text with colours; whoever prints it strips them where they do not belong. `is_verbose` adds warnings,
-/// what programs wrote on their error streams, and what each check is about.
+/// what programs wrote on their error streams, what each check is about, and all wrong answers of a function.
 pub fn render(record: &Record, is_verbose: bool) -> String {
     let mut text = String::new();
     build(record, is_verbose, &mut text);
     for stage in &record.stages {
-        stage.checks.iter().filter(|check| check.verdict != Verdict::NotRun).for_each(|one| {
-            check(record, one, is_verbose, &mut text);
-        });
+        checks(record, stage, is_verbose, &mut text);
         not_run(stage, &mut text);
         for remark in &stage.remarks {
             line(&mut text, &format!("{ODD}{}{ODD:#}  {}", stage.id, shown(remark)));
@@ -75,16 +76,45 @@ fn build(record: &Record, is_verbose: bool, text: &mut String) {
     }
 }
 
+/// What there is to say of the checks that were run: of the wrong answers of one function the first few, and how many more there are.
+fn checks(record: &Record, stage: &StageRecord, is_verbose: bool, text: &mut String) {
+    let mut wrong: BTreeMap<&str, usize> = BTreeMap::new();
+    for one in stage.checks.iter().filter(|check| check.verdict != Verdict::NotRun) {
+        if let Some(function) = function(one).filter(|_| !is_verbose) {
+            let n = wrong.entry(function).or_default();
+            *n += 1;
+            if *n > MOST_OF_ONE {
+                continue;
+            }
+        }
+        check(record, one, is_verbose, text);
+    }
+    for (function, n) in wrong.into_iter().filter(|(_, n)| *n > MOST_OF_ONE) {
+        let more = count(n - MOST_OF_ONE, "more wrong answer");
+        line(text, &format!("{BAD}{}{BAD:#}  {more} of `{}` (-v shows all)", stage.id, shown(function)));
+    }
+}
+
+/// The function that a unit check asks, where it failed.
+fn function(check: &CheckRecord) -> Option<&str> {
+    let finding = check.finding.as_ref().filter(|_| check.verdict == Verdict::Fail)?;
+    finding.asked.as_ref()?.get("fn")?.as_str()
+}
+
 /// A line on a check that is not simply right; for a wrong answer also the difference.
 fn check(record: &Record, check: &CheckRecord, is_verbose: bool, text: &mut String) {
     let Some(finding) = &check.finding else { return };
     let style = match check.verdict {
-        Verdict::Pass | Verdict::Ours => ODD,
-        _ => BAD,
+        Verdict::Pass | Verdict::Partial | Verdict::Ours => ODD,
+        Verdict::Fail | Verdict::NotRun => BAD,
+    };
+    let part = match check.verdict {
+        Verdict::Partial => format!("{} of {} points, ", words::points(check.earned), words::points(check.possible)),
+        _ => String::new(),
     };
     let rules: String = check.rules.iter().map(|rule| format!(" [rule {rule}]")).collect();
     let kind = words::finding(finding.kind);
-    line(text, &format!("{style}{}{style:#}  {kind}: {}{rules}", check.id, shown(&finding.message)));
+    line(text, &format!("{style}{}{style:#}  {part}{kind}: {}{rules}", check.id, shown(&finding.message)));
     if let Some(says) = finding.diagnosis.as_ref().and_then(|id| mistakes::says(record, id)) {
         line(text, &format!("    most likely {}", shown(says)));
     }
@@ -182,7 +212,8 @@ mod tests {
     #[test]
     fn says_what_is_wrong_and_how_many_points_that_makes() {
         let shown = text(&sample::record("somebody"), false);
-        for part in ["left aside", "1 warning (-v", "[rule 3] [rule 14]", "- expected ", "+ yours    ", " points"] {
+        let parts = ["left aside", "1 warning (-v", "[rule 3] [rule 14]", "- expected ", "+ yours    ", " points"];
+        for part in parts.into_iter().chain(["  0.75 of 2 points, wrong: ", "look at this: "]) {
             assert!(shown.contains(part), "no {part:?} in\n{shown}");
         }
     }
@@ -196,6 +227,18 @@ mod tests {
                    It explains 1 of 3 failed pictures and 1 of 1 failed unit check.\n";
         assert!(shown.ends_with(end), "{shown}");
         assert_eq!(shown.matches("    most likely the one is <wrong>\n").count(), 2, "{shown}");
+    }
+
+    #[test]
+    fn one_wrong_function_does_not_fill_the_screen() {
+        let mut record = sample::record("somebody");
+        let checks = &mut record.stages[0].checks;
+        let wrong = checks.iter().find(|check| check.id.ends_with("inside")).cloned().unwrap();
+        checks.extend((0..4).map(|_| wrong.clone()));
+        let n_shown = |is_verbose| text(&record, is_verbose).matches("sphere/inside").count();
+        assert_eq!((n_shown(false), n_shown(true)), (3, 5));
+        assert!(text(&record, false).contains("2 more wrong answers of `sphere` (-v shows all)"));
+        assert!(!text(&record, true).contains("-v shows all"));
     }
 
     #[test]

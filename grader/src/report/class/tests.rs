@@ -32,9 +32,9 @@ fn table(entries: &[Entry]) -> Vec<Vec<String>> {
 fn the_table_says_what_the_records_say() {
     let table = table(&entries());
     assert_eq!(table[0][..7], ["id", "name", "points", "possible", "build", "01_ray_casting", "wrong"]);
-    assert_eq!(table[1][..7], ["alice", "alice", "4.75", "14", "worked", "4.75", "3"]);
-    assert_eq!(table[2][..6], ["bob", "bob", "14", "14", "worked", "14"]);
-    assert_eq!(table[3][..6], ["carol", "carol", "0", "14", "failed", "0"]);
+    assert_eq!(table[1][..7], ["alice", "alice", "6.75", "16", "worked", "6.75", "3"]);
+    assert_eq!(table[2][..6], ["bob", "bob", "16", "16", "worked", "16"]);
+    assert_eq!(table[3][..6], ["carol", "carol", "0", "16", "failed", "0"]);
     assert_eq!(table[4][..6], ["dave", "dave", "", "", "not graded", ""]);
     let column = table[0].iter().position(|head| head == "does not build").unwrap();
     let counts: Vec<&str> = table[1..].iter().map(|row| &*row[column]).collect();
@@ -86,6 +86,11 @@ fn the_page_links_to_the_reports_and_names_who_is_missing() {
     assert!(!page.contains("reports/dave.html"));
     assert!(page.contains("Not graded"));
     assert!(page.contains("3 submissions"));
+    assert!(page.contains("To be looked at: 3"));
+    assert!(page.contains(
+        "<a href=\"reports/alice.html#01_ray_casting&#x2f;contested\">alice: 01_ray_casting&#x2f;contested</a>"
+    ));
+    assert!(page.contains("0 of 3, 3 partly"));
 }
 
 #[test]

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::histogram::{self, Histogram};
 use super::{Entry, rows};
 use crate::plain::shown;
-use crate::record::Verdict;
+use crate::record::{CheckRecord, FindingKind, Verdict};
 use crate::report::words;
 
 #[derive(Serialize)]
@@ -21,6 +21,7 @@ pub(super) struct Class {
     rows: Vec<Row>,
     mistakes: Vec<Mistake>,
     checks: Vec<Check>,
+    flagged: Vec<Flagged>,
 }
 
 #[derive(Serialize)]
@@ -48,11 +49,21 @@ struct Number {
     text: String,
 }
 
+/// What a person should look at.
+#[derive(Serialize)]
+struct Flagged {
+    id: String,
+    name: String,
+    check: String,
+    message: String,
+}
+
 /// How many got a check right.
 #[derive(Serialize)]
 struct Check {
     id: String,
     n_right: usize,
+    n_partly: usize,
     n_asked: usize,
 }
 
@@ -86,6 +97,7 @@ pub(super) fn class(entries: &[Entry]) -> Class {
         rows: rows.iter().map(row).collect(),
         mistakes: mistakes(entries),
         checks: checks(entries),
+        flagged: rows.iter().flat_map(|row| flagged(entries, row)).collect(),
     }
 }
 
@@ -116,17 +128,30 @@ fn row(row: &rows::Row) -> Row {
     }
 }
 
+/// The pictures of a submission that differ on contested pixels only.
+fn flagged(entries: &[Entry], row: &rows::Row) -> Vec<Flagged> {
+    let record = entries.iter().find(|entry| entry.id == row.id).and_then(|entry| entry.record.as_ref());
+    let checks = record.into_iter().flat_map(|record| &record.stages).flat_map(|stage| &stage.checks);
+    let flag = |check: &CheckRecord| {
+        let finding = check.finding.as_ref().filter(|finding| finding.kind == FindingKind::Contested)?;
+        let (id, name) = (row.id.to_owned(), shown(row.name));
+        Some(Flagged { id, name, check: shown(&check.id), message: shown(&finding.message) })
+    };
+    checks.filter_map(flag).collect()
+}
+
 /// The checks that fewest got right first.
 fn checks(entries: &[Entry]) -> Vec<Check> {
-    let mut counts: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
+    let mut counts: BTreeMap<&str, Check> = BTreeMap::new();
     let records = entries.iter().filter_map(|entry| entry.record.as_ref());
     for check in records.flat_map(|record| &record.stages).flat_map(|stage| &stage.checks) {
-        let (n_right, n_asked) = counts.entry(&check.id).or_default();
-        *n_right += usize::from(check.verdict == Verdict::Pass);
-        *n_asked += 1;
+        let fresh = || Check { id: shown(&check.id), n_right: 0, n_partly: 0, n_asked: 0 };
+        let count = counts.entry(&check.id).or_insert_with(fresh);
+        count.n_right += usize::from(check.verdict == Verdict::Pass);
+        count.n_partly += usize::from(check.verdict == Verdict::Partial);
+        count.n_asked += 1;
     }
-    let check = |(id, (n_right, n_asked)): (&str, (usize, usize))| Check { id: shown(id), n_right, n_asked };
-    let mut checks: Vec<Check> = counts.into_iter().map(check).collect();
+    let mut checks: Vec<Check> = counts.into_values().collect();
     checks.sort_by(|a, b| (a.n_right * b.n_asked).cmp(&(b.n_right * a.n_asked)).then_with(|| a.id.cmp(&b.id)));
     checks
 }

@@ -2,19 +2,28 @@
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
+use cases::answer::ImageAnswer;
 use cases::film::{self, Image};
 use cases::glam::DVec3;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
-
-use crate::grade::Pictures;
+use serde::Serialize;
 
 /// How much the difference that is stored is brightened; the viewer offers others.
 pub(super) const GAIN: u8 = 4;
 
-/// Marks in the map of wrong pixels.
-const OUT: u8 = 255;
+/// Marks in the map of pixels: those from 128 on are wrong. `submission.js` knows them too.
+const CONTESTED: u8 = 64;
 const NOT_A_NUMBER: u8 = 128;
+const OUT_AND_CONTESTED: u8 = 192;
+const OUT: u8 = 255;
+
+/// What a pixel may be, as distances from the expected one, which are small nearly everywhere and so take little room.
+#[derive(Serialize)]
+pub(super) struct Allowed {
+    below: String,
+    above: String,
+}
 
 /// The picture in 8-bit levels.
 pub(super) fn colours(image: &Image) -> String {
@@ -29,16 +38,40 @@ pub(super) fn difference(expected: &Image, actual: &Image) -> String {
     data_uri(&bytes, expected, ExtendedColorType::Rgb8)
 }
 
-/// Where the picture is out of tolerance: 0 within, 255 out, 128 out and not a finite number.
-pub(super) fn wrong(pictures: &Pictures, actual: &Image) -> String {
-    let answer = &pictures.answer;
-    let mark = |(n, colour): (usize, &DVec3)| match () {
-        () if !colour.is_finite() => NOT_A_NUMBER,
-        () if answer.is_out(n, *colour) => OUT,
-        () => 0,
+/// Which pixels are wrong, and on which right tracers differ.
+pub(super) fn marks(answer: &ImageAnswer, actual: &Image) -> String {
+    let mark = |(n, colour): (usize, &DVec3)| match (answer.is_out(n, *colour), answer.is_contested(n)) {
+        _ if !colour.is_finite() => NOT_A_NUMBER,
+        (true, true) => OUT_AND_CONTESTED,
+        (true, false) => OUT,
+        (false, true) => CONTESTED,
+        (false, false) => 0,
     };
     let bytes: Vec<u8> = actual.pixels().iter().enumerate().map(mark).collect();
     data_uri(&bytes, actual, ExtendedColorType::L8)
+}
+
+/// What each pixel counts for the points; `None` where all count alike.
+pub(super) fn weight(answer: &ImageAnswer) -> Option<String> {
+    let is_uneven = answer.weight.windows(2).any(|pair| pair[0] != pair[1]);
+    is_uneven.then(|| data_uri(&answer.weight, &answer.expected, ExtendedColorType::L8))
+}
+
+/// The least and the greatest level that is allowed, slack included.
+pub(super) fn allowed(answer: &ImageAnswer) -> Allowed {
+    let slack = answer.limits.slack;
+    let (mut below, mut above) = (vec![], vec![]);
+    for (n, pixel) in answer.expected.pixels().iter().enumerate() {
+        for channel in 0..3 {
+            let expected = film::byte(pixel[channel]);
+            let least = (f64::from(answer.lo[n][channel]) - slack).max(0.0).ceil();
+            let most = (f64::from(answer.hi[n][channel]) + slack).min(255.0).floor();
+            below.push((f64::from(expected) - least).max(0.0) as u8);
+            above.push((most - f64::from(expected)).max(0.0) as u8);
+        }
+    }
+    let stored = |bytes: &[u8]| data_uri(bytes, &answer.expected, ExtendedColorType::Rgb8);
+    Allowed { below: stored(&below), above: stored(&above) }
 }
 
 fn pairs(expected: &Image, actual: &Image) -> impl Iterator<Item = ([f64; 3], [f64; 3])> {

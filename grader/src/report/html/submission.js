@@ -1,8 +1,13 @@
 // The viewer of the pictures. Without it they are still there, side by side.
 "use strict";
 
-const WORDS = { expected: "1", actual: "2", difference: "3", all: "0", slider: "s", fit: "f", in: "+", out: "-", next: "n", previous: "p" };
+const WORDS = { expected: "1", actual: "2", difference: "3", all: "0", slider: "s", fit: "f", in: "+", out: "-", over: "o", next: "n", previous: "p" };
 const STEPS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+
+// Marks of pixels, as picture.rs stores them, from 128 on for wrong ones; and their colours.
+const CONTESTED = 64, NOT_A_NUMBER = 128, BOTH = 192, WRONG = 255;
+const COLOURS = { 0: [95, 207, 133, 90], [CONTESTED]: [255, 210, 63, 230], [NOT_A_NUMBER]: [255, 74, 64, 230], [BOTH]: [255, 148, 48, 230], [WRONG]: [255, 74, 64, 230] };
+const isWrong = (mark) => mark >= NOT_A_NUMBER;
 
 // The bytes of a picture, four a pixel.
 async function bytesOf(image) {
@@ -21,10 +26,10 @@ function pictureOf(source) {
 }
 
 // The wrong pixels that touch one another, as lists of pixel numbers, the largest first.
-function regionsOf(wrong, width, height) {
+function regionsOf(marks, width, height) {
   const regions = [], seen = new Uint8Array(width * height);
   for (let start = 0; start < seen.length; start++) {
-    if (seen[start] || !wrong[4 * start]) continue;
+    if (seen[start] || !isWrong(marks[4 * start])) continue;
     const region = [start];
     seen[start] = 1;
     for (let at = 0; at < region.length; at++) {
@@ -32,7 +37,7 @@ function regionsOf(wrong, width, height) {
       for (let ny = Math.max(y - 1, 0); ny <= Math.min(y + 1, height - 1); ny++) {
         for (let nx = Math.max(x - 1, 0); nx <= Math.min(x + 1, width - 1); nx++) {
           const next = ny * width + nx;
-          if (!seen[next] && wrong[4 * next]) { seen[next] = 1; region.push(next); }
+          if (!seen[next] && isWrong(marks[4 * next])) { seen[next] = 1; region.push(next); }
         }
       }
     }
@@ -50,15 +55,15 @@ function worstOf(region, expected, actual) {
 async function begin(root) {
   const find = (selector) => root.querySelector(selector);
   const image = find(".expected img"), width = image.naturalWidth || image.width, height = image.naturalHeight || image.height;
-  const [expected, actual, wrong] = await Promise.all([image, find("figure.actual img"), pictureOf(root.dataset.wrong)].map(bytesOf));
-  const regions = regionsOf(wrong, width, height);
+  const stored = (name) => (root.dataset[name] ? bytesOf(pictureOf(root.dataset[name])) : null);
+  const [expected, actual, marks, weight, below, above] = await Promise.all(
+    [bytesOf(image), bytesOf(find("figure.actual img")), ...["marks", "weight", "below", "above"].map(stored)]);
+  const regions = regionsOf(marks, width, height);
   const canvas = Object.assign(document.createElement("canvas"), { width, height });
   find(".difference img").replaceWith(canvas);
-  const marks = [...root.querySelectorAll(".layer")].map((layer) => {
-    const mark = Object.assign(document.createElement("div"), { className: "mark", hidden: true });
-    layer.append(mark);
-    return mark;
-  });
+  const layers = [...root.querySelectorAll(".layer")];
+  const covers = layers.map((layer) => layer.appendChild(Object.assign(document.createElement("canvas"), { className: "over-it", width, height, hidden: true })));
+  const cursors = layers.map((layer) => layer.appendChild(Object.assign(document.createElement("div"), { className: "mark", hidden: true })));
   let x = 0, y = 0, zoom = 1, panX = 0, panY = 0, region = -1, dragged = null;
   const set = (name, value) => root.style.setProperty(name, value);
   set("--width", width);
@@ -73,11 +78,23 @@ async function begin(root) {
     find(".difference figcaption").textContent = `Difference ×${gain}`;
   }
 
+  // Lays over all three pictures which pixels are wrong, or what they count.
+  function over(what) {
+    covers.forEach((cover) => { cover.hidden = what === "none"; });
+    root.querySelectorAll(".key").forEach((key) => { key.hidden = key.dataset.over !== what; });
+    if (what === "none") return;
+    const pens = covers.map((cover) => cover.getContext("2d")), data = pens[0].createImageData(width, height);
+    for (let n = 0; n < width * height; n++) {
+      data.data.set(what === "marks" ? COLOURS[marks[4 * n]] : [0, 0, 0, (255 - weight[4 * n]) * 0.85], 4 * n);
+    }
+    pens.forEach((pen) => pen.putImageData(data, 0, 0));
+  }
+
   function at(nx, ny) {
     [x, y] = [Math.min(Math.max(nx, 0), width - 1), Math.min(Math.max(ny, 0), height - 1)];
     set("--at-x", x / width);
     set("--at-y", y / height);
-    marks.forEach((mark) => { mark.hidden = false; });
+    cursors.forEach((cursor) => { cursor.hidden = false; });
     read();
   }
 
@@ -86,10 +103,13 @@ async function begin(root) {
     const n = 4 * (y * width + x), rgb = (bytes) => [0, 1, 2].map((c) => bytes[n + c]);
     const off = [0, 1, 2].map((c) => actual[n + c] - expected[n + c]);
     const show = (list) => list.map((v) => String(v).padStart(4)).join("");
-    const found = wrong[n] === 128 ? "not a number" : `${show(rgb(actual))}   off by ${show(off.map((v) => (v > 0 ? `+${v}` : v)))}`;
+    const found = marks[n] === NOT_A_NUMBER ? "not a number" : `${show(rgb(actual))}   off by ${show(off.map((v) => (v > 0 ? `+${v}` : v)))}`;
     const out = find("output");
     out.textContent = `column ${x}, row ${y}   expected ${show(rgb(expected))}   yours ${found}   `;
-    if (wrong[n]) out.append(Object.assign(document.createElement("b"), { textContent: "wrong" }));
+    if (below && above) out.append(`allowed ${[0, 1, 2].map((c) => `${expected[n + c] - below[n + c]}..${expected[n + c] + above[n + c]}`).join(" ")}   `);
+    if (weight) out.append(`counts ${Math.round(weight[n] / 2.55)} %   `);
+    if (marks[n] === CONTESTED || marks[n] === BOTH) out.append("right tracers differ here   ");
+    if (isWrong(marks[n])) out.append(Object.assign(document.createElement("b"), { textContent: "wrong" }));
     if (region >= 0 && regions[region].includes(y * width + x)) {
       out.append(`   region ${region + 1} of ${regions.length}, ${regions[region].length} pixels`);
     }
@@ -128,6 +148,7 @@ async function begin(root) {
   function act(what) {
     if (what === "next" || what === "previous") jump(what === "next" ? 1 : -1);
     else if (what === "in" || what === "out") look(what === "in" ? zoom * 2 : zoom / 2, 0.5, 0.5);
+    else if (what === "over") { chosen.selectedIndex = (chosen.selectedIndex + 1) % chosen.length; over(chosen.value); }
     else if (what === "fit") { zoom = 1; pan(0, 0); }
     else show(what);
   }
@@ -158,6 +179,8 @@ async function begin(root) {
     if (button) act(button.dataset.do);
   });
   find(".split").addEventListener("input", (event) => set("--split", event.target.value));
+  const chosen = find(".over");
+  chosen.addEventListener("change", () => over(chosen.value));
   find(".gain").addEventListener("change", (event) => difference(Number(event.target.value)));
   root.act = act;
   root.step = ([dx, dy]) => { at(x + dx, y + dy); if (zoom > 1) centre(); };
@@ -171,7 +194,7 @@ let active = null;
 
 function wake(details) {
   if (!details.open) return;
-  details.querySelectorAll(".viewer[data-wrong]:not(.live):not([data-begun])").forEach((root) => {
+  details.querySelectorAll(".viewer[data-marks]:not(.live):not([data-begun])").forEach((root) => {
     root.dataset.begun = "";
     begin(root);
   });

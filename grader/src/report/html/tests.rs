@@ -15,14 +15,18 @@ fn has(page: &str, text: &str) {
 fn the_page_says_what_the_record_says() {
     let page = page();
     for text in
-        ["<title>4.75 / 14 ", "Ray casting", "timeouts+rlimits", "epoch-1", "d1935e57", "1200 pixels out of tolerance"]
+        ["<title>6.75 / 16 ", "Ray casting", "timeouts+rlimits", "epoch-1", "d1935e57", "1200 pixels out of tolerance"]
     {
         has(&page, text);
     }
     has(&page, "worst at column 61, row 60");
+    has(&page, "1100 of them side by side");
+    has(&page, "7 of them where right tracers differ");
+    has(&page, "earns 37.5 % of its points");
+    has(&page, "Right tracers differ on 0.01 % of the pixels");
     has(&page, "at most 96 pixels may be");
     has(&page, "no picture of yours to show");
-    has(&page, "<td class=\"number\">1 of 4</td>");
+    has(&page, "<td class=\"number\">2 of 5, 1 partly</td>");
     has(&page, "<td class=\"number\">1 of 3</td>");
 }
 
@@ -44,6 +48,7 @@ fn the_page_names_the_mistakes_with_their_rules_and_beside_what_they_explain() {
 fn only_what_is_not_right_stands_open() {
     let page = page();
     has(&page, "<details class=\"check pass\" id=\"01_ray_casting&#x2f;ball\">");
+    has(&page, "<details class=\"check pass flagged\" id=\"01_ray_casting&#x2f;contested\" open>");
     has(&page, "<details class=\"check fail\" id=\"01_ray_casting&#x2f;shifted\" open>");
 }
 
@@ -111,15 +116,34 @@ fn a_flood_of_lines_is_cut() {
 fn pictures_are_png_of_the_levels_that_are_judged() {
     let both = sample::pictures(true, |i| cases::glam::DVec3::splat(if i == 3 { 0.1 } else { 0.0 }));
     let actual = both.actual.clone().unwrap();
-    let wrong = decoded(&picture::wrong(&both, &actual)).into_luma8();
-    let column = |i| (0..120).filter(|j| wrong.get_pixel(i, *j).0 == [255]).count();
-    assert_eq!((column(2), column(3), column(4)), (0, 120, 0));
+    let marks = decoded(&picture::marks(&both.answer, &actual)).into_luma8();
+    let count = |i, mark| (0..120).filter(|j| marks.get_pixel(i, *j).0 == [mark]).count();
+    assert_eq!((count(2, 255), count(3, 255), count(4, 255)), (0, 119, 0));
+    assert_eq!((count(3, 64), count(3, 0)), (1, 0), "what is off by 26 levels is right where 212 is allowed");
     let shown = decoded(&picture::colours(&actual)).into_rgb8();
     let pixel = actual.pixel(80, 60).to_array().map(cases::film::byte);
     assert_eq!(shown.get_pixel(80, 60).0, pixel);
     let difference = decoded(&picture::difference(&both.answer.expected, &actual)).into_rgb8();
     assert_eq!(difference.get_pixel(2, 110).0, [0, 0, 0]);
     assert!(difference.get_pixel(3, 110).0.iter().all(|level| (96..=108).contains(level)), "26 levels or so, times 4");
+}
+
+#[test]
+fn what_is_allowed_and_what_counts_are_stored_beside() {
+    let both = sample::pictures(true, |_| cases::glam::DVec3::ZERO);
+    let weight = decoded(&picture::weight(&both.answer).unwrap()).into_luma8();
+    assert_eq!((weight.get_pixel(9, 0).0, weight.get_pixel(9, 1).0), ([0], [255]));
+    let mut even = both.answer.clone();
+    even.weight.fill(7);
+    assert_eq!(picture::weight(&even), None);
+    let allowed = serde_json::to_value(picture::allowed(&both.answer)).unwrap();
+    let plane = |name: &str| decoded(allowed[name].as_str().unwrap()).into_rgb8();
+    let expected = both.answer.expected.pixel(3, 5).to_array().map(cases::film::byte);
+    let above: Vec<u8> = expected.iter().zip(plane("above").get_pixel(3, 5).0).map(|(e, more)| e + more).collect();
+    assert_eq!(above, [214; 3], "212 and the slack of 2");
+    let light = both.answer.expected.pixel(80, 60).x * 255.0;
+    let below = f64::from(plane("below").get_pixel(80, 60).0[0]);
+    assert_eq!(light.round() - below, light.min(255.0).floor() - 2.0);
 }
 
 fn decoded(uri: &str) -> image::DynamicImage {

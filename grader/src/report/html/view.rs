@@ -6,7 +6,9 @@ use serde::Serialize;
 use super::{diff, picture};
 use crate::grade::{Graded, Pictures};
 use crate::plain::shown;
-use crate::record::{Build, CheckKind, CheckRecord, Diagnosis, Finding, Record, Score, StageRecord, Verdict};
+use crate::record::{
+    Build, CheckKind, CheckRecord, Diagnosis, Finding, FindingKind, Record, Score, StageRecord, Verdict,
+};
 use crate::report::{mistakes, words};
 
 #[derive(Serialize)]
@@ -73,6 +75,7 @@ struct Stage {
     unit_failed: Vec<Check>,
     unit_passed: Vec<Check>,
     n_cases_right: usize,
+    n_cases_partly: usize,
     /// About the program that answered the unit checks.
     remarks: Vec<String>,
 }
@@ -87,6 +90,8 @@ struct Check {
     verdict: &'static str,
     words: &'static str,
     is_right: bool,
+    /// Right, but a person should look at it.
+    is_flagged: bool,
     score: Points,
     seconds: String,
     megabytes: Option<String>,
@@ -101,6 +106,10 @@ struct FindingView {
     /// Id and sentence of the mistake that explains it.
     mistake: Option<[String; 2]>,
     wrong_pixels: Option<u64>,
+    wrong_contested: Option<u64>,
+    largest_cluster: Option<u64>,
+    /// Of its points, in percent.
+    share: Option<String>,
     worst: Option<[u32; 2]>,
     asked: Option<String>,
     diff: Vec<diff::Line>,
@@ -114,6 +123,9 @@ struct PicturesView {
     levels: String,
     gain: u8,
     out_pixels: u32,
+    cluster: u32,
+    /// Share of the pixels on which right tracers differ, in percent; `None` where there are none.
+    contested: Option<String>,
     expected: String,
     actual: Option<Actual>,
 }
@@ -122,7 +134,9 @@ struct PicturesView {
 struct Actual {
     picture: String,
     difference: String,
-    wrong: String,
+    marks: String,
+    weight: Option<String>,
+    allowed: Option<picture::Allowed>,
 }
 
 pub(super) fn submission(graded: &Graded) -> Submission {
@@ -184,6 +198,7 @@ fn stage(stage: &StageRecord, graded: &Graded) -> Stage {
         title: shown(&stage.title),
         score: points(Score { earned: stage.earned, possible: stage.possible }),
         n_cases_right: cases.iter().filter(|one| one.is_right).count(),
+        n_cases_partly: of_kind(CheckKind::Image).filter(|one| one.verdict == Verdict::Partial).count(),
         remarks: stage.remarks.iter().map(|text| shown(text)).collect(),
         cases,
         unit_failed,
@@ -200,11 +215,12 @@ fn check(record: &Record, check: &CheckRecord, pictures: Option<&Pictures>) -> C
         verdict: class(check.verdict),
         words: words::verdict(check.verdict),
         is_right: check.verdict == Verdict::Pass,
+        is_flagged: check.finding.as_ref().is_some_and(|finding| finding.kind == FindingKind::Contested),
         score: points(Score { earned: check.earned, possible: check.possible }),
         seconds: seconds(check.time_s),
         megabytes: (check.peak_bytes > 0).then(|| format!("{:.0} MB", check.peak_bytes as f64 / 1e6)),
         finding: check.finding.as_ref().map(|one| finding(Some(record), one)),
-        pictures: pictures.map(both),
+        pictures: pictures.map(|pictures| both(pictures, check.finding.is_some())),
     }
 }
 
@@ -219,6 +235,9 @@ fn finding(record: Option<&Record>, finding: &Finding) -> FindingView {
             .zip(finding.diagnosis.as_deref())
             .and_then(|(record, id)| Some([shown(id), shown(mistakes::says(record, id)?)])),
         wrong_pixels: finding.wrong_pixels,
+        wrong_contested: finding.wrong_contested,
+        largest_cluster: finding.largest_cluster,
+        share: finding.share.map(|thousandths| format!("{}.{}", thousandths / 10, thousandths % 10)),
         worst: finding.worst,
         asked: asked.map(|asked| shown(&asked)),
         diff: if is_compared { diff::lines(&text(&finding.expected), &text(&finding.actual)) } else { Vec::new() },
@@ -226,20 +245,27 @@ fn finding(record: Option<&Record>, finding: &Finding) -> FindingView {
     }
 }
 
-fn both(pictures: &Pictures) -> PicturesView {
-    let expected = &pictures.answer.expected;
+/// `is_explained`: what is allowed in each pixel is stored too.
+fn both(pictures: &Pictures, is_explained: bool) -> PicturesView {
+    let Pictures { answer, actual } = pictures;
+    let expected = &answer.expected;
     let same_size = |one: &&cases::film::Image| (one.width(), one.height()) == (expected.width(), expected.height());
-    let actual = pictures.actual.as_ref().filter(same_size).map(|actual| Actual {
+    let actual = actual.as_ref().filter(same_size).map(|actual| Actual {
         picture: picture::colours(actual),
         difference: picture::difference(expected, actual),
-        wrong: picture::wrong(pictures, actual),
+        marks: picture::marks(answer, actual),
+        weight: picture::weight(answer),
+        allowed: is_explained.then(|| picture::allowed(answer)),
     });
+    let contested = answer.contested_share();
     PicturesView {
         width: expected.width(),
         height: expected.height(),
-        levels: pictures.answer.limits.slack.to_string(),
+        levels: answer.limits.slack.to_string(),
         gain: picture::GAIN,
-        out_pixels: pictures.answer.limits.count,
+        out_pixels: answer.limits.count,
+        cluster: answer.limits.cluster,
+        contested: (contested > 0.0).then(|| format!("{:.2}", contested * 100.0)),
         expected: picture::colours(expected),
         actual,
     }
