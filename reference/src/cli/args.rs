@@ -198,7 +198,10 @@ Examples:
   reference vary --seed 2026 --out hidden
   reference expect hidden                         the answers to it
   grader grade tests/solution --cases hidden      all of it is earned
-  reference vary --check --seeds 100              writes nothing, says how well the bounds hold")]
+  reference vary --check --seeds 100              writes nothing, says how well the bounds hold
+
+What --check prints of each case: the share of seeds whose first draw does, the draws it took at most, the share of pixels that show what
+the stage adds (in the first stage, anything but background) and the least of it, and the largest share of contested pixels.")]
 pub(super) struct VaryArgs {
     /// Folder of stages
     #[arg(default_value = STAGES)]
@@ -215,6 +218,9 @@ pub(super) struct VaryArgs {
     /// Sets that --check draws
     #[arg(long, value_name = "COUNT", default_value = "20", requires = "check", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     pub seeds: u64,
+    /// Of these sets, how many are also rendered in all legal ways, for the share of contested pixels: that takes ten times as long
+    #[arg(long, value_name = "COUNT", default_value = "2", requires = "check")]
+    pub contested: u64,
 }
 
 /// Prints the JSON Schema of case files, courses, resolved scenes or the probe protocol

@@ -4,9 +4,11 @@ use std::fmt::Write;
 
 use rayon::prelude::*;
 
+use super::args::VaryArgs;
 use super::progress::Bar;
 use super::{Stop, Talk, print};
-use crate::vary::{Original, Varied};
+use crate::expect::Set;
+use crate::vary::{Care, Original, Varied};
 
 /// What was seen of one case, over any number of seeds; adding up two gives the same in either order.
 #[derive(Clone, Debug, Default)]
@@ -16,6 +18,8 @@ struct Seen {
     most_draws: u32,
     /// The least share of pixels that show what the stage adds; `None` before the first.
     least: Option<f64>,
+    /// The greatest share of contested pixels; `None` where no set was looked at so closely.
+    contested: Option<f64>,
     failed: Vec<String>,
 }
 
@@ -27,6 +31,7 @@ impl Seen {
                 n_first: u64::from(varied.n_draws == 1),
                 most_draws: varied.n_draws,
                 least: Some(varied.shows),
+                contested: varied.contested,
                 ..seen
             },
             Err(why) => Self { failed: vec![why], ..seen },
@@ -39,29 +44,37 @@ impl Seen {
             n_seeds: self.n_seeds + other.n_seeds,
             n_first: self.n_first + other.n_first,
             most_draws: self.most_draws.max(other.most_draws),
-            least: match (self.least, other.least) {
-                (Some(one), Some(other)) => Some(one.min(other)),
-                (one, other) => one.or(other),
-            },
+            least: either(self.least, other.least, f64::min),
+            contested: either(self.contested, other.contested, f64::max),
             failed: self.failed,
         }
     }
 }
 
-/// Draws `n_seeds` sets from `first` on and prints a line a case.
-pub(super) fn run(originals: &[Original], first: u64, n_seeds: u64, talk: Talk) -> Result<(), Stop> {
-    let bar = Bar::cases(n_seeds * originals.len() as u64, talk);
-    let seeds: Vec<u64> = (0..n_seeds).map(|n| first.wrapping_add(n)).collect();
-    let set = |seed: &u64| -> Vec<Seen> {
+/// The one of two numbers that `choose` takes, or the only one.
+fn either(one: Option<f64>, other: Option<f64>, choose: fn(f64, f64) -> f64) -> Option<f64> {
+    match (one, other) {
+        (Some(one), Some(other)) => Some(choose(one, other)),
+        _ => one.or(other),
+    }
+}
+
+/// Draws the sets that are asked for and prints a line a case.
+pub(super) fn run(originals: &[Original], set: &Set, args: &VaryArgs, talk: Talk) -> Result<(), Stop> {
+    let first = args.seed.unwrap_or(1);
+    let bar = Bar::cases(args.seeds * originals.len() as u64, talk);
+    let draw = |n: u64| -> Vec<Seen> {
+        let care = if n < args.contested { Care::Whole } else { Care::Quick };
         let one = |original: &Original| {
-            let seen = Seen::of(original.vary(*seed));
+            let seen = Seen::of(original.vary(set, first.wrapping_add(n), care));
             bar.add(1);
             seen
         };
         originals.par_iter().map(one).collect()
     };
     let both = |one: Vec<Seen>, other: Vec<Seen>| one.into_iter().zip(other).map(|(a, b)| a.and(b)).collect();
-    let seen: Vec<Seen> = seeds.par_iter().map(set).reduce(|| vec![Seen::default(); originals.len()], both);
+    let seen: Vec<Seen> =
+        (0..args.seeds).into_par_iter().map(draw).reduce(|| vec![Seen::default(); originals.len()], both);
     drop(bar);
     print(table(originals, &seen).as_bytes())?;
     let failed: Vec<&str> = seen.iter().flat_map(|seen| &seen.failed).map(String::as_str).collect();
@@ -70,13 +83,17 @@ pub(super) fn run(originals: &[Original], first: u64, n_seeds: u64, talk: Talk) 
 
 fn table(originals: &[Original], seen: &[Seen]) -> String {
     let width = originals.iter().map(|original| original.id().len()).max().unwrap_or_default();
-    let mut text = format!("{:<width$}  first draw  draws  shows  least\n", "case");
+    let mut text = format!("{:<width$}  first draw   draws    shows    least  contested\n", "case");
+    let percent = |share: Option<f64>| share.map_or("–".to_owned(), |share| format!("{:.1} %", 100.0 * share));
     for (original, seen) in originals.iter().zip(seen) {
-        let first = 100.0 * seen.n_first as f64 / seen.n_seeds.max(1) as f64;
+        let first = percent(Some(seen.n_first as f64 / seen.n_seeds.max(1) as f64));
         let draws = if seen.failed.is_empty() { seen.most_draws.to_string() } else { "failed".to_owned() };
-        let least = seen.least.map_or("–".to_owned(), |least| format!("{:.1} %", 100.0 * least));
-        let shows = format!("{:.1} %", 100.0 * original.shows());
-        let _ = writeln!(text, "{:<width$}  {first:>8.1} %  {draws:>5}  {shows:>6} {least:>6}", original.id());
+        let (shows, least, contested) = (percent(Some(original.shows())), percent(seen.least), percent(seen.contested));
+        let _ = writeln!(
+            text,
+            "{:<width$}  {first:>10}  {draws:>6}  {shows:>7}  {least:>7}  {contested:>9}",
+            original.id()
+        );
     }
     text
 }

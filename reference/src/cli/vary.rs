@@ -10,6 +10,7 @@ use cases::stage;
 use super::args::VaryArgs;
 use super::progress::Bar;
 use super::{Stop, Talk, survey};
+use crate::expect::Set;
 use crate::rules::Rules;
 use crate::vary::folder;
 
@@ -24,19 +25,18 @@ pub(super) fn run(args: &VaryArgs, talk: Talk) -> Result<(), Stop> {
     if let Some((_, out)) = &out {
         free(out)?;
     }
-    let rules = Rules::of(&course_of(&args.stages)?);
-    let stages = stage::load_all(&args.stages)?;
-    let n_cases: usize = stages.iter().map(|stage| stage.cases.len()).sum();
+    let set = Set::new(stage::load_all(&args.stages)?, Rules::of(&course_of(&args.stages)?));
+    let n_cases: usize = set.stages.iter().map(|stage| stage.cases.len()).sum();
     let bar = Bar::cases(n_cases as u64, talk);
-    let originals = folder::originals(&args.stages, &stages, &rules, || bar.add(1)).map_err(Stop::Usage)?;
+    let originals = folder::originals(&args.stages, &set, || bar.add(1)).map_err(Stop::Usage)?;
     drop(bar);
     let Some((seed, out)) = out else {
-        return survey::run(&originals, args.seed.unwrap_or(1), args.seeds, talk);
+        return survey::run(&originals, &set, args, talk);
     };
     let bar = Bar::cases(n_cases as u64, talk);
-    let set = folder::set(&originals, seed, || bar.add(1)).map_err(Stop::NotPassed)?;
+    let varied = folder::draw(&originals, &set, seed, || bar.add(1)).map_err(Stop::NotPassed)?;
     drop(bar);
-    folder::write(&args.stages, &stages, &set, &out).map_err(Stop::Machine)?;
+    folder::write(&args.stages, &set.stages, &varied, &out).map_err(Stop::Machine)?;
     if talk >= Talk::Normal {
         let out = out.display();
         anstream::eprintln!("wrote {n_cases} cases to {out}; next: `reference expect {out}`");

@@ -4,14 +4,13 @@ use std::fmt;
 
 use cases::film::Image;
 use cases::stage::Case;
-use cases::{Effect, Effects, Light, Scene};
-use glam::{DAffine3, DVec3};
+use cases::{Light, Scene};
+use glam::DVec3;
 
+use crate::expect::{Set, picture};
 use crate::misconceptions::{self, Misconception};
-use crate::real::Real;
-use crate::render::{self, Options};
-use crate::rules::{Epsilon, Lecture, Rules};
-use crate::world::World;
+use crate::rules::{Epsilon, Rules};
+use crate::variations::{Precision, Variation};
 
 /// Light that is farther off than this differs: two 8-bit levels.
 const DIFFERENT: f64 = 2.0 / 255.0;
@@ -19,14 +18,32 @@ const DIFFERENT: f64 = 2.0 / 255.0;
 const SEEN: f64 = 0.005;
 /// What the varied case must keep of the share of pixels that show its stage's effect.
 const KEPT: f64 = 0.5;
+/// Right tracers may disagree on this share of the pixels.
+const CONTESTED: f64 = 0.03;
+
+/// How closely a draw is looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Care {
+    /// By a handful of pictures: two right programs in the place of all that are legal.
+    Quick,
+    /// Also by the pictures of all legal variations, some fifty.
+    Whole,
+}
+
+/// What a draw that will do was measured at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Measured {
+    /// The share of pixels that show what the stage adds.
+    pub(super) effect: f64,
+    /// The share of contested pixels, where it was asked for.
+    pub(super) contested: Option<f64>,
+}
 
 /// What a case shows, as shares of its pixels.
 #[derive(Clone, Debug)]
 pub(super) struct Shows {
-    /// The course's.
-    rules: Rules,
-    /// What its stage adds to the one before it; nothing in the first.
-    added: Vec<Effect>,
+    /// The index of its stage.
+    stage: usize,
     /// Pixels that differ where what the stage adds is left out; in the first stage, from the bare background.
     pub(super) effect: f64,
     /// For each rule that it names and can show broken: how, the most striking way first.
@@ -59,6 +76,8 @@ pub(super) enum Refusal {
     Bared(String, f64),
     /// A right program differs on too many pixels: what it does, and on what share.
     Unfair(&'static str, f64),
+    /// Right tracers disagree on too large a share of the pixels.
+    Contested(f64),
 }
 
 impl fmt::Display for Refusal {
@@ -82,6 +101,12 @@ impl fmt::Display for Refusal {
                     100.0 * SEEN
                 )
             }
+            Self::Contested(share) => write!(
+                f,
+                "right tracers disagree on {:.1} % of the pixels, less than {:.0} % are wanted",
+                100.0 * share,
+                100.0 * CONTESTED
+            ),
         }
     }
 }
@@ -97,9 +122,9 @@ impl Refusal {
 }
 
 impl Shows {
-    /// What `case` shows, where its stage adds `added`.
-    pub(super) fn of(case: &Case, added: Vec<Effect>, rules: &Rules) -> Self {
-        let right = picture::<f64>(&case.scene, rules, case.scene.effects);
+    /// What `case` of the stage with index `n` shows, rendered a few dozen times by the rules of `set`.
+    pub(super) fn of(set: &Set, n: usize, case: &Case) -> Self {
+        let (rules, right) = (&set.rules, picture(&case.scene, &set.rules, case.scene.effects));
         let of_rule = |rule: u8| {
             let wrong = misconceptions::of(rules).into_iter().filter(|wrong| wrong.rule == rule);
             let mut seen: Vec<_> = wrong
@@ -113,20 +138,20 @@ impl Shows {
         let materials = (0..case.scene.materials.len()).map(Hidden::Material);
         let all = materials.chain((0..case.scene.lights.len()).map(Hidden::Light));
         let hidden = all.filter(|hidden| hidden.bared(&case.scene, rules, &right) == 0.0).collect();
-        Self { rules: *rules, effect: effect(case, &added, rules, &right), added, broken, hidden }
+        Self { stage: n, effect: differing(&right, &set.without(n, case)), broken, hidden }
     }
 
-    /// The share of pixels of `varied` that show what the stage adds, where it is as telling and as fair as `original`, whose shows these are.
+    /// What `varied` is measured at, where it is as telling and as fair as `original`, whose shows these are.
     ///
     /// # Errors
     /// What does not hold.
-    pub(super) fn kept_by(&self, original: &Case, varied: &Case) -> Result<f64, Refusal> {
-        let rules = &self.rules;
+    pub(super) fn kept_by(&self, set: &Set, original: &Case, varied: &Case, care: Care) -> Result<Measured, Refusal> {
+        let rules = &set.rules;
         if varied.scene.effects != original.scene.effects {
             return Err(Refusal::Effects);
         }
-        let right = picture::<f64>(&varied.scene, rules, varied.scene.effects);
-        let effect = effect(varied, &self.added, rules, &right);
+        let right = picture(&varied.scene, rules, varied.scene.effects);
+        let effect = differing(&right, &set.without(self.stage, varied));
         if effect < KEPT * self.effect {
             return Err(Refusal::Effect(effect, KEPT * self.effect));
         }
@@ -145,7 +170,11 @@ impl Shows {
             }
         }
         fair(varied, rules, &right)?;
-        Ok(effect)
+        let contested = (care == Care::Whole).then(|| set.envelope(varied, right).contested_share());
+        match contested {
+            Some(share) if share >= CONTESTED => Err(Refusal::Contested(share)),
+            _ => Ok(Measured { effect, contested }),
+        }
     }
 }
 
@@ -164,7 +193,7 @@ impl Hidden {
             },
         }
         let effects = scene.effects;
-        differing(right, &picture::<f64>(&scene, rules, effects))
+        differing(right, &picture(&scene, rules, effects))
     }
 
     fn name(self, scene: &Scene) -> String {
@@ -177,51 +206,23 @@ impl Hidden {
 
 /// The pixels that differ where the program makes the mistake.
 fn broken(case: &Case, wrong: &Misconception, rules: &Rules, right: &Image) -> f64 {
-    differing(right, &picture::<f64>(&case.scene, &wrong.on(rules), case.scene.effects))
+    differing(right, &picture(&case.scene, &wrong.on(rules), case.scene.effects))
 }
 
 /// Right programs of another precision or another epsilon differ on no more pixels than none would see.
 fn fair(case: &Case, rules: &Rules, right: &Image) -> Result<(), Refusal> {
-    let effects = case.scene.effects;
     let coarse = Rules { epsilon: Epsilon::Fixed(1e-3), ..*rules };
-    let single = picture::<f32>(&case.scene, rules, effects);
-    let far = picture::<f64>(&case.scene, &coarse, effects);
-    for (who, actual) in [("single precision", single), ("an epsilon of 1e-3", far)] {
+    let single = Variation { name: "single precision".to_owned(), precision: Precision::F32, rules: *rules };
+    for (who, actual) in [
+        ("single precision", single.picture(&case.scene, case.scene.effects)),
+        ("an epsilon of 1e-3", picture(&case.scene, &coarse, case.scene.effects)),
+    ] {
         let share = differing(right, &actual);
         if share > SEEN {
             return Err(Refusal::Unfair(who, share));
         }
     }
     Ok(())
-}
-
-fn effect(case: &Case, added: &[Effect], rules: &Rules, right: &Image) -> f64 {
-    let without = match added {
-        [] => Image::from_fn(right.width(), right.height(), |_, _| case.scene.background),
-        _ => without(&case.scene, added, rules),
-    };
-    differing(right, &without)
-}
-
-/// The picture where what the stage adds is not simulated; an object that is not transformed lies where it was made.
-fn without(scene: &Scene, added: &[Effect], rules: &Rules) -> Image {
-    let effects = added.iter().fold(scene.effects, |effects, effect| effects.without(*effect));
-    let mut scene = scene.clone();
-    if added.contains(&Effect::Transforms) {
-        for object in &mut scene.objects {
-            (object.world_from_object, object.object_from_world) = (DAffine3::IDENTITY, DAffine3::IDENTITY);
-        }
-    }
-    picture::<f64>(&scene, rules, effects)
-}
-
-fn picture<T: Real>(scene: &Scene, rules: &Rules, effects: Effects) -> Image {
-    let world = World::<T>::new(scene);
-    let options = Options { effects, ..Options::of(&world) };
-    if *rules == Rules::LECTURE {
-        return render::render(&world, Lecture, &options, |_| {}).0; // the kernel that is made for them
-    }
-    render::render(&world, rules, &options, |_| {}).0
 }
 
 /// The share of pixels that differ in a channel, as far as a picture shows it.

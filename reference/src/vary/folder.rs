@@ -6,45 +6,42 @@ use std::path::{Path, PathBuf};
 
 use cases::course;
 use cases::film;
-use cases::stage::Stage;
+use cases::stage::{Case, Stage};
 use rayon::prelude::*;
 use toml_edit::DocumentMut;
 
-use super::{Asset, Original, Varied, take_along, with_predecessors};
-use crate::rules::Rules;
+use super::{Asset, Care, Original, Varied, take_along};
+use crate::expect::Set;
 
 fn case_path(folder: &Path, id: &str) -> PathBuf {
     folder.join(format!("{id}.toml"))
 }
 
-/// The cases of the `stages` read from `folder`, ready to be varied, each rendered by `rules`; `done` is told of each.
+/// The cases of the `set` read from `folder`, ready to be varied; `done` is told of each.
 ///
 /// # Errors
 /// All that keeps any of them from being varied, a paragraph each.
-pub fn originals(
-    folder: &Path,
-    stages: &[Stage],
-    rules: &Rules,
-    done: impl Fn() + Sync,
-) -> Result<Vec<Original>, String> {
-    let cases: Vec<_> = with_predecessors(stages).collect();
-    let read = cases.par_iter().map(|(case, stage, before)| {
+pub fn originals(folder: &Path, set: &Set, done: impl Fn() + Sync) -> Result<Vec<Original>, String> {
+    let stages = set.stages.iter().enumerate();
+    let cases: Vec<(usize, &Case)> =
+        stages.flat_map(|(n, stage)| stage.cases.iter().map(move |case| (n, case))).collect();
+    let read = cases.par_iter().map(|(n, case)| {
         let path = case_path(folder, &case.id);
         let text = fs::read_to_string(&path).map_err(|why| cannot("read", &path, &why))?;
-        let original = Original::new(case, stage, *before, rules, &path, &text);
+        let original = Original::new(set, *n, case, &path, &text);
         done();
         original
     });
     all(read.collect())
 }
 
-/// The set under `seed`; `done` is told of each case.
+/// The cases of `set` under `seed`; `done` is told of each.
 ///
 /// # Errors
 /// Which cases will not do, and why, a paragraph each.
-pub fn set(originals: &[Original], seed: u64, done: impl Fn() + Sync) -> Result<Vec<Varied>, String> {
+pub fn draw(originals: &[Original], set: &Set, seed: u64, done: impl Fn() + Sync) -> Result<Vec<Varied>, String> {
     let draw = |original: &Original| {
-        let varied = original.vary(seed);
+        let varied = original.vary(set, seed, Care::Whole);
         done();
         varied
     };
@@ -63,11 +60,11 @@ fn all<T>(results: Vec<Result<T, String>>) -> Result<Vec<T>, String> {
     if wrong.is_empty() { Ok(values) } else { Err(wrong.join("\n")) }
 }
 
-/// Writes the varied `set` of the `stages` in `folder` to `out`, with what their course decides: beside it first, then moved there whole. `out` is not there, or empty.
+/// Writes the `varied` cases of the `stages` in `folder` to `out`, with what their course decides: beside it first, then moved there whole. `out` is not there, or empty.
 ///
 /// # Errors
 /// What cannot be read or written; `out` is then as it was.
-pub fn write(folder: &Path, stages: &[Stage], set: &[Varied], out: &Path) -> Result<(), String> {
+pub fn write(folder: &Path, stages: &[Stage], varied: &[Varied], out: &Path) -> Result<(), String> {
     let beside = match out.parent() {
         Some(parent) if parent != Path::new("") => parent,
         _ => Path::new("."),
@@ -79,7 +76,7 @@ pub fn write(folder: &Path, stages: &[Stage], set: &[Varied], out: &Path) -> Res
     for stage in stages {
         write_stage(&folder.join(&stage.id), &whole.join(&stage.id))?;
     }
-    for varied in set {
+    for varied in varied {
         let path = case_path(&whole, &varied.case.id);
         put(&path, varied.text.as_bytes())?;
         take(&case_path(folder, &varied.case.id), &path, &varied.assets)?;
