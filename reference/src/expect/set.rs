@@ -52,16 +52,19 @@ impl Set {
 
     /// The answer to a case of the stage with index `n`: envelope, limits, weights.
     pub fn answer(&self, n: usize, case: &Case) -> ImageAnswer {
-        let members: Vec<Image> = variations(&self.rules)
-            .par_iter()
-            .map(|variation| variation.picture(&case.scene, case.scene.effects))
-            .collect();
-        let mut answer = envelope::envelope(self.picture(case).clone(), &members);
+        let mut answer = self.envelope(case, self.picture(case).clone());
         let without = self.without(n, case);
         answer.weight = weight::weights(&answer.expected, &without);
         let others = self.pictures.iter().filter(|(id, _)| **id != case.id).map(|(_, picture)| picture);
         answer.limits.unearned = weight::unearned(&answer, others.chain([&without, &background(&case.scene)]));
         answer
+    }
+
+    /// What right tracers give of a case, of this set or of another by the same rules, around its right picture; every pixel weighs alike.
+    pub fn envelope(&self, case: &Case, right: Image) -> ImageAnswer {
+        let variations = variations(&self.rules);
+        let members = variations.par_iter().map(|variation| variation.picture(&case.scene, case.scene.effects));
+        envelope::envelope(right, &members.collect::<Vec<Image>>())
     }
 
     /// The picture of a case of the stage with index `n` by a tracer that has nothing of what the stage brings: the background alone in
