@@ -1,12 +1,8 @@
 #!/usr/bin/env bash
-# Installs the peers of the judge into the folder given: packages of Python and of Node; perceptualdiff must be there already.
+# Installs the peers of the judge into the folder given: packages of Python and of Node.
 set -euo pipefail
 ours=$(cd "$(dirname "$0")" && pwd)
 folder=$1
-command -v perceptualdiff > /dev/null || {
-    echo "perceptualdiff is missing: it is a package of Debian and Ubuntu (apt-get install perceptualdiff)" >&2
-    exit 1
-}
 stamp=$(cat "$ours/requirements.txt" "$ours/package.json" | cksum)
 [ "$(cat "$folder/stamp" 2> /dev/null)" != "$stamp" ] || exit 0
 python3 -m venv "$folder/venv"

@@ -56,10 +56,6 @@ def odiff(expected, actual):
     return exit_code([f"{FOLDER}/node_modules/.bin/odiff", expected, actual], 0, [21, 22])
 
 
-def perceptualdiff(expected, actual):
-    return exit_code(["perceptualdiff", expected, actual], 0, [1])
-
-
 def idiff(expected, actual):
     """What the command does at its defaults, without its third of a second of start-up."""
     result = ImageBufAlgo.compare(ImageBuf(expected), ImageBuf(actual), 1e-6, 1e-6)
@@ -77,17 +73,11 @@ def similarity(expected, actual):
     return structural_similarity(samples(expected), samples(actual), channel_axis=2, data_range=255)
 
 
-def perceptualdiff_version():
-    said = subprocess.run(["perceptualdiff", "--version"], capture_output=True, text=True, check=False)
-    return (said.stdout + said.stderr).split()[-1]
-
-
 SSIM = f"SSIM (scikit-image {importlib.metadata.version('scikit-image')})"
 NO_OTHER = "no pixel is found different"
 TOOLS = [
     (f"pixelmatch {node_version('pixelmatch')}", f"{NO_OTHER} at the default threshold 0.1, anti-aliasing left out", pixelmatch),
     (f"ODiff {node_version('odiff-bin')}", f"{NO_OTHER} at the default threshold 0.1", odiff),
-    (f"perceptualdiff {perceptualdiff_version()}", "at most 100 pixels are visibly different (the default)", perceptualdiff),
     (f"idiff (OpenImageIO {OpenImageIO.VERSION_STRING})", "no sample differs by more than 1e-6 (the default)", idiff),
     (f"FLIP {importlib.metadata.version('flip-evaluator')}", "the mean is at most 0.05, the default of its exit test", flip),
     (f"{SSIM} ≥ 0.99", "by a customary threshold; it has none of its own", lambda *pair: similarity(*pair) >= 0.99),
