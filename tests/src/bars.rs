@@ -3,9 +3,13 @@
 use std::collections::BTreeMap;
 
 use crate::lab::Trial;
+use crate::variants::Nature;
 
 /// Percent of the bugs that must lose their first points in the stage where they are.
 pub const RIGHT_STAGE: usize = 95;
+
+/// Percent of the bugs that a known misconception describes which must be called by its name first.
+pub const RIGHT_NAME: usize = 95;
 
 /// How a judge did, name by name.
 #[derive(Clone, Debug, Default)]
@@ -66,9 +70,8 @@ impl Tally {
         self.n_caught() - self.misplaced.len()
     }
 
-    /// Everything that keeps this grader from its bars.
-    pub fn faults(&self) -> Vec<String> {
-        let say = |what: &str, names: &[String]| names.iter().map(|name| format!("{what}: {name}")).collect::<Vec<_>>();
+    /// What keeps this grader from its bars.
+    fn faults(&self) -> Vec<String> {
         let mut faults = say("right, but it lost points", &self.false_fails);
         faults.extend(say("wrong, but it lost none", &self.misses));
         if self.n_in_right_stage() * 100 < self.n_caught() * RIGHT_STAGE {
@@ -76,6 +79,66 @@ impl Tally {
         }
         faults
     }
+}
+
+fn say(what: &str, names: &[String]) -> Vec<String> {
+    names.iter().map(|name| format!("{what}: {name}")).collect()
+}
+
+/// How this grader named bugs.
+#[derive(Clone, Debug, Default)]
+pub struct Naming {
+    /// Caught bugs that a known misconception describes.
+    pub n_known: usize,
+    /// Those of them that were called by another name first, or by none.
+    pub misnamed: Vec<String>,
+    /// Right variants of which a misconception was named.
+    pub slandered: Vec<String>,
+    /// Bugs that no misconception describes, and what was named first all the same.
+    pub likened: Vec<String>,
+}
+
+impl Naming {
+    /// That in `trials`.
+    pub fn of(trials: &[Trial]) -> Self {
+        let mut naming = Self::default();
+        for trial in trials {
+            let name = &trial.variant.name;
+            let named = trial.named_first();
+            match &trial.variant.nature {
+                Nature::Right if named.is_empty() => {}
+                Nature::Right => naming.slandered.push(format!("{name}: {}", named.join(" or "))),
+                Nature::Wrong { diagnosis: Some(right), .. } if trial.first_stage().is_some() => {
+                    naming.n_known += 1;
+                    if !named.contains(&right.as_str()) {
+                        let said = if named.is_empty() { "nothing".to_owned() } else { named.join(" or ") };
+                        naming.misnamed.push(format!("{name}: {said}, not {right}"));
+                    }
+                }
+                Nature::Wrong { .. } if named.is_empty() => {}
+                Nature::Wrong { .. } => naming.likened.push(format!("{name}: {}", named.join(" or "))),
+            }
+        }
+        naming
+    }
+
+    /// Bugs that were called by their names first.
+    pub fn n_named(&self) -> usize {
+        self.n_known - self.misnamed.len()
+    }
+
+    fn faults(&self) -> Vec<String> {
+        let mut faults = say("right, but a mistake is named", &self.slandered);
+        if self.n_named() * 100 < self.n_known * RIGHT_NAME {
+            faults.extend(say("called by another name", &self.misnamed));
+        }
+        faults
+    }
+}
+
+/// Everything that keeps this grader from its bars.
+pub fn faults(trials: &[Trial]) -> Vec<String> {
+    [Tally::of_this_grader(trials).faults(), Naming::of(trials).faults()].concat()
 }
 
 /// The checks that cost points, by stage: the first few of each.

@@ -130,11 +130,16 @@ impl Lab {
         Ok(Shown { case: id, file, is_there: true, n_changed, passes })
     }
 
-    /// Tries all, as many at a time as there are cores; `hear` is told of each that is done. The order is that of `variants`.
+    /// Tries all, `jobs` at a time; `hear` is told of each that is done. The order is that of `variants`.
     ///
     /// # Errors
     /// What kept variants from being tried, each with its name.
-    pub fn try_all(&self, variants: &[Variant], hear: &(dyn Fn(&Variant) + Sync)) -> Result<Vec<Trial>, Vec<String>> {
+    pub fn try_all(
+        &self,
+        variants: &[Variant],
+        jobs: usize,
+        hear: &(dyn Fn(&Variant) + Sync),
+    ) -> Result<Vec<Trial>, Vec<String>> {
         let next = AtomicUsize::new(0);
         let worker = || {
             let mine = std::iter::from_fn(|| {
@@ -148,9 +153,8 @@ impl Lab {
             });
             tried.collect::<Vec<_>>()
         };
-        let n_workers = std::thread::available_parallelism().map_or(1, usize::from);
         let mut tried: Vec<(usize, Result<Trial, String>)> = std::thread::scope(|scope| {
-            let workers: Vec<_> = (0..n_workers).map(|_| scope.spawn(worker)).collect();
+            let workers: Vec<_> = (0..jobs.max(1)).map(|_| scope.spawn(worker)).collect();
             workers.into_iter().flat_map(|worker| worker.join().expect("a panic is passed on")).collect()
         });
         tried.sort_by_key(|(index, _)| *index);
@@ -174,6 +178,12 @@ impl Trial {
         self.record.stages.iter().find(|stage| stage.earned < stage.possible).map(|stage| stage.id.as_str())
     }
 
+    /// Ids of the misconceptions named first; several where what was asked does not tell them apart.
+    pub fn named_first(&self) -> Vec<&str> {
+        let first = self.record.diagnoses.first();
+        first.map_or(vec![], |first| first.mistakes.iter().map(|mistake| mistake.id.as_str()).collect())
+    }
+
     /// Whether some picture differs from the solution's outside contested pixels.
     pub fn is_seen(&self) -> bool {
         self.shown.iter().any(|shown| shown.n_changed > 0)
@@ -186,6 +196,11 @@ impl Trial {
             Nature::Wrong { stage, .. } => Some(stage),
         }
     }
+}
+
+/// As many jobs as there are cores.
+pub fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
 }
 
 /// Stores a picture under the hash of its bytes, once.

@@ -1,6 +1,6 @@
 //! The page `docs/judging.md`: how this grader and others do on the same programs.
 
-use crate::bars::Tally;
+use crate::bars::{Naming, Tally};
 use crate::lab::Trial;
 use crate::peers::Tool;
 use crate::rules::RULES;
@@ -32,8 +32,8 @@ pub fn page(trials: &[Trial], tools: &[Tool]) -> String {
         says: tool.says.clone(),
         tally: by_first_case(&seen, |trial| tool.fails.get(&trial.variant.name).cloned()),
     }));
-    let ours = Tally::of_this_grader(trials);
-    [head(trials, &seen, &ours), table(&judges), lists(&ours, &judges)].concat()
+    let (ours, naming) = (Tally::of_this_grader(trials), Naming::of(trials));
+    [head(trials, &seen, &ours, &naming), table(&judges), lists(&ours, &naming, &judges)].concat()
 }
 
 fn pictures_lost(trial: &Trial) -> Option<String> {
@@ -47,7 +47,7 @@ fn by_first_case(trials: &[&Trial], first: impl Fn(&Trial) -> Option<String>) ->
     Tally::of(trials.iter().copied(), stage, |trial| first(trial).unwrap_or_default())
 }
 
-fn head(trials: &[Trial], seen: &[&Trial], ours: &Tally) -> String {
+fn head(trials: &[Trial], seen: &[&Trial], ours: &Tally, naming: &Naming) -> String {
     let n_seen = seen.iter().filter(|trial| trial.stage().is_some()).count();
     let n_cases = trials.first().map_or(0, |trial| trial.shown.len());
     format!(
@@ -64,11 +64,13 @@ graded on the public stages: {n_cases} image cases and the unit checks.
 | right programs that lose points | {n_false} of {n_right} | 0 |
 | bugs that lose none | {n_missed} of {n_wrong} | 0 |
 | bugs that lose their first points in their own stage | {n_placed} of {n_caught}, {share} | 95 % |
+| bugs that a known mistake describes and that are called by its name first | {n_named} of {n_known}, {named} | 95 % |
+| right programs of which a mistake is named | {n_slandered} of {n_right} | 0 |
 
 ## Beside other judges
 
 Other judges compare pictures only, so here this grader does too, on the {n_seen} bugs that change some byte of a picture outside contested pixels. A
-program fails where any of its {n_cases} pictures fails; a program without a picture fails. The tools are the real ones, at their defaults.
+program fails where any of its {n_cases} pictures fails; a program without a picture fails. The tools are the real ones, at their defaults (perceptualdiff is left out: no package registry has it).
 
 ",
         n_wrong = ours.n_wrong,
@@ -78,6 +80,10 @@ program fails where any of its {n_cases} pictures fails; a program without a pic
         n_placed = ours.n_in_right_stage(),
         n_caught = ours.n_caught(),
         share = percent(ours.n_in_right_stage(), ours.n_caught()),
+        n_named = naming.n_named(),
+        n_known = naming.n_known,
+        named = percent(naming.n_named(), naming.n_known),
+        n_slandered = naming.slandered.len(),
     )
 }
 
@@ -103,11 +109,14 @@ fn table(judges: &[Judge]) -> String {
     text
 }
 
-fn lists(ours: &Tally, judges: &[Judge]) -> String {
+fn lists(ours: &Tally, naming: &Naming, judges: &[Judge]) -> String {
     let mut text = "\n## What went wrong\n\n### This grader\n\n".to_owned();
     text += &list("Right, but lost points", &ours.false_fails);
     text += &list("Wrong, but lost none", &ours.misses);
     text += &list("Lost first points in another stage", &ours.misplaced);
+    text += &list("Called by another name", &naming.misnamed);
+    text += &list("Right, but a mistake is named", &naming.slandered);
+    text += &list("Described by no known mistake, but likened to one", &naming.likened);
     for Judge { name, tally, .. } in &judges[1..] {
         text += &format!("### {name}\n\n");
         text += &list("Right, but failed", &tally.false_fails);

@@ -2,8 +2,8 @@
 //!
 //! A fixed third of `tests/mutants`, every third by name; `MUTANTS=all` takes them all, and so does `cargo run -p tests --bin judge`.
 
-use tests::bars::Tally;
-use tests::lab::Lab;
+use tests::bars;
+use tests::lab::{Lab, cores};
 use tests::variants::{self, Variant};
 
 fn third(variants: Vec<Variant>) -> Vec<Variant> {
@@ -17,8 +17,8 @@ fn third(variants: Vec<Variant>) -> Vec<Variant> {
 fn the_judge_meets_its_bars() {
     let lab = Lab::open(None).unwrap_or_else(|why| panic!("{why}"));
     let variants = third(variants::all().unwrap_or_else(|why| panic!("{why}")));
-    let trials = lab.try_all(&variants, &|_| {}).unwrap_or_else(|faults| panic!("{}", faults.join("\n")));
-    let faults = Tally::of_this_grader(&trials).faults();
+    let trials = lab.try_all(&variants, cores(), &|_| {}).unwrap_or_else(|faults| panic!("{}", faults.join("\n")));
+    let faults = bars::faults(&trials);
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 

@@ -5,8 +5,8 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
-use tests::bars::Tally;
-use tests::lab::{Lab, Trial};
+use tests::bars::{self, Naming, Tally};
+use tests::lab::{self, Lab, Trial};
 use tests::{page, peers, variants, workspace};
 
 /// Tries the variants of tests/mutants and says which right ones lost points and which wrong ones did not.
@@ -17,6 +17,12 @@ struct Arguments {
     /// Write the page here, with what other judges say: they are installed below target/peers
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    /// Only every so many of them, by name; the tests take every third
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    every: usize,
+    /// Programs that are built and graded at once [default: as many as there are cores]
+    #[arg(long, short, value_name = "N")]
+    jobs: Option<usize>,
     /// Say of every variant which checks it lost
     #[arg(long)]
     verbose: bool,
@@ -42,11 +48,12 @@ fn judge(arguments: &Arguments) -> Result<Vec<String>, String> {
     if let Some(only) = &arguments.only {
         variants.retain(|variant| variant.name.contains(only));
     }
+    let variants: Vec<_> = variants.into_iter().step_by(arguments.every.max(1)).collect();
     let folder = workspace().join("target/peers");
     let lab = Lab::open(arguments.out.as_ref().map(|_| folder.join("pictures")))?;
     let bar = ProgressBar::new(variants.len() as u64);
     bar.set_style(ProgressStyle::with_template("{pos}/{len} {wide_bar} {eta} {msg}").map_err(|why| why.to_string())?);
-    let trials = lab.try_all(&variants, &|variant| {
+    let trials = lab.try_all(&variants, arguments.jobs.unwrap_or_else(lab::cores), &|variant| {
         bar.set_message(variant.name.clone());
         bar.inc(1);
     });
@@ -56,25 +63,29 @@ fn judge(arguments: &Arguments) -> Result<Vec<String>, String> {
         trials.iter().for_each(say);
     }
     let tally = Tally::of_this_grader(&trials);
+    let naming = Naming::of(&trials);
     println!(
-        "{} right programs, {} failed; {} wrong ones, {} passed; {} of {} caught in their own stage",
+        "{} right programs, {} failed; {} wrong ones, {} passed; {} of {} caught in their own stage; {} of {} called by name",
         tally.n_right,
         tally.false_fails.len(),
         tally.n_wrong,
         tally.misses.len(),
         tally.n_in_right_stage(),
         tally.n_caught(),
+        naming.n_named(),
+        naming.n_known,
     );
     if let Some(out) = &arguments.out {
         let tools = peers::ask(&folder, &trials)?;
         let text = page::page(&trials, &tools);
         cases::film::replace(out, text.as_bytes()).map_err(|why| format!("{}: {why}", out.display()))?;
     }
-    Ok(tally.faults())
+    Ok(bars::faults(&trials))
 }
 
 fn say(trial: &Trial) {
     let lost: Vec<&str> = trial.lost().map(|check| check.id.as_str()).collect();
     let n_changed: usize = trial.shown.iter().map(|shown| shown.n_changed).sum();
-    println!("{}: {n_changed} pixels changed; lost {}", trial.variant.name, lost.join(" "));
+    let named = trial.named_first().join(" or ");
+    println!("{}: {n_changed} pixels changed; named {named}; lost {}", trial.variant.name, lost.join(" "));
 }
