@@ -173,7 +173,7 @@ impl Wrong {
 
     /// Black where nothing changes; what turns black is stored as nearly so.
     fn stored(&self) -> Vec<Levels> {
-        let coarse = |level: u8| ((u16::from(level) + COARSE / 2) / COARSE * COARSE).min(255) as u8;
+        let coarse = |level: u8| u8::try_from((u16::from(level) + COARSE / 2) / COARSE * COARSE).unwrap_or(u8::MAX);
         let stored = |change: &Option<Levels>| match change.map(|levels| levels.map(coarse)) {
             None => [0; 3],
             Some([0, 0, 0]) => [1; 3],
