@@ -1,9 +1,11 @@
 //! What is wrong with a set of cases and its answers, beyond what keeps it from being read.
 
+mod sharpness;
+
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use cases::answer::{check_answers_path, expected_png_path, image_answer_path, mistakes_path};
+use cases::answer::{Wrong, check_answers_path, expected_png_path, image_answer_path, mistakes_path};
 use cases::effects;
 use cases::probe::Answer;
 use cases::stage::load_all;
@@ -43,6 +45,7 @@ pub fn lint(folder: &Path) -> Found {
         cases(questions, before, &mut problems);
         answers(questions, &mut problems);
         checks(questions, &mut problems);
+        sharpness(&exam, questions, &mut problems);
         before = questions.stage.allows;
     }
     if let Err(why) = &exam.mistakes {
@@ -87,6 +90,20 @@ fn answers(questions: &Questions, problems: &mut Vec<String>) {
     let answered: BTreeSet<&str> = questions.units.keys().map(String::as_str).collect();
     problems.extend(asked.difference(&answered).map(|id| format!("{id}: has no stored answer ({HINT})")));
     problems.extend(answered.difference(&asked).map(|id| format!("{id}: is answered, but not asked ({HINT})")));
+}
+
+/// Pictures on which right tracers agree, and in which the mistakes show that they are for.
+fn sharpness(exam: &Exam, questions: &Questions, problems: &mut Vec<String>) {
+    let mistakes = exam.mistakes.as_deref().unwrap_or_default();
+    for case in &questions.stage.cases {
+        let Some(Ok(answer)) = questions.images.get(&case.id) else { continue };
+        let size = case.scene.render;
+        let bytes = std::fs::read(image_answer_path(&exam.folder, &case.id)).unwrap_or_default();
+        match Wrong::decode_all(&bytes, size.width, size.height) {
+            Ok(wrong) => problems.extend(sharpness::problems(case, answer, &wrong, mistakes)),
+            Err(why) => problems.push(format!("{}: the stored mistakes cannot be read: {why} ({HINT})", case.id)),
+        }
+    }
 }
 
 /// Stored answers agree with those on paper, and can be judged.

@@ -1,0 +1,107 @@
+//! Whether a case can do its work: right tracers agree on its picture, and wrong ones show in it.
+
+use cases::answer::{ImageAnswer, Mistake, Wrong, largest_cluster};
+use cases::stage::Case;
+
+/// Where right tracers differ on more of the picture, too much of it is excused.
+const MOST_CONTESTED: f64 = 0.03;
+/// A mistake is to leave a cluster of so many times what is let pass.
+const MARGIN: u32 = 2;
+
+/// What keeps the case from its work; `wrong` are the mistakes that are stored with its answer, `mistakes` all that are known.
+pub(super) fn problems(case: &Case, answer: &ImageAnswer, wrong: &[Wrong], mistakes: &[Mistake]) -> Vec<String> {
+    contested(case, answer).into_iter().chain(blunt(case, answer, wrong, mistakes)).collect()
+}
+
+fn contested(case: &Case, answer: &ImageAnswer) -> Option<String> {
+    let share = answer.contested_share();
+    (share > MOST_CONTESTED).then(|| {
+        format!(
+            "{}: right tracers differ on {:.1} % of the pixels, more than {} % (show what grazes larger, or less of it)",
+            case.id,
+            share * 100.0,
+            MOST_CONTESTED * 100.0
+        )
+    })
+}
+
+/// Looks at the weakest mistake in the rules that the case names. What stays within the envelope is no mistake of this case.
+fn blunt(case: &Case, answer: &ImageAnswer, wrong: &[Wrong], mistakes: &[Mistake]) -> Option<String> {
+    let rule_of = |id: &str| mistakes.iter().find(|mistake| mistake.id == id).map(|mistake| mistake.rule);
+    let width = answer.expected.width();
+    let cluster =
+        |wrong: &Wrong| largest_cluster(&wrong.changes.iter().map(Option::is_some).collect::<Vec<_>>(), width);
+    let targets = wrong.iter().filter_map(|wrong| Some((wrong, rule_of(&wrong.id)?)));
+    let shown =
+        targets.filter(|(_, rule)| case.rules.contains(rule)).map(|(wrong, rule)| (cluster(wrong), rule, &wrong.id));
+    let (cluster, rule, id) = shown.filter(|(cluster, ..)| *cluster > 0).min()?;
+    let wanted = MARGIN * answer.limits.cluster;
+    (cluster < wanted).then(|| {
+        format!(
+            "{}: too blunt for rule {rule}: the mistake `{id}` leaves no more than {cluster} wrong pixels side by side, at least \
+             {wanted} are wanted (show what it changes larger)",
+            case.id
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use cases::film::Image;
+    use cases::glam::DVec3;
+
+    use super::*;
+
+    const SIDE: usize = 10;
+
+    fn case() -> Case {
+        let stages =
+            cases::stage::load_all(std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../cases/stages")));
+        let all = stages.expect("the public stages").into_iter().flat_map(|stage| stage.cases);
+        let boxes = all.into_iter().find(|case| case.id.ends_with("/boxes")).expect("a case of this name");
+        Case { rules: vec![5], ..boxes }
+    }
+
+    /// An answer that lets clusters of 3 pass, and is contested in so many pixels.
+    fn answer(n_contested: usize) -> ImageAnswer {
+        let mut answer = ImageAnswer::exact(Image::from_fn(SIDE as u32, SIDE as u32, |_, _| DVec3::ZERO), 1.0, 3);
+        answer.hi[..n_contested].fill([200; 3]);
+        answer
+    }
+
+    /// A mistake that changes the first so many pixels of the first row.
+    fn wrong(id: &str, n: usize) -> Wrong {
+        let changes = (0..SIDE * SIDE).map(|at| (at < n).then_some([255; 3])).collect();
+        Wrong { id: id.to_owned(), changes }
+    }
+
+    fn check(n_contested: usize, wrong: &[Wrong], expected: &[&str]) {
+        let known = [("light_ignored", 5), ("other", 7)].map(|(id, rule)| Mistake {
+            id: id.to_owned(),
+            rule,
+            says: String::new(),
+            look_at: String::new(),
+        });
+        let found = problems(&case(), &answer(n_contested), wrong, &known);
+        assert_eq!(found.len(), expected.len(), "{found:?}");
+        for (problem, part) in found.iter().zip(expected) {
+            assert!(problem.starts_with("01_ray_casting/boxes: ") && problem.contains(part), "{problem}");
+        }
+    }
+
+    #[test]
+    fn right_tracers_agree_nearly_everywhere() {
+        check(3, &[], &[]);
+        check(4, &[], &["right tracers differ on 4.0 % of the pixels, more than 3 %"]);
+    }
+
+    #[test]
+    fn a_mistake_in_a_rule_of_the_case_leaves_twice_what_passes() {
+        let blunt = "too blunt for rule 5: the mistake `light_ignored` leaves no more than 5 wrong pixels side by side, at least 6";
+        check(0, &[wrong("light_ignored", 6)], &[]);
+        check(0, &[wrong("light_ignored", 5)], &[blunt]);
+        check(4, &[wrong("light_ignored", 5)], &["4.0 %", blunt]);
+        check(0, &[wrong("light_ignored", 0)], &[]);
+        check(0, &[wrong("other", 5), wrong("unheard_of", 5)], &[]);
+    }
+}
