@@ -6,6 +6,7 @@ use cases::answer::{ImageAnswer, Limits};
 use cases::film::{Image, PictureError, read_exact};
 use grader::grade::GradeError;
 use grader::judge;
+use grader::record::Verdict;
 
 use crate::arguments::Compare;
 use crate::exit::{Done, Outcome};
@@ -26,16 +27,16 @@ pub(crate) fn run(arguments: &Compare) -> Outcome {
     };
     let slack = arguments.tolerance.unwrap_or(answer.limits.slack);
     let answer = ImageAnswer { limits: Limits { slack, ..answer.limits }, ..answer };
-    let n_out = judge::compare(&a, &answer).n_out;
+    let judge::Difference { n_out, cluster, .. } = judge::compare(&a, &answer);
     let judgement = judge::picture(&a, &answer);
-    let allowed = answer.limits.count;
+    let Limits { count, cluster: most, .. } = answer.limits;
     match &judgement.finding {
         Some(finding) => anstream::println!("{}", finding.message),
-        None => {
-            anstream::println!("they agree: {n_out} pixels differ by more than {slack} levels, {allowed} may");
-        }
+        None => anstream::println!(
+            "they agree: {n_out} pixels differ by more than {slack} levels, {cluster} of them side by side; {count} may, {most} of them side by side"
+        ),
     }
-    Ok(Done::of(judgement.finding.is_none()))
+    Ok(Done::of(judgement.verdict == Verdict::Pass))
 }
 
 fn bytes(path: &Path) -> Result<Vec<u8>, GradeError> {
