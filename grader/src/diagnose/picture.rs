@@ -16,21 +16,22 @@ const NEAR: f64 = 6.0;
 /// # Panics
 /// Where the sizes differ.
 pub fn picture(actual: &Image, answer: &ImageAnswer, mistakes: &[Wrong]) -> BTreeMap<String, f64> {
-    let seen = Seen { actual, out: answer.out(actual) };
-    mistakes.iter().map(|mistake| (mistake.id.clone(), share(&seen, answer, mistake))).collect()
+    let right = answer.expected.pixels().iter().map(|light| light.to_array().map(byte)).collect();
+    let seen = Seen { actual, out: answer.out(actual), right };
+    mistakes.iter().map(|mistake| (mistake.id.clone(), share(&seen, mistake))).collect()
 }
 
-/// The student's picture.
+/// The student's picture beside the right one.
 struct Seen<'a> {
     actual: &'a Image,
     out: Vec<bool>,
+    right: Vec<Levels>,
 }
 
-fn share(seen: &Seen, answer: &ImageAnswer, mistake: &Wrong) -> f64 {
+fn share(seen: &Seen, mistake: &Wrong) -> f64 {
     assert_eq!(seen.out.len(), mistake.changes.len(), "pictures of one size");
-    let expected = answer.expected.pixels();
-    let levels = |n: usize| mistake.changes[n].unwrap_or_else(|| expected[n].to_array().map(byte));
-    let mistaken: Vec<Levels> = (0..expected.len()).map(levels).collect();
+    let mistaken: Vec<Levels> =
+        mistake.changes.iter().zip(&seen.right).map(|(one, right)| one.unwrap_or(*right)).collect();
     let (mut n_explained, mut n_all) = (0u32, 0u32);
     for (n, colour) in seen.actual.pixels().iter().enumerate() {
         if !seen.out[n] && mistake.changes[n].is_none() {
@@ -53,4 +54,61 @@ fn is_between(levels: [f64; 3], mistaken: &[Levels], width: usize, n: usize) -> 
         }
     }
     (0..3).all(|at| (f64::from(lo[at]) - NEAR..=f64::from(hi[at]) + NEAR).contains(&levels[at])) // false for NaN
+}
+
+#[cfg(test)]
+mod tests {
+    use cases::glam::DVec3;
+
+    use super::*;
+
+    const GREY: u8 = 100;
+
+    /// A row of greys.
+    fn row(levels: &[u8]) -> Image {
+        Image::from_fn(levels.len() as u32, 1, |i, _| DVec3::splat(f64::from(levels[i as usize]) / 255.0))
+    }
+
+    /// How much of the row a mistake explains that gives `mistaken` where [`GREY`] is right all over; 0 stands for no change.
+    fn check(actual: &[u8], mistaken: &[u8], share: f64) {
+        let answer = ImageAnswer::exact(row(&vec![GREY; actual.len()]), 1.0, 0);
+        let changes = mistaken.iter().map(|level| (*level > 0).then_some([*level; 3])).collect();
+        let wrong = Wrong { id: "a".to_owned(), changes };
+        let shares = picture(&row(actual), &answer, &[wrong]);
+        assert_eq!(shares, BTreeMap::from([("a".to_owned(), share)]), "{actual:?} {mistaken:?}");
+    }
+
+    #[test]
+    fn a_picture_is_explained_as_far_as_it_is_wrong_in_the_same_way() {
+        check(&[100, 100, 40, 40, 40, 40], &[0, 0, 40, 40, 40, 40], 1.0);
+        check(&[100, 100, 46, 46, 46, 46], &[0, 0, 40, 40, 40, 40], 1.0);
+        check(&[100, 100, 160, 160, 160, 160], &[0, 0, 40, 40, 40, 40], 0.0);
+        check(&[100, 100, 40, 40, 160, 160], &[0, 0, 40, 40, 40, 40], 0.5);
+    }
+
+    #[test]
+    fn what_the_mistake_would_change_and_is_right_counts_against_it() {
+        check(&[40, 40, 100, 100, 100, 100], &[40, 40, 40, 40, 40, 40], 2.0 / 6.0);
+        check(&[100; 6], &[40; 6], 0.0);
+    }
+
+    #[test]
+    fn what_is_wrong_and_the_mistake_would_not_change_counts_against_it() {
+        check(&[40, 40, 40, 40, 40, 40, 40, 40], &[40, 40, 0, 0, 0, 0, 0, 0], 3.0 / 8.0); // the third one as an edge
+    }
+
+    #[test]
+    fn an_edge_may_fall_a_pixel_to_either_side() {
+        check(&[100, 100, 100, 40, 40, 40], &[0, 0, 40, 40, 40, 40], 1.0);
+        check(&[100, 40, 40, 40, 40, 40], &[0, 0, 40, 40, 40, 40], 1.0);
+    }
+
+    #[test]
+    fn what_is_no_number_is_explained_by_nothing() {
+        let answer = ImageAnswer::exact(row(&[GREY; 3]), 1.0, 0);
+        let wrong = Wrong { id: "a".to_owned(), changes: vec![Some([40; 3]); 3] };
+        let nan = Image::from_fn(3, 1, |_, _| DVec3::NAN);
+        assert_eq!(picture(&nan, &answer, &[wrong])["a"], 0.0);
+        assert!(picture(&nan, &answer, &[]).is_empty());
+    }
 }
