@@ -72,7 +72,11 @@ pub struct Edit {
 }
 
 impl Edit {
-    fn make(&self, folder: &Path) -> Result<(), String> {
+    /// Makes it in the submission in `folder`.
+    ///
+    /// # Errors
+    /// A text to search for that does not stand there exactly once, a change that changes nothing, a file that cannot be read or written.
+    pub fn make(&self, folder: &Path) -> Result<(), String> {
         let path = folder.join(&self.file);
         let text = fs::read_to_string(&path).map_err(|why| why.to_string())?;
         let changed = match &self.search {

@@ -2,9 +2,18 @@
 //!
 //! A fixed third of `tests/mutants`, every third by name; `MUTANTS=all` takes them all, and so does `cargo run -p tests --bin judge`.
 
-use tests::bars;
+use std::collections::BTreeSet;
+use std::fs;
+
+use reference::misconceptions;
+use reference::rules::Rules;
 use tests::lab::{Lab, cores};
-use tests::variants::{self, Variant};
+use tests::variants::{self, Edit, Nature, Variant};
+use tests::{bars, files, workspace};
+
+fn all() -> Vec<Variant> {
+    variants::all().unwrap_or_else(|why| panic!("{why}"))
+}
 
 fn third(variants: Vec<Variant>) -> Vec<Variant> {
     match std::env::var_os("MUTANTS") {
@@ -16,18 +25,68 @@ fn third(variants: Vec<Variant>) -> Vec<Variant> {
 #[test]
 fn the_judge_meets_its_bars() {
     let lab = Lab::open(None).unwrap_or_else(|why| panic!("{why}"));
-    let variants = third(variants::all().unwrap_or_else(|why| panic!("{why}")));
-    let trials = lab.try_all(&variants, cores(), &|_| {}).unwrap_or_else(|faults| panic!("{}", faults.join("\n")));
+    let trials = lab.try_all(&third(all()), cores(), &|_| {}).unwrap_or_else(|faults| panic!("{}", faults.join("\n")));
     let faults = bars::faults(&trials);
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
 #[test]
-fn every_edit_fits_and_every_function_has_bugs() {
-    let variants = variants::all().unwrap_or_else(|why| panic!("{why}"));
-    let unfit: Vec<String> = variants.iter().filter_map(|variant| variant.make().err()).collect();
+fn every_edit_fits() {
+    let unfit: Vec<String> = all().iter().filter_map(|variant| variant.make().err()).collect();
     assert!(unfit.is_empty(), "{}", unfit.join("\n"));
-    let n_right = variants.iter().filter(|variant| variant.is_right()).count();
+    let n_right = all().iter().filter(|variant| variant.nature == Nature::Right).count();
     assert!(n_right >= 25, "{n_right} right ways to write it");
-    assert!(variants.len() - n_right >= 120, "{} bugs", variants.len() - n_right);
+    assert!(all().len() - n_right >= 120, "{} bugs", all().len() - n_right);
+}
+
+#[test]
+fn an_edit_that_does_not_fit_is_refused() {
+    let check = |search: Option<&str>, replace: &str, expected: Result<&str, &str>| {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let path = folder.path().join("a.rs");
+        fs::write(&path, "one two two").expect("a file");
+        let edit = Edit { file: "a.rs".to_owned(), search: search.map(str::to_owned), replace: replace.to_owned() };
+        match (edit.make(folder.path()), expected) {
+            (Ok(()), Ok(text)) => assert_eq!(fs::read_to_string(&path).expect("a file"), text),
+            (Err(why), Err(start)) => assert!(why.starts_with(start), "{why}"),
+            (made, _) => panic!("{made:?}, expected {expected:?}"),
+        }
+    };
+    check(Some("one"), "three", Ok("three two two"));
+    check(None, "whole", Ok("whole"));
+    check(Some("two"), "three", Err("the text to search for stands there 2 times, not once: two"));
+    check(Some("four"), "three", Err("the text to search for stands there 0 times"));
+    check(Some("one"), "one", Err("nothing changes"));
+}
+
+/// The functions that students write, by name.
+fn functions() -> BTreeSet<String> {
+    let text = fs::read_to_string(workspace().join("student_template/template.toml")).expect("the list of files");
+    let lists: toml::Table = text.parse().expect("TOML");
+    let paths = lists["student"].as_array().expect("a list").iter();
+    let sources = paths.map(|path| workspace().join("tests/solution").join(path.as_str().expect("a path")));
+    let text: String = sources.map(|path| fs::read_to_string(path).expect("a source file")).collect();
+    text.lines().filter_map(|line| line.strip_prefix("pub fn ")?.split('(').next()).map(str::to_owned).collect()
+}
+
+#[test]
+fn every_function_has_bugs_and_every_rule_is_broken() {
+    let stem = |path: std::path::PathBuf| path.file_stem().expect("a name").to_string_lossy().into_owned();
+    let with_bugs: BTreeSet<String> = files("tests/mutants/wrong", "toml").into_iter().map(stem).collect();
+    assert_eq!(with_bugs, functions());
+    let stages: BTreeSet<String> = files("cases/stages", "toml")
+        .iter()
+        .filter(|path| path.ends_with("stage.toml"))
+        .filter_map(|path| Some(path.parent()?.file_name()?.to_string_lossy().into_owned()))
+        .collect();
+    let known = misconceptions::of(&Rules::LECTURE);
+    let mut rules = BTreeSet::new();
+    for variant in all() {
+        let Nature::Wrong { stage, diagnosis } = &variant.nature else { continue };
+        assert!(stages.contains(stage), "{}: there is no stage {stage}", variant.name);
+        let Some(id) = diagnosis else { continue };
+        let named = known.iter().find(|known| known.id == id);
+        rules.insert(named.unwrap_or_else(|| panic!("{}: no misconception is called {id}", variant.name)).rule);
+    }
+    assert_eq!(rules, (1..=21).collect(), "rules that a bug with a name breaks");
 }
