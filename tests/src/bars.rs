@@ -127,18 +127,17 @@ impl Naming {
         self.n_known - self.misnamed.len()
     }
 
-    fn faults(&self) -> Vec<String> {
-        let mut faults = say("right, but a mistake is named", &self.slandered);
-        if self.n_named() * 100 < self.n_known * RIGHT_NAME {
-            faults.extend(say("called by another name", &self.misnamed));
-        }
-        faults
+    /// What keeps this grader from its bar for names.
+    pub fn faults(&self) -> Vec<String> {
+        let is_enough = self.n_named() * 100 >= self.n_known * RIGHT_NAME;
+        if is_enough { vec![] } else { say("called by another name", &self.misnamed) }
     }
 }
 
-/// Everything that keeps this grader from its bars.
+/// What keeps this grader from its bars for points, and right programs that it calls wrong.
 pub fn faults(trials: &[Trial]) -> Vec<String> {
-    [Tally::of_this_grader(trials).faults(), Naming::of(trials).faults()].concat()
+    let slander = say("right, but a mistake is named", &Naming::of(trials).slandered);
+    [Tally::of_this_grader(trials).faults(), slander].concat()
 }
 
 /// The checks that cost points, by stage: the first few of each.

@@ -80,7 +80,7 @@ fn judge(arguments: &Arguments) -> Result<Vec<String>, String> {
         let text = page::page(&trials, &tools);
         cases::film::replace(out, text.as_bytes()).map_err(|why| format!("{}: {why}", out.display()))?;
     }
-    Ok(bars::faults(&trials))
+    Ok([bars::faults(&trials), naming.faults()].concat())
 }
 
 fn say(trial: &Trial) {
