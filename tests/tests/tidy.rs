@@ -92,6 +92,7 @@ const BANS: &[Ban] = &[
             "grader/src/exercise",
             "grader/src/grade",
             "grader/src/judge",
+            "grader/src/lint",
             "grader/src/main.rs",
             "grader/src/record.rs",
             "grader/src/report",

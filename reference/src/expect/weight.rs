@@ -10,6 +10,8 @@ use cases::glam::DVec3;
 const PLAIN: f64 = 32.0;
 /// What the effect leaves alone weighs, all together, this share of what it changes.
 const REST: f64 = 1.0 / 3.0;
+/// The weight of a pixel that the effect changes plainly.
+const FULL: f64 = u8::MAX as f64;
 /// So many of the most frequent colours are tried as pictures of one colour.
 const COLOURS: usize = 16;
 
@@ -23,8 +25,8 @@ pub(super) fn weights(with: &Image, without: &Image) -> Vec<u8> {
     };
     let changes: Vec<f64> = with.pixels().iter().zip(without.pixels()).map(change).collect();
     let mean = changes.iter().sum::<f64>() / changes.len() as f64;
-    let least = (255.0 * REST * mean).round().max(1.0);
-    changes.iter().map(|change| (255.0 * change).round().max(least) as u8).collect()
+    let least = (FULL * REST * mean).round().max(1.0);
+    changes.iter().map(|change| (FULL * change).round().max(least) as u8).collect()
 }
 
 /// The greatest share that a picture earns that has nothing of the case in it: one of `blanks`, or one colour all over.
