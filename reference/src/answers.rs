@@ -15,7 +15,7 @@ use crate::shapes::{self, Cuboid, Plane, Shear, Solid, Sphere, Square, Triangle}
 use crate::trace::{self, Kernel, Path, Seen};
 use crate::vec3::{Affine, Vec3};
 use crate::watch::Counts;
-use crate::world::{Frame, Material, World};
+use crate::world::{Frame, Material, Search, World};
 
 fn v<T: Real>(v: DVec3) -> Vec3<T> {
     Vec3::of(v)
@@ -113,7 +113,7 @@ fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
             let ray = Lens::<T>::new(rules, camera, *width, *height).eye_ray(rules, (*i, *j), (T::of(0.5), T::of(0.5)));
             Answer::Ray { origin: ray.origin.f64(), direction: ray.direction.f64() }
         }
-        Ask::Nearest { scene, ray } => match World::<T>::new(scene).first(rules, &Ray::of(ray)) {
+        Ask::Nearest { scene, ray } => match World::<T>::with_search(scene, Search::Scan).first(rules, &Ray::of(ray)) {
             Some((object, met)) => Answer::Found { t: met.t.f64(), object },
             None => Answer::Miss(true),
         },
@@ -122,11 +122,11 @@ fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
             let [point, normal, to_viewer] = [*point, *normal, *to_viewer].map(v::<T>);
             let is_inside = *inside;
             let seen = Seen { point, normal, n_geom: normal, to_viewer, is_inside, material: object.material };
-            let world = World::<T>::new(scene);
+            let world = World::<T>::with_search(scene, Search::Scan);
             colour(Kernel::new(&world, rules, scene.effects).shade(&seen, &mut Counts::default()))
         }
         Ask::Shadow { scene, light, point } => {
-            let world = World::<T>::new(scene);
+            let world = World::<T>::with_search(scene, Search::Scan);
             let Some(light) = world.lights.get(*light) else { return no_such("light") };
             let Some((to_light, r)) = light.seen_from(rules, v(*point)) else { return colour(Vec3::<T>::ONE) };
             let kernel = Kernel::new(&world, rules, scene.effects);
@@ -134,7 +134,7 @@ fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
             colour(kernel.shadow(v(*point), n_geom, to_light, r, &mut Counts::default()))
         }
         Ask::Trace { scene, ray, depth } => {
-            let world = World::<T>::new(scene);
+            let world = World::<T>::with_search(scene, Search::Scan);
             let kernel = Kernel::new(&world, rules, scene.effects);
             colour(kernel.trace(&Ray::of(ray), Path::eye(*depth), &mut Counts::default()))
         }

@@ -12,9 +12,9 @@ use rayon::prelude::*;
 use super::{envelope, weight};
 use crate::misconceptions::{self, Misconception};
 use crate::render::{self, Options};
-use crate::rules::{Lecture, Rules};
+use crate::rules::Rules;
 use crate::variations::variations;
-use crate::world::World;
+use crate::world::{Search, World};
 
 /// The stages of a folder, the rules they follow, and the right picture of every case.
 #[derive(Clone, Debug)]
@@ -88,7 +88,9 @@ impl Set {
     /// What each known mistake changes that `answer` would not let pass, by id.
     pub fn mistakes(&self, case: &Case, answer: &ImageAnswer) -> Vec<Wrong> {
         let render = |wrong: &&Misconception| {
-            let image = picture(&case.scene, &wrong.on(&self.rules), case.scene.effects);
+            // A student's loop asks every object, even where a wrong test leaves the bounds that a tree goes by.
+            let world = World::<f64>::with_search(&case.scene, Search::Scan);
+            let image = render::render_by(&world, &wrong.on(&self.rules), &Options::of(&world), |_| {}).0;
             let out = answer.out(&image);
             let count = out.iter().filter(|out| **out).count() as u32;
             let fails = !answer.allows(largest_cluster(&out, image.width()), count);
@@ -104,10 +106,7 @@ impl Set {
 pub fn picture(scene: &Scene, rules: &Rules, effects: Effects) -> Image {
     let world = World::<f64>::new(scene);
     let options = Options { effects, ..Options::of(&world) };
-    if *rules == Rules::LECTURE {
-        return render::render(&world, Lecture, &options, |_| {}).0;
-    }
-    render::render(&world, rules, &options, |_| {}).0
+    render::render_by(&world, rules, &options, |_| {}).0
 }
 
 fn background(scene: &Scene) -> Image {
