@@ -3,6 +3,7 @@
 //! | module | holds |
 //! |---|---|
 //! | [`real`], [`vec3`] | single and double precision from one source |
+//! | [`two`] | two words a number, for what one cannot decide |
 //! | [`rules`], [`misconceptions`] | the rules as a value, and the ways in which they are got wrong |
 //! | [`ray`], [`roots`] | where a ray's interval begins and ends; the one solver of quadratics |
 //! | [`shapes`], [`mesh`] | where a ray meets a shape; no materials |
@@ -32,6 +33,7 @@ pub mod shapes;
 #[cfg(test)]
 mod testing;
 pub mod trace;
+pub mod two;
 pub mod variations;
 pub mod vary;
 pub mod vec3;

@@ -9,8 +9,8 @@ use cases::{Effects, Scene};
 use crate::real::Real;
 use crate::render::{self, Options};
 use crate::rules::{
-    CameraFormula, Epsilon, LightOrder, PlaneFormula, Power, Quadratic, Rules, Snell, Start, Style, ToLight,
-    TriangleFormula,
+    CameraFormula, Epsilon, LightOrder, PlaneFormula, Power, Quadratic, Robustness, Rules, Snell, Start, Style,
+    ToLight, TriangleFormula,
 };
 use crate::world::World;
 
@@ -111,7 +111,12 @@ const NUDGE_SIZES: [f64; 3] = [1e-3, 3e-3, 1e-2];
 /// The ways of computing pictures by the rules `base`, which are a student's to choose: 24 in f64, 24 in f32, and plain f32, the
 /// reference's own formulas rounded. The reference in f64 is not among them.
 pub fn variations(base: &Rules) -> Vec<Variation> {
-    let plain = Variation::new(base, Precision::F32, 1e-4, Style { nudge: [0.0; 2], ..base.style });
+    let plain = Variation::new(
+        base,
+        Precision::F32,
+        1e-4,
+        Style { robustness: Robustness::Plain, nudge: [0.0; 2], ..base.style },
+    );
     let planned = [Precision::F64, Precision::F32].into_iter().flat_map(|precision| {
         PLAN.iter().enumerate().map(move |(n, row)| {
             let (epsilon, style) = planned(precision, n, row);
@@ -126,6 +131,7 @@ fn planned(precision: Precision, n: usize, row: &[usize; 10]) -> (f64, Style) {
     let size = NUDGE_SIZES[n % NUDGE_SIZES.len()];
     let turn = if precision == Precision::F32 { n + NUDGES.len() / 2 } else { n };
     let style = Style {
+        robustness: Robustness::Plain,
         quadratic: Quadratic::ALL[quadratic],
         plane: PlaneFormula::ALL[plane],
         triangle: TriangleFormula::ALL[triangle],

@@ -21,6 +21,13 @@ macro_rules! freedoms {
 }
 
 freedoms! {
+    /// What is done where rounding could decide. [rule 21]
+    Robustness {
+        /// The plain formula where its error bound settles the matter, two words a number where it does not.
+        Certified = "certified",
+        /// The plain formula, whatever it loses.
+        Plain = "plain",
+    }
     /// The roots of sphere, cylinder and cone. [rule 14]
     Quadratic {
         /// The discriminant from the ray's point nearest to the centre, the roots as c/q and q/a.
@@ -102,6 +109,7 @@ freedoms! {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(missing_docs, reason = "each type says what its field decides")]
 pub struct Style {
+    pub robustness: Robustness,
     pub quadratic: Quadratic,
     pub plane: PlaneFormula,
     pub triangle: TriangleFormula,
@@ -118,6 +126,7 @@ pub struct Style {
 impl Style {
     /// The reference's own.
     pub const REFERENCE: Self = Self {
+        robustness: Robustness::Certified,
         quadratic: Quadratic::NearestPoint,
         plane: PlaneFormula::FromFoot,
         triangle: TriangleFormula::Sheared,

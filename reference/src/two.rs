@@ -1,0 +1,272 @@
+//! Numbers in two words of f64, some 106 bits: for what one word cannot decide.
+//!
+//! A value is the unevaluated sum of two words, the second at most half a last place of the first. Relative error of an operation below
+//! 2⁻¹⁰⁰ (Joldes, Muller, Popescu 2017), as long as nothing leaves the range 1e-140 to 1e140: callers scale by powers of two first.
+//! No fused operation is used, so that every machine computes the same bits.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::vec3::Vec3;
+
+/// A sum of terms that is less than this share of the sum of their amounts counts as zero: some hundred roundings in two words.
+pub const DOUBT: f64 = f64::from_bits((1023 - 94) << 52);
+
+/// hi + lo.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Two {
+    hi: f64,
+    lo: f64,
+}
+
+impl Two {
+    /// 0.
+    pub const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
+
+    /// The number itself.
+    #[inline]
+    pub const fn of(x: f64) -> Self {
+        Self { hi: x, lo: 0.0 }
+    }
+
+    /// a + b, exactly (Knuth).
+    #[inline]
+    pub fn sum(a: f64, b: f64) -> Self {
+        let hi = a + b;
+        let of_b = hi - a;
+        Self { hi, lo: (a - (hi - of_b)) + (b - of_b) }
+    }
+
+    /// a b, exactly unless its last digits underflow (Dekker).
+    #[inline]
+    pub fn product(a: f64, b: f64) -> Self {
+        let hi = a * b;
+        let ((a1, a2), (b1, b2)) = (halves(a), halves(b));
+        Self { hi, lo: ((a1 * b1 - hi) + a1 * b2 + a2 * b1) + a2 * b2 }
+    }
+
+    /// The nearest number in one word.
+    #[inline]
+    pub fn f64(self) -> f64 {
+        self.hi
+    }
+
+    /// |x|.
+    #[inline]
+    pub fn abs(self) -> Self {
+        if self.hi < 0.0 { -self } else { self }
+    }
+
+    /// √x; NaN below 0.
+    #[inline]
+    pub fn sqrt(self) -> Self {
+        if self.hi == 0.0 {
+            return Self::ZERO;
+        }
+        let root = self.hi.sqrt();
+        let rest = self - Self::product(root, root);
+        quick_sum(root, rest.hi / (2.0 * root))
+    }
+}
+
+/// The sum of two numbers of which the first is the greater by amount, exactly.
+#[inline]
+fn quick_sum(a: f64, b: f64) -> Two {
+    let hi = a + b;
+    Two { hi, lo: b - (hi - a) }
+}
+
+/// x as the sum of two numbers of 26 bits (Veltkamp).
+#[inline]
+fn halves(x: f64) -> (f64, f64) {
+    let shifted = x * 134_217_729.0; // 2²⁷ + 1
+    let high = shifted - (shifted - x);
+    (high, x - high)
+}
+
+impl From<f64> for Two {
+    fn from(x: f64) -> Self {
+        Self::of(x)
+    }
+}
+
+impl Add for Two {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let (high, low) = (Self::sum(self.hi, other.hi), Self::sum(self.lo, other.lo));
+        let first = quick_sum(high.hi, high.lo + low.hi);
+        quick_sum(first.hi, first.lo + low.lo)
+    }
+}
+
+impl Neg for Two {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        Self { hi: -self.hi, lo: -self.lo }
+    }
+}
+
+impl Sub for Two {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Two {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let whole = Self::product(self.hi, other.hi);
+        quick_sum(whole.hi, whole.lo + (self.hi * other.lo + self.lo * other.hi))
+    }
+}
+
+impl Div for Two {
+    type Output = Self;
+
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        let first = self.hi / other.hi;
+        let rest = self - other * Self::of(first);
+        let second = rest.hi / other.hi;
+        let rest = rest - other * Self::of(second);
+        quick_sum(first, second) + Self::of(rest.hi / other.hi)
+    }
+}
+
+impl PartialOrd for Two {
+    #[inline]
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        match self.hi.partial_cmp(&other.hi)? {
+            std::cmp::Ordering::Equal => self.lo.partial_cmp(&other.lo),
+            decided => Some(decided),
+        }
+    }
+}
+
+/// Three of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Two3 {
+    /// First component.
+    pub x: Two,
+    /// Second component.
+    pub y: Two,
+    /// Third component.
+    pub z: Two,
+}
+
+impl Two3 {
+    /// The vector itself.
+    pub fn of(v: Vec3<f64>) -> Self {
+        Self { x: v.x.into(), y: v.y.into(), z: v.z.into() }
+    }
+
+    /// a − b, exactly.
+    pub fn difference(a: Vec3<f64>, b: Vec3<f64>) -> Self {
+        Self { x: Two::sum(a.x, -b.x), y: Two::sum(a.y, -b.y), z: Two::sum(a.z, -b.z) }
+    }
+
+    /// Σ of the products of components.
+    pub fn dot(self, other: Self) -> Two {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+
+    /// The vector product.
+    pub fn cross(self, other: Self) -> Self {
+        Self {
+            x: self.y * other.z - self.z * other.y,
+            y: self.z * other.x - self.x * other.z,
+            z: self.x * other.y - self.y * other.x,
+        }
+    }
+
+    /// The nearest vector in one word a component.
+    pub fn f64(self) -> Vec3<f64> {
+        Vec3::new(self.x.f64(), self.y.f64(), self.z.f64())
+    }
+}
+
+impl Add for Two3 {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
+    }
+}
+
+impl Sub for Two3 {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
+    }
+}
+
+impl Mul<Two> for Two3 {
+    type Output = Self;
+
+    fn mul(self, scale: Two) -> Self {
+        Self { x: self.x * scale, y: self.y * scale, z: self.z * scale }
+    }
+}
+
+/// The exponent e of the power of two with 2^e ≤ |x| < 2^(e + 1); −1023 for 0 and numbers too small for full precision, 1024 for ∞ and NaN.
+pub fn exponent(x: f64) -> i32 {
+    (x.to_bits() >> 52 & 0x7ff) as i32 - 1023
+}
+
+/// x 2^e; rounded only where the result is too small for full precision, ∞ where it is too great.
+pub fn scaled(x: f64, e: i32) -> f64 {
+    let power = |e: i32| f64::from_bits(((e + 1023) as u64) << 52);
+    let mut rest = e.clamp(-2200, 2200);
+    let mut x = x;
+    while rest != 0 {
+        let step = rest.clamp(-1022, 1023);
+        x *= power(step);
+        rest -= step;
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const U: f64 = f64::EPSILON / 2.0;
+
+    #[test]
+    fn sums_and_products_lose_nothing() {
+        assert_eq!(Two::sum(1.0, U / 4.0), Two { hi: 1.0, lo: U / 4.0 });
+        // (1 + 2u)² = 1 + 4u + 4u²
+        assert_eq!(Two::product(1.0 + 2.0 * U, 1.0 + 2.0 * U), Two { hi: 1.0 + 4.0 * U, lo: 4.0 * U * U });
+        let rest = Two::sum(1e16, 1.0) * Two::of(1e16) - Two::product(1e16, 1e16); // (x + 1) x − x²
+        assert_eq!(rest, Two::of(1e16));
+    }
+
+    #[test]
+    fn quotients_and_roots_come_back() {
+        let third = Two::of(1.0) / Two::of(3.0);
+        assert!((third * Two::of(3.0) - Two::of(1.0)).abs().f64() < DOUBT);
+        let root = Two::of(2.0).sqrt();
+        assert!((root * root - Two::of(2.0)).abs().f64() < DOUBT);
+        assert_eq!(Two::product(3.0, 3.0).sqrt(), Two::of(3.0));
+        assert!(Two::of(-1.0).sqrt().f64().is_nan());
+    }
+
+    #[test]
+    fn scaling_takes_the_exponent_along() {
+        for (x, e) in [(1.5, 0), (-3.0, 1), (0.75, -1), (1e-200, -665), (0.0, -1023), (f64::INFINITY, 1024)] {
+            assert_eq!(exponent(x), e, "{x}");
+        }
+        assert_eq!(scaled(3.0, -1074), f64::from_bits(3));
+        assert_eq!(scaled(f64::from_bits(3), 1074), 3.0);
+        assert_eq!(scaled(1.0, 2000), f64::INFINITY);
+    }
+}
