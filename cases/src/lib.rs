@@ -10,8 +10,8 @@
 //! | [`program`] | `main` of a submission written in Rust |
 //! | [`ray_tree`] | the tree of rays behind a pixel, as text |
 //!
-//! Behind the feature `authoring`, which a student's build leaves off: reading case files, stages, checks and answers, and [`course`], what a
-//! course decides.
+//! Behind the feature `authoring`, which a student's build leaves off: reading case files, stages, checks and answers, [`course`], what a
+//! course decides, and [`front`], what accuracy costs.
 //!
 //! Conventions, once: world space is right-handed; colours are linear RGB; pixel (0, 0) is the top left one; a normal is a
 //! unit vector and points outwards; a matrix named `target_from_source` takes source coordinates to target coordinates.
@@ -25,6 +25,8 @@ pub mod answer;
 pub mod course;
 pub mod effects;
 pub mod film;
+#[cfg(feature = "authoring")]
+pub mod front;
 pub mod maths;
 pub mod probe;
 #[cfg(feature = "authoring")]

@@ -32,3 +32,8 @@ pub fn cos(x: f64) -> f64 {
 pub fn tan(x: f64) -> f64 {
     libm::tan(x)
 }
+
+/// The logarithm to base 10; −∞ of 0, NaN below.
+pub fn log10(x: f64) -> f64 {
+    libm::log10(x)
+}

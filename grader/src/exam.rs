@@ -1,12 +1,14 @@
 //! The questions and their answers, read once and shared by all submissions.
 
 use std::collections::BTreeMap;
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 use cases::answer::{
     CheckAnswer, ImageAnswer, Mistake, check_answers_from_str, check_answers_path, image_answer_path,
     mistakes_from_str, mistakes_path,
 };
+use cases::front::{Fronts, fronts_from_str, fronts_path};
 use cases::stage::{Case, Stage, load_all};
 
 use crate::files;
@@ -20,7 +22,9 @@ pub struct Exam {
     pub stages: Vec<Questions>,
     /// The mistakes that a diagnosis may name, or why there is no such list.
     pub mistakes: Result<Vec<Mistake>, String>,
-    /// Hash of all files in the folder.
+    /// What accuracy costs, if it was measured; or why that cannot be read.
+    pub fronts: Result<Option<Fronts>, String>,
+    /// Hash of all files in the folder that a score depends on.
     pub hash: String,
 }
 
@@ -54,15 +58,20 @@ impl Exam {
     pub fn new(folder: &Path, stages: Vec<Stage>) -> std::io::Result<Self> {
         let hash = hash(folder)?;
         let stages = stages.into_iter().map(|stage| questions(folder, stage)).collect();
-        Ok(Self { folder: folder.to_owned(), stages, mistakes: mistakes(folder), hash })
+        let mistakes = stored("the known mistakes", &mistakes_path(folder), mistakes_from_str);
+        let fronts = match fronts_path(folder) {
+            path if path.exists() => stored("what accuracy costs", &path, fronts_from_str).map(Some),
+            _ => Ok(None),
+        };
+        Ok(Self { folder: folder.to_owned(), stages, mistakes, fronts, hash })
     }
 }
 
-fn mistakes(folder: &Path) -> Result<Vec<Mistake>, String> {
-    let path = mistakes_path(folder);
-    let wrong = |why: &dyn std::fmt::Display| format!("the known mistakes {} cannot be used: {why}", path.display());
-    let text = std::fs::read_to_string(&path).map_err(|why| wrong(&why))?;
-    mistakes_from_str(&text).map_err(|why| wrong(&why))
+/// What lies in the file at `path`.
+fn stored<T, E: Display>(what: &str, path: &Path, parse: impl Fn(&str) -> Result<T, E>) -> Result<T, String> {
+    let wrong = |why: &dyn Display| format!("{what} {} cannot be used: {why}", path.display());
+    let text = std::fs::read_to_string(path).map_err(|why| wrong(&why))?;
+    parse(&text).map_err(|why| wrong(&why))
 }
 
 fn questions(folder: &Path, stage: Stage) -> Questions {
@@ -92,9 +101,11 @@ fn units(folder: &Path, stage: &Stage) -> Result<BTreeMap<String, CheckAnswer>, 
     Ok(answers.into_iter().map(|answer| (answer.id.clone(), answer)).collect())
 }
 
+/// No score depends on what accuracy costs: times differ from machine to machine.
 fn hash(folder: &Path) -> std::io::Result<String> {
     let mut hasher = blake3::Hasher::new();
-    for file in files::below(folder)? {
+    let unscored = fronts_path(folder);
+    for file in files::below(folder)?.into_iter().filter(|file| *file != unscored) {
         let name = file.strip_prefix(folder).unwrap_or(&file);
         let bytes = std::fs::read(&file)?;
         hasher.update(name.as_os_str().as_encoded_bytes()).update(&[0]);

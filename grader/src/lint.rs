@@ -51,6 +51,9 @@ pub fn lint(folder: &Path) -> Found {
     if let Err(why) = &exam.mistakes {
         problems.push(format!("{why} ({HINT})"));
     }
+    if let Err(why) = &exam.fronts {
+        problems.push(format!("{why} (`reference cost --store` measures it anew)"));
+    }
     unknown_files(&exam, &mut problems);
     Found { problems, summary: summary(&exam) }
 }

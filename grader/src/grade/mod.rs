@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 
 use cases::answer::ImageAnswer;
 use cases::film::Image;
+use cases::front::FrontPoint;
 
 use crate::build::{BuildError, Built, Workshop, build};
 use crate::exam::Exam;
@@ -99,6 +100,17 @@ pub struct Pictures {
     pub answer: ImageAnswer,
     /// The program's; `None` where it wrote none that can be read. NaN and infinity may stand in it.
     pub actual: Option<Image>,
+    /// What the reference measured of its own settings; `None` where nothing was.
+    pub front: Option<Front>,
+}
+
+/// What accuracy costs in one case.
+#[derive(Clone, Debug)]
+pub struct Front {
+    /// On which machine it was measured.
+    pub machine: String,
+    /// A setting of the reference each.
+    pub points: Vec<FrontPoint>,
 }
 
 /// Hears how far the work has come. Called from several threads.
@@ -149,7 +161,7 @@ pub fn grade(bench: &Bench, options: &Options, progress: &dyn Progress) -> Resul
         Err(build) => (perform::nothing(&plan, build.finding.as_ref()), build),
     };
     let diagnoses = diagnosis::diagnose(&bench.exam, &plan, &mut answers);
-    let (stages, pictures) = write_up::stages(&plan, answers);
+    let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest };
     Ok(Graded { record: write_up::record(epoch, submission, build, stages, diagnoses), pictures })
 }
@@ -198,7 +210,7 @@ pub fn images(bench: &Bench, folder: &Path, options: &Options) -> Result<Graded,
     let plan = plan.pictures_only();
     let mut answers = perform::review(&plan, folder);
     let diagnoses = diagnosis::diagnose(&bench.exam, &plan, &mut answers);
-    let (stages, pictures) = write_up::stages(&plan, answers);
+    let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest: String::new() };
     let build = Build { verdict: Verdict::Pass, finding: None, warnings: vec![], ignored: vec![], time_s: 0.0 };
     let mut record = write_up::record(bench.epoch()?, submission, build, stages, diagnoses);

@@ -2,9 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use cases::front::FrontPoint;
+
 use super::perform::{Answers, Done};
 use super::plan::{Part, Plan};
-use super::{Pictures, VERSION};
+use super::{Front, Pictures, VERSION};
+use crate::exam::Exam;
 use crate::judge::Judgement;
 use crate::record::{
     Build, CheckKind, CheckRecord, Diagnosis, Record, SCHEMA, Score, StageRecord, Submission, Verdict,
@@ -35,9 +38,15 @@ pub(super) fn record(
 }
 
 /// The stages in order, and both pictures of each image case that has an answer.
-pub(super) fn stages(plan: &Plan, mut answers: Answers) -> (Vec<StageRecord>, BTreeMap<String, Pictures>) {
+pub(super) fn stages(plan: &Plan, mut answers: Answers, exam: &Exam) -> (Vec<StageRecord>, BTreeMap<String, Pictures>) {
     let mut pictures = BTreeMap::new();
     let stages = plan.stages.iter().map(|part| stage(part, &mut answers, &mut pictures)).collect();
+    if let Ok(Some(fronts)) = &exam.fronts {
+        for (id, pictures) in &mut pictures {
+            let front = |points: &Vec<FrontPoint>| Front { machine: fronts.machine.clone(), points: points.clone() };
+            pictures.front = fronts.cases.get(id).map(front);
+        }
+    }
     (stages, pictures)
 }
 
@@ -48,7 +57,7 @@ fn stage(part: &Part, answers: &mut Answers, pictures: &mut BTreeMap<String, Pic
         let mut done = take(answers, &case.id);
         if let Some(Ok(answer)) = part.questions.images.get(&case.id) {
             let (answer, actual) = (answer.clone(), done.picture.take());
-            pictures.insert(case.id.clone(), Pictures { answer, actual });
+            pictures.insert(case.id.clone(), Pictures { answer, actual, front: None });
         }
         checks.push(check(&case.id, CheckKind::Image, (&case.about, &case.rules), case.points, done));
     }

@@ -2,9 +2,10 @@
 
 use cases::answer::{ImageAnswer, Mistake};
 use cases::film::Image;
+use cases::front::FrontPoint;
 use cases::glam::DVec3;
 
-use crate::grade::{Graded, Pictures};
+use crate::grade::{Front, Graded, Pictures};
 use crate::record::*;
 
 /// Runs a script wherever it is not escaped, hides what follows and turns the reading direction.
@@ -39,7 +40,9 @@ pub(crate) fn pictures(has_actual: bool, extra: impl Fn(u32) -> DVec3) -> Pictur
     let mut answer = ImageAnswer::exact(expected, 2.0, 96);
     answer.hi[160 * 5 + 3] = [212; 3]; // contested
     answer.weight[..160].fill(0);
-    Pictures { answer, actual }
+    let point = |setting: &str, time_s, rmse_levels| FrontPoint { setting: setting.to_owned(), time_s, rmse_levels };
+    let points = vec![point("f32 <plain>", 0.002, 0.5), point("f64", 0.004, 0.0), point("f64, depth 9", 0.05, 0.0)];
+    Pictures { answer, actual, front: Some(Front { machine: "two <cores>".to_owned(), points }) }
 }
 
 pub(crate) fn record(name: &str) -> Record {

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `view.rs` | the record turned into what the template shows |
 //! | `diff.rs` | two texts, line by line |
+//! | `front.rs` | time and error among those of the reference |
 //! | `picture.rs` | pictures as data URIs |
 //! | `page.rs` | the template engine, the policy that lets only our script run |
 //! | `submission.html`, `submission.js`, `../style.css` | how it looks and moves |
@@ -18,6 +19,7 @@ use crate::files;
 use crate::grade::Graded;
 
 mod diff;
+mod front;
 pub(super) mod page;
 mod picture;
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use cases::answer::Mistake;
 use serde::Serialize;
 
-use super::{diff, picture};
+use super::{diff, front, picture};
 use crate::grade::{Graded, Pictures};
 use crate::plain::shown;
 use crate::record::{
@@ -97,6 +97,7 @@ struct Check {
     megabytes: Option<String>,
     finding: Option<FindingView>,
     pictures: Option<PicturesView>,
+    front: Option<front::FrontView>,
 }
 
 #[derive(Serialize)]
@@ -221,6 +222,7 @@ fn check(record: &Record, check: &CheckRecord, pictures: Option<&Pictures>) -> C
         megabytes: (check.peak_bytes > 0).then(|| format!("{:.0} MB", check.peak_bytes as f64 / 1e6)),
         finding: check.finding.as_ref().map(|one| finding(Some(record), one)),
         pictures: pictures.map(|pictures| both(pictures, check.finding.is_some())),
+        front: pictures.and_then(|pictures| front::view(pictures, check.time_s)),
     }
 }
 
@@ -247,7 +249,7 @@ fn finding(record: Option<&Record>, finding: &Finding) -> FindingView {
 
 /// `is_explained`: what is allowed in each pixel is stored too.
 fn both(pictures: &Pictures, is_explained: bool) -> PicturesView {
-    let Pictures { answer, actual } = pictures;
+    let Pictures { answer, actual, .. } = pictures;
     let expected = &answer.expected;
     let same_size = |one: &&cases::film::Image| (one.width(), one.height()) == (expected.width(), expected.height());
     let actual = actual.as_ref().filter(same_size).map(|actual| Actual {
@@ -282,6 +284,6 @@ fn class(verdict: Verdict) -> &'static str {
     }
 }
 
-fn seconds(time_s: f64) -> String {
+pub(super) fn seconds(time_s: f64) -> String {
     if time_s < 0.0995 { format!("{:.0} ms", time_s * 1e3) } else { format!("{time_s:.1} s") }
 }

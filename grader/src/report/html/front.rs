@@ -1,0 +1,129 @@
+//! The student's time and error among what the reference measured of its own settings: a small plot, both axes logarithmic.
+
+use cases::front::{FrontPoint, on_front, rmse_levels};
+use cases::maths;
+use serde::Serialize;
+
+use super::view::seconds;
+use crate::grade::Pictures;
+use crate::plain::shown;
+
+/// Inner size of the plot; `submission.html` draws margins around it.
+const WIDTH: f64 = 300.0;
+const HEIGHT: f64 = 110.0;
+/// Below this many levels an error is drawn as none, on the lowest line.
+const LEAST: f64 = 1e-3;
+/// The greatest error there is.
+const MOST: f64 = 255.0;
+
+/// What the template draws; places in pixels from the top left of the plot.
+#[derive(Serialize)]
+pub(super) struct FrontView {
+    width: f64,
+    height: f64,
+    points: Vec<Mark>,
+    /// The front as a list of places.
+    line: String,
+    yours: Mark,
+    x_ticks: Vec<Tick>,
+    y_ticks: Vec<Tick>,
+    sentence: String,
+    machine: String,
+}
+
+#[derive(Serialize)]
+struct Mark {
+    x: String,
+    y: String,
+    is_on_front: bool,
+    title: String,
+}
+
+#[derive(Serialize)]
+struct Tick {
+    at: String,
+    label: String,
+}
+
+/// `None` where nothing was measured of the case, or there is no picture of its size.
+pub(super) fn view(pictures: &Pictures, time_s: f64) -> Option<FrontView> {
+    let (expected, actual) = (&pictures.answer.expected, pictures.actual.as_ref()?);
+    let front = pictures.front.as_ref()?;
+    let same_size = (actual.width(), actual.height()) == (expected.width(), expected.height());
+    if !same_size || front.points.is_empty() || time_s <= 0.0 {
+        return None;
+    }
+    let yours = FrontPoint { setting: "yours".to_owned(), time_s, rmse_levels: rmse_levels(expected, actual) };
+    let times = || front.points.iter().chain([&yours]).map(|point| point.time_s);
+    let (least, most) = (times().fold(f64::INFINITY, f64::min), times().fold(0.0, f64::max));
+    let decades = decades(least, most);
+    let at = |point: &FrontPoint| (along(point.time_s, decades) * WIDTH, down(point.rmse_levels) * HEIGHT);
+    let mark = |point: &FrontPoint, is_on_front: bool| {
+        let (x, y) = at(point);
+        let title = format!("{}: {}, {}", shown(&point.setting), seconds(point.time_s), error(point.rmse_levels));
+        Mark { x: place(x), y: place(y), is_on_front, title }
+    };
+    let is_front = on_front(&front.points);
+    let mut line: Vec<(f64, f64)> =
+        front.points.iter().zip(&is_front).filter(|(_, is)| **is).map(|(p, _)| at(p)).collect();
+    line.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let sentence = sentence(&yours, &front.points, &is_front);
+    Some(FrontView {
+        width: WIDTH,
+        height: HEIGHT,
+        points: front.points.iter().zip(is_front).map(|(point, is)| mark(point, is)).collect(),
+        line: line.iter().map(|(x, y)| format!("{},{}", place(*x), place(*y))).collect::<Vec<_>>().join(" "),
+        yours: mark(&yours, false),
+        x_ticks: (decades.0..=decades.1).map(|n| tick(along(power(n), decades) * WIDTH, seconds(power(n)))).collect(),
+        y_ticks: [0.0, 0.01, 1.0, 100.0].map(|error| tick(down(error) * HEIGHT, error.to_string())).into(),
+        sentence,
+        machine: shown(&front.machine),
+    })
+}
+
+/// What the plot says, in words: the student's point, and the quickest setting of the reference that is exact.
+fn sentence(yours: &FrontPoint, points: &[FrontPoint], is_front: &[bool]) -> String {
+    let best = points.iter().zip(is_front).filter(|(_, is)| **is).map(|(point, _)| point);
+    let best = best.min_by(|a, b| a.rmse_levels.total_cmp(&b.rmse_levels));
+    let of_best = best.map_or(String::new(), |best| {
+        format!(
+            "; the reference by its most exact setting ({}) {}, {}",
+            shown(&best.setting),
+            seconds(best.time_s),
+            error(best.rmse_levels)
+        )
+    });
+    format!("Yours took {}, its start included, {}{of_best}.", seconds(yours.time_s), error(yours.rmse_levels))
+}
+
+fn error(rmse_levels: f64) -> String {
+    if rmse_levels == 0.0 { "without error".to_owned() } else { format!("{rmse_levels:.2} levels off (RMSE)") }
+}
+
+/// The powers of ten around the times.
+fn decades(least: f64, most: f64) -> (i32, i32) {
+    let (low, high) = (maths::log10(least).floor() as i32, maths::log10(most).ceil() as i32);
+    (low, high.max(low + 1))
+}
+
+fn power(n: i32) -> f64 {
+    maths::pow(10.0, f64::from(n))
+}
+
+/// The share of the width at which a time lies.
+fn along(time_s: f64, (first, last): (i32, i32)) -> f64 {
+    (maths::log10(time_s) - f64::from(first)) / f64::from(last - first)
+}
+
+/// The share of the height at which an error lies; the greatest is at the top.
+fn down(rmse_levels: f64) -> f64 {
+    maths::log10(MOST / rmse_levels.clamp(LEAST, MOST)) / maths::log10(MOST / LEAST)
+}
+
+fn place(x: f64) -> String {
+    format!("{x:.1}")
+}
+
+fn tick(at: f64, label: String) -> Tick {
+    Tick { at: place(at), label }
+}
