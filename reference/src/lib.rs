@@ -12,6 +12,7 @@
 //! | [`trace`], [`render`], [`watch`] | the kernel, pictures, and who looks on |
 //! | [`variations`] | other ways of computing the same pictures |
 //! | [`vary`] | other cases of the same kind, for hidden sets |
+//! | [`hard`] | questions that are hard for floats, and an oracle that answers them exactly |
 
 pub mod answers;
 pub mod bounds;
@@ -19,6 +20,7 @@ pub mod bvh;
 pub mod camera;
 pub mod cli;
 pub mod expect;
+pub mod hard;
 pub mod lights;
 pub mod mesh;
 pub mod misconceptions;
@@ -30,6 +32,7 @@ pub mod roots;
 pub mod rules;
 pub mod shade;
 pub mod shapes;
+mod stream;
 #[cfg(test)]
 mod testing;
 pub mod trace;

@@ -18,6 +18,12 @@ pub struct Ray<T> {
 }
 
 impl<T: Real> Ray<T> {
+    /// The whole ray, over 0 < t < ∞, whatever the rules say of its beginning.
+    #[inline(always)]
+    pub fn all_of(origin: Vec3<T>, direction: Vec3<T>) -> Self {
+        Self { origin, direction, t_min: T::ZERO, t_max: T::INFINITY }
+    }
+
     /// The ray that leaves `origin`, which lies on no surface: over RAY_EPSILON < t < ∞, or over 0 < t < ∞ where the style moves
     /// origins off surfaces. [rule 2] [rule 21]
     #[inline(always)]

@@ -4,7 +4,7 @@ use std::fmt;
 
 use toml_edit::Value;
 
-use super::stream::Stream;
+use crate::stream::Stream;
 
 /// A bound allows at least this many moves to either side.
 const LEAST_MOVES: f64 = 20.0;

@@ -7,7 +7,7 @@ use glam::DVec3;
 use toml_edit::{Array, DocumentMut, Item, TableLike, Value};
 
 use super::decimal::Decimal;
-use super::stream::Stream;
+use crate::stream::Stream;
 
 /// The keys of `[vary]` that move something, with how many numbers each has moved.
 pub(super) type Moved = BTreeMap<&'static str, usize>;

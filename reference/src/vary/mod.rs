@@ -8,7 +8,6 @@ mod assets;
 mod decimal;
 mod edit;
 pub mod folder;
-mod stream;
 
 use std::path::{Path, PathBuf};
 
@@ -16,10 +15,10 @@ use cases::stage::{self, Bounds, Case};
 use toml_edit::DocumentMut;
 
 use crate::expect::Set;
+use crate::stream::Stream;
 pub use accept::Care;
 use accept::{Measured, Refusal, Shows};
 pub use assets::{Asset, take_along};
-use stream::Stream;
 
 /// So many draws that will not do are enough: the bounds are too wide.
 pub const MOST_DRAWS: u32 = 50;

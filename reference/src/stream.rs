@@ -1,14 +1,14 @@
-//! Random numbers that are the same on every machine: SplitMix64, a stream for each seed and case.
+//! Random numbers that are the same on every machine: SplitMix64, a stream for each seed and name.
 
 /// What is drawn from.
 #[derive(Clone, Debug)]
-pub(super) struct Stream(u64);
+pub(crate) struct Stream(u64);
 
 impl Stream {
-    /// The stream of a case under a seed; that of one case depends on no other.
-    pub(super) fn new(seed: u64, case: &str) -> Self {
+    /// The stream of a name (of a case, of a family) under a seed; that of one depends on no other.
+    pub(crate) fn new(seed: u64, name: &str) -> Self {
         // FNV-1a of the name, so that neighbouring seeds of one case and equal seeds of two have nothing to do with each other.
-        let name = case
+        let name = name
             .bytes()
             .fold(0xCBF2_9CE4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3));
         Self(Self(seed).next() ^ name)
@@ -22,8 +22,14 @@ impl Stream {
         mixed ^ (mixed >> 31)
     }
 
+    /// A number of [0, 1), all 2⁵³ equally far apart.
+    pub(crate) fn unit(&mut self) -> f64 {
+        const STEP: f64 = 1.0 / (1u64 << 53) as f64;
+        (self.next() >> 11) as f64 * STEP
+    }
+
     /// A whole number from −`most` to `most`, each as likely as any other but for one part in 2⁴⁰.
-    pub(super) fn within(&mut self, most: u32) -> i64 {
+    pub(crate) fn within(&mut self, most: u32) -> i64 {
         let n_values = 2 * u128::from(most) + 1;
         let drawn = (u128::from(self.next()) * n_values) >> 64;
         drawn as i64 - i64::from(most)

@@ -1,0 +1,305 @@
+//! The right answer to a question: decisions by exact arithmetic on its numbers as they stand, values to some 190 bits.
+//!
+//! Borders belong to the shapes [D3]; a touching line meets a sphere once; exactly at the critical angle a ray is transmitted [D14]. What is
+//! never met: a plane along the line, a triangle without area or edge on, the side of a cone by a line within it.
+
+use super::evaluate::Found;
+use super::exact::{Exact, Exact3, cross, dot, exact3, minus, plus, times, unit};
+use super::oracle_round;
+use super::question::{Line, Question};
+
+/// A line and a number in exact arithmetic.
+pub(super) struct ExactLine {
+    pub(super) origin: Exact3,
+    pub(super) direction: Exact3,
+}
+
+impl ExactLine {
+    pub(super) fn of(line: &Line) -> Self {
+        Self { origin: exact3(line.origin), direction: exact3(line.direction) }
+    }
+
+    /// The point at `t`.
+    pub(super) fn at(&self, t: &Exact) -> Exact3 {
+        plus(&self.origin, &times(&self.direction, t))
+    }
+}
+
+/// The right answer; a miss, total internal reflection and a matrix without inverse are `None`. The normal at the centre of a sphere without
+/// radius is left open.
+pub fn right(question: &Question) -> Option<Found<Exact>> {
+    match *question {
+        Question::Sphere { line, center, radius } => {
+            let line = ExactLine::of(&line);
+            let from_center = minus(&line.origin, &exact3(center));
+            let t = sphere(&from_center, &line.direction, &Exact::of(radius))?;
+            if radius == 0.0 {
+                return Some(Found::at(t));
+            }
+            let normal = unit(&plus(&from_center, &times(&line.direction, &t)));
+            Some(Found::hit(t, normal))
+        }
+        Question::Plane { line, normal, k } => {
+            plane(&ExactLine::of(&line), &exact3(normal), &Exact::of(k)).map(Found::at)
+        }
+        Question::Square { line } => square(&ExactLine::of(&line)),
+        Question::Cuboid { line, min, max } => cuboid(&ExactLine::of(&line), &exact3(min), &exact3(max)),
+        Question::Round { line, radii, ends, is_capped } => {
+            oracle_round::round(&ExactLine::of(&line), &radii.map(Exact::of), &ends.map(Exact::of), is_capped)
+        }
+        Question::Triangle { line, corners } => triangle(&ExactLine::of(&line), &corners.map(exact3)),
+        Question::TransformedSphere { line, rows, translation } => {
+            transformed_sphere(&ExactLine::of(&line), &rows.map(exact3), &exact3(translation))
+        }
+        Question::Reflect { direction, normal } => Some(reflect(&exact3(direction), &exact3(normal))),
+        Question::Refract { direction, normal, eta_i, eta_t } => {
+            refract(&exact3(direction), &exact3(normal), &Exact::of(eta_i), &Exact::of(eta_t))
+        }
+        Question::Normal { rows, normal } => {
+            let cofactors = cofactors(&rows.map(exact3));
+            let sign = dot(&exact3(rows[0]), &cofactors[0]).sign();
+            (sign != 0).then(|| Found::direction(unit(&turned(&cofactors, &exact3(normal), sign))))
+        }
+    }
+}
+
+/// t of the sphere about the origin; `from` is where the line starts.
+fn sphere(from: &Exact3, direction: &Exact3, radius: &Exact) -> Option<Exact> {
+    let (a, b) = (dot(direction, direction), -&dot(from, direction));
+    let c = &dot(from, from) - &radius.squared();
+    let disc = &b.squared() - &(&a * &c);
+    if a.sign() == 0 || disc.sign() < 0 || (c.sign() >= 0 && b.sign() <= 0) {
+        return None;
+    }
+    let root = disc.sqrt();
+    let is_near = c.sign() > 0;
+    Some(match (is_near, b.sign() < 0) {
+        (true, _) => c.over(&(&b + &root)),
+        (false, false) => (&b + &root).over(&a),
+        (false, true) => c.over(&(&b - &root)),
+    })
+}
+
+fn plane(line: &ExactLine, normal: &Exact3, k: &Exact) -> Option<Exact> {
+    let slope = dot(normal, &line.direction);
+    let rest = k - &dot(normal, &line.origin);
+    (slope.sign() * rest.sign() > 0).then(|| rest.over(&slope))
+}
+
+fn square(line: &ExactLine) -> Option<Found<Exact>> {
+    let (o, d) = (&line.origin, &line.direction);
+    if o[2].sign() * d[2].sign() >= 0 {
+        return None;
+    }
+    let half = Exact::of(0.5);
+    let is_within = |n: usize| {
+        let at = &(&o[n] * &d[2]) - &(&o[2] * &d[n]); // the coordinate, times d_z
+        let reach = (&half * &d[2]).squared();
+        at.squared() <= reach
+    };
+    (is_within(0) && is_within(1)).then(|| Found::at((-&o[2]).over(&d[2])))
+}
+
+/// A parameter as a quotient whose divisor is positive.
+struct Quotient(Exact, Exact);
+
+impl Quotient {
+    fn of(rest: &Exact, along: &Exact) -> Self {
+        if along.sign() < 0 { Self(-rest, -along) } else { Self(rest.clone(), along.clone()) }
+    }
+
+    fn is_less(&self, other: &Self) -> bool {
+        &self.0 * &other.1 < &other.0 * &self.1
+    }
+}
+
+fn cuboid(line: &ExactLine, min: &Exact3, max: &Exact3) -> Option<Found<Exact>> {
+    let (mut enter, mut leave): (Option<(Quotient, _)>, Option<(Quotient, _)>) = (None, None);
+    for axis in 0..3 {
+        let (from, along) = (&line.origin[axis], &line.direction[axis]);
+        if along.sign() == 0 {
+            if from < &min[axis] || from > &max[axis] {
+                return None;
+            }
+            continue;
+        }
+        let side = |is_max: bool| {
+            let face = if is_max { &max[axis] } else { &min[axis] };
+            let normal = std::array::from_fn(|n| match (n == axis, is_max) {
+                (false, _) => Exact::ZERO,
+                (true, is_max) => Exact::of(if is_max { 1.0 } else { -1.0 }),
+            });
+            (Quotient::of(&(face - from), along), normal)
+        };
+        let (first, last) = (side(along.sign() < 0), side(along.sign() > 0));
+        enter = match enter {
+            Some(known) if !known.0.is_less(&first.0) => Some(known),
+            _ => Some(first),
+        };
+        leave = match leave {
+            Some(known) if !last.0.is_less(&known.0) => Some(known),
+            _ => Some(last),
+        };
+    }
+    let (enter, leave) = (enter?, leave?);
+    if leave.0.is_less(&enter.0) {
+        return None;
+    }
+    let (t, normal) = [enter, leave].into_iter().find(|(t, _)| t.0.sign() > 0)?;
+    Some(Found::hit(t.0.over(&t.1), normal))
+}
+
+fn triangle(line: &ExactLine, corners: &[Exact3; 3]) -> Option<Found<Exact>> {
+    let [a, b, c] = corners;
+    let normal = cross(&minus(b, a), &minus(c, a));
+    let slope = dot(&normal, &line.direction);
+    let rest = dot(&normal, &minus(a, &line.origin));
+    if slope.sign() * rest.sign() <= 0 {
+        return None;
+    }
+    let [a, b, c] = [a, b, c].map(|corner| minus(corner, &line.origin));
+    let volume = |p: &Exact3, q: &Exact3| dot(&line.direction, &cross(p, q));
+    let volumes = [volume(&b, &c), volume(&c, &a), volume(&a, &b)];
+    if volumes.iter().any(|v| v.sign() * slope.sign() < 0) {
+        return None;
+    }
+    let weights = volumes.map(|v| v.over(&slope)); // their sum is N·d
+    Some(Found { weights: Some(weights), ..Found::hit(rest.over(&slope), unit(&normal)) })
+}
+
+/// The rows of the matrix of cofactors, det A · A⁻ᵀ.
+fn cofactors(rows: &[Exact3; 3]) -> [Exact3; 3] {
+    let [x, y, z] = rows;
+    [cross(y, z), cross(z, x), cross(x, y)]
+}
+
+fn turned(cofactors: &[Exact3; 3], normal: &Exact3, sign: i32) -> Exact3 {
+    std::array::from_fn(|n| {
+        let along = dot(&cofactors[n], normal);
+        if sign < 0 { -&along } else { along }
+    })
+}
+
+/// With f = A⁻¹(O − t) and d′ = A⁻¹ d all is multiplied by det A, which changes no root: a sphere of radius |det A|/2.
+fn transformed_sphere(line: &ExactLine, rows: &[Exact3; 3], translation: &Exact3) -> Option<Found<Exact>> {
+    let cofactors = cofactors(rows);
+    let det = dot(&rows[0], &cofactors[0]);
+    if det.sign() == 0 {
+        return None;
+    }
+    let adjugate = |v: &Exact3| -> Exact3 {
+        std::array::from_fn(|n| {
+            &(&(&cofactors[0][n] * &v[0]) + &(&cofactors[1][n] * &v[1])) + &(&cofactors[2][n] * &v[2])
+        })
+    };
+    let (from, direction) = (adjugate(&minus(&line.origin, translation)), adjugate(&line.direction));
+    let t = sphere(&from, &direction, &det.clone().scaled(-1))?;
+    let normal = plus(&from, &times(&direction, &t)); // times det A, as the cofactors are
+    Some(Found::hit(t, unit(&turned(&cofactors, &normal, 1))))
+}
+
+fn reflect(direction: &Exact3, normal: &Exact3) -> Found<Exact> {
+    let twice = dot(direction, normal).scaled(1).over(&dot(normal, normal));
+    Found::direction(minus(direction, &times(normal, &twice)))
+}
+
+/// For the unit vectors along `direction` and `normal`: all lengths are multiplied by w = ‖d‖ ‖N‖.
+fn refract(direction: &Exact3, normal: &Exact3, eta_i: &Exact, eta_t: &Exact) -> Option<Found<Exact>> {
+    let (d_squared, n_squared) = (dot(direction, direction), dot(normal, normal));
+    let w_squared = &d_squared * &n_squared;
+    let cos_i = -&dot(direction, normal); // times w
+    let square = &(&(&eta_t.squared() - &eta_i.squared()) * &w_squared) + &(eta_i * &cos_i).squared();
+    if square.sign() < 0 {
+        return None;
+    }
+    let d_length = d_squared.sqrt();
+    let along_d = eta_i.over(&(eta_t * &d_length));
+    let across = &(eta_i * &cos_i) - &square.sqrt(); // times w η_t
+    let along_n = across.over(&(&(eta_t * &d_length) * &n_squared));
+    Some(Found::direction(plus(&times(direction, &along_d), &times(normal, &along_n))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(question: Question, t: Option<f64>) {
+        let found = right(&question).map(|found| found.t.expect("a parameter").f64());
+        assert_eq!(found, t, "{question:?}");
+    }
+
+    const fn line(origin: [f64; 3], direction: [f64; 3]) -> Line {
+        Line { origin, direction }
+    }
+
+    #[test]
+    fn spheres_are_decided_to_the_last_place() {
+        let sphere = |x: f64| {
+            let line = line([x, 0.0, -5.0], [0.0, 0.0, 1.0]);
+            Question::Sphere { line, center: [0.0; 3], radius: 1.0 }
+        };
+        check(sphere(1.0), Some(5.0));
+        check(sphere(1.0f64.next_up()), None);
+        check(sphere(0.6), right(&sphere(0.6)).and_then(|f| f.t).map(|t| t.f64())); // 0.6 is not 3/5: near 4.2
+        let within = line([0.0, 0.0, 0.5], [0.0, 0.0, -2.0]);
+        check(Question::Sphere { line: within, center: [0.0; 3], radius: 1.0 }, Some(0.75));
+        let on_it = line([0.0, 0.0, 1.0], [0.0, 0.0, -1.0]);
+        check(Question::Sphere { line: on_it, center: [0.0; 3], radius: 1.0 }, Some(2.0));
+        let leaving = line([0.0, 0.0, 1.0], [0.0, 0.0, 1.0]);
+        check(Question::Sphere { line: leaving, center: [0.0; 3], radius: 1.0 }, None);
+    }
+
+    #[test]
+    fn flat_shapes_have_closed_borders() {
+        check(Question::Square { line: line([0.5, -0.5, 2.0], [0.0, 0.0, -1.0]) }, Some(2.0));
+        check(Question::Square { line: line([0.5f64.next_up(), -0.5, 2.0], [0.0, 0.0, -1.0]) }, None);
+        check(Question::Square { line: line([0.0, 0.0, 0.0], [1.0, 0.0, 0.0]) }, None);
+        let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        check(Question::Triangle { line: line([0.5, 0.5, 1.0], [0.0, 0.0, -1.0]), corners }, Some(1.0));
+        check(Question::Triangle { line: line([0.5, 0.5f64.next_up(), 1.0], [0.0, 0.0, -1.0]), corners }, None);
+        check(Question::Triangle { line: line([0.0, 0.0, -1.0], [0.0, 0.0, 0.5]), corners }, Some(2.0));
+        check(Question::Plane { line: line([0.0; 3], [0.0, 1.0, 0.0]), normal: [0.6, 0.8, 0.0], k: 2.0 }, Some(2.5));
+    }
+
+    #[test]
+    fn boxes_are_met_at_the_lower_axis() {
+        let (min, max) = ([0.0; 3], [1.0, 2.0, 3.0]);
+        let edge = Question::Cuboid { line: line([-1.0, -1.0, 1.0], [1.0, 1.0, 0.0]), min, max };
+        check(edge, Some(1.0));
+        let normal = right(&edge).and_then(|found| found.vector).map(|n| n.map(|x| x.f64()));
+        assert_eq!(normal, Some([-1.0, 0.0, 0.0]));
+        check(Question::Cuboid { line: line([-1.0, 2.0, 1.0], [1.0, -0.0, 0.0]), min, max }, Some(1.0));
+        check(Question::Cuboid { line: line([0.5, 1.0, 1.0], [0.0, -2.0, 0.0]), min, max }, Some(0.5));
+    }
+
+    #[test]
+    fn directions_are_those_of_the_paper() {
+        let found = |question| right(&question).and_then(|found| found.vector).map(|v| v.map(|x| x.f64()));
+        let direction = [3.0, -4.0, 0.0];
+        assert_eq!(found(Question::Reflect { direction, normal: [0.0, 2.0, 0.0] }), Some([3.0, 4.0, 0.0]));
+        // sin 3/5 becomes sin 4/5 · 3/4 … η = 4/3: sin θ_t = 4/5
+        let bent = found(Question::Refract { direction, normal: [0.0, 2.0, 0.0], eta_i: 4.0, eta_t: 3.0 }).expect("T");
+        assert!((bent[0] - 0.8).abs() < 1e-16 && (bent[1] + 0.6).abs() < 1e-16, "{bent:?}");
+        let steep = Question::Refract { direction: [4.0, -3.0, 0.0], normal: [0.0, 1.0, 0.0], eta_i: 5.0, eta_t: 4.0 };
+        assert_eq!(found(steep), Some([1.0, 0.0, 0.0]), "exactly critical");
+        let mirrored =
+            Question::Normal { rows: [[-2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], normal: [1.0, 0.0, 0.0] };
+        assert_eq!(found(mirrored), Some([-1.0, 0.0, 0.0]));
+        let flat =
+            Question::Normal { rows: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]], normal: [1.0, 0.0, 0.0] };
+        assert_eq!(found(flat), None);
+    }
+
+    #[test]
+    fn a_moved_sphere_is_met_where_it_is() {
+        let rows = [[2.0, 0.0, 0.0], [0.0, -2.0, 0.0], [0.0, 0.0, 8.0]];
+        let question = Question::TransformedSphere {
+            line: line([1.0, 0.0, -9.0], [0.0, 0.0, 1.0]),
+            rows,
+            translation: [1.0, 0.0, 0.0],
+        };
+        check(question, Some(5.0));
+        let normal = right(&question).and_then(|found| found.vector).map(|n| n.map(|x| x.f64()));
+        assert_eq!(normal, Some([0.0, 0.0, -1.0]));
+    }
+}

@@ -1,0 +1,195 @@
+//! Many questions of a family put to the reference, and what came back against the oracle.
+
+use rayon::prelude::*;
+
+use super::draws::Draws;
+use super::evaluate::{Found, Reply, evaluate};
+use super::exact::Exact;
+use super::families::Family;
+use super::oracle::right;
+use super::question::Question;
+use crate::real::Real;
+use crate::rules::RuleSource;
+
+/// A parameter that is off by more than this share is another meeting, not a rough one.
+const ELSEWHERE: f64 = 0.1;
+/// Questions with one stream of numbers; what is counted does not depend on who counts which.
+const CHUNK: u64 = 1000;
+
+/// How an answer compares with the right one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Comparison {
+    /// The same decision: the relative errors of t, and of the direction or the weights. 0 where there is none.
+    Same {
+        /// Of t.
+        t: f64,
+        /// Of normal or direction, as a vector, and of (α, β, γ), against 1.
+        vector: f64,
+    },
+    /// A meeting where there is none.
+    FalseHit,
+    /// None where there is one.
+    FalseMiss,
+    /// A meeting, but another one.
+    Elsewhere,
+    /// Something that is no number.
+    NotANumber,
+}
+
+/// What came of so many questions.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tally {
+    /// Questions.
+    pub n: u64,
+    /// Questions whose right answer is no miss.
+    pub n_hits: u64,
+    /// Hits where there is none, and not within a rounding of an input either.
+    pub false_hits: u64,
+    /// Misses where there is a hit, likewise.
+    pub false_misses: u64,
+    /// Hits at another place, likewise.
+    pub elsewhere: u64,
+    /// Answers with NaN.
+    pub not_a_number: u64,
+    /// Wrong decisions that are right for a question with one number moved to its neighbour: no formula is to blame.
+    pub doubtful: u64,
+    /// The greatest relative error of t among right decisions.
+    pub max_t: f64,
+    /// The greatest error of a normal or direction, or of (α, β, γ), likewise.
+    pub max_vector: f64,
+    /// The first question that was decided wrongly.
+    pub first_wrong: Option<Question>,
+    /// The question with the greatest error.
+    pub worst: Option<Question>,
+}
+
+impl Tally {
+    /// Answers that no rounding of the question excuses.
+    pub fn wrong(&self) -> u64 {
+        self.false_hits + self.false_misses + self.elsewhere + self.not_a_number
+    }
+
+    /// The greatest relative error of any number.
+    pub fn max_error(&self) -> f64 {
+        self.max_t.max(self.max_vector)
+    }
+
+    /// The greatest relative error in units of `T`'s last place at 1.
+    pub fn ulps<T: Real>(&self) -> f64 {
+        self.max_error() / T::ULP.f64()
+    }
+
+    /// This tally with another question in it.
+    fn with<T: Real>(mut self, question: &Question, reply: &Reply) -> Self {
+        let right = right(question);
+        self.n += 1;
+        self.n_hits += u64::from(right.is_some());
+        let comparison = compare::<T>(&right, reply);
+        if let Comparison::Same { t, vector } = comparison {
+            if t.max(vector) > self.max_error() {
+                self.worst = Some(*question);
+            }
+            (self.max_t, self.max_vector) = (self.max_t.max(t), self.max_vector.max(vector));
+        } else if comparison != Comparison::NotANumber && is_excused::<T>(question, reply) {
+            self.doubtful += 1;
+        } else {
+            self.first_wrong = self.first_wrong.or(Some(*question));
+            *match comparison {
+                Comparison::FalseHit => &mut self.false_hits,
+                Comparison::FalseMiss => &mut self.false_misses,
+                Comparison::Elsewhere => &mut self.elsewhere,
+                Comparison::NotANumber | Comparison::Same { .. } => &mut self.not_a_number,
+            } += 1;
+        }
+        self
+    }
+
+    /// Both together; this one's questions came first.
+    fn and(self, other: Self) -> Self {
+        let is_worse = other.max_error() > self.max_error();
+        Self {
+            n: self.n + other.n,
+            n_hits: self.n_hits + other.n_hits,
+            false_hits: self.false_hits + other.false_hits,
+            false_misses: self.false_misses + other.false_misses,
+            elsewhere: self.elsewhere + other.elsewhere,
+            not_a_number: self.not_a_number + other.not_a_number,
+            doubtful: self.doubtful + other.doubtful,
+            max_t: self.max_t.max(other.max_t),
+            max_vector: self.max_vector.max(other.max_vector),
+            first_wrong: self.first_wrong.or(other.first_wrong),
+            worst: if is_worse { other.worst } else { self.worst },
+        }
+    }
+}
+
+/// `n` questions of the family, rounded to the precision `T`, put to the reference by these rules. The same tally on every machine.
+pub fn survey<T: Real, R: RuleSource>(family: &Family, rules: R, n: u64, seed: u64) -> Tally {
+    let chunks: Vec<Tally> = (0..n.div_ceil(CHUNK))
+        .into_par_iter()
+        .map(|chunk| {
+            let questions = questions::<T>(family, chunk, CHUNK.min(n - chunk * CHUNK), seed);
+            questions.fold(Tally::default(), |tally, question| {
+                tally.with::<T>(&question, &evaluate::<T, R>(rules, &question))
+            })
+        })
+        .collect();
+    chunks.into_iter().fold(Tally::default(), Tally::and)
+}
+
+/// The first `n` questions of a chunk of the family, rounded to the precision `T`.
+pub fn questions<T: Real>(family: &Family, chunk: u64, n: u64, seed: u64) -> impl Iterator<Item = Question> {
+    let decades = if T::ULP.f64() == f64::EPSILON { 150.0 } else { 30.0 };
+    let mut draws = Draws::new(seed.wrapping_add(chunk << 32), family.name, decades);
+    let draw = family.draw;
+    (0..n).map(move |_| draw(&mut draws).rounded::<T>())
+}
+
+/// The reply against the right answer, for numbers of the precision `T`: what is too great for it may be infinite.
+pub fn compare<T: Real>(right: &Option<Found<Exact>>, reply: &Reply) -> Comparison {
+    let numbers = |found: &Found<f64>| {
+        found.t.into_iter().chain(found.vector.into_iter().chain(found.weights).flatten()).collect()
+    };
+    let given: Vec<f64> = reply.as_ref().map(numbers).unwrap_or_default();
+    if given.iter().any(|x| x.is_nan()) {
+        return Comparison::NotANumber;
+    }
+    let (right, reply) = match (right, reply) {
+        (None, None) => return Comparison::Same { t: 0.0, vector: 0.0 },
+        (None, Some(_)) => return Comparison::FalseHit,
+        (Some(_), None) => return Comparison::FalseMiss,
+        (Some(right), Some(reply)) => (right, reply),
+    };
+    let t = match (&right.t, reply.t) {
+        (Some(right), Some(given)) => t_error::<T>(right, given),
+        _ => 0.0,
+    };
+    if t > ELSEWHERE {
+        return Comparison::Elsewhere;
+    }
+    let vector = right.vector.as_ref().zip(reply.vector).map_or(0.0, |(right, given)| distance(right, given, true));
+    let weights = right.weights.as_ref().zip(reply.weights).map_or(0.0, |(right, given)| distance(right, given, false));
+    Comparison::Same { t, vector: vector.max(weights) }
+}
+
+fn t_error<T: Real>(right: &Exact, given: f64) -> f64 {
+    if given.is_infinite() {
+        return if T::of(right.f64()).is_finite() { f64::INFINITY } else { 0.0 };
+    }
+    (right - &Exact::of(given)).ratio(right).abs()
+}
+
+/// ‖given − right‖, over ‖right‖ if asked for.
+fn distance(right: &[Exact; 3], given: [f64; 3], is_relative: bool) -> f64 {
+    let squares = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if given.iter().any(|x| x.is_infinite()) {
+        return f64::INFINITY;
+    }
+    let off = squares(std::array::from_fn(|n| (&right[n] - &Exact::of(given[n])).f64()));
+    if is_relative { off / squares(std::array::from_fn(|n| right[n].f64())) } else { off }
+}
+
+/// Whether the reply is right for the question with one number moved to its neighbour in the precision `T`.
+pub fn is_excused<T: Real>(question: &Question, reply: &Reply) -> bool {
+    question.moved::<T>().any(|moved| matches!(compare::<T>(&right(&moved), reply), Comparison::Same { .. }))
+}
