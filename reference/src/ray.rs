@@ -74,6 +74,12 @@ impl<T: Real> Ray<T> {
         self.t_min < t && t < self.t_max
     }
 
+    /// Whether neither a hit at `t` counts nor any at a lesser parameter. [rule 2]
+    #[inline(always)]
+    pub fn is_before(&self, t: T) -> bool {
+        t <= self.t_min
+    }
+
     /// The first of `ts` that counts; they come in ascending order.
     #[inline(always)]
     pub fn first(&self, ts: [T; 2]) -> Option<T> {

@@ -37,6 +37,10 @@ pub trait Real:
     const ULP: Self;
     /// Below this parameter an intersection does not count. [rule 21]
     const RAY_EPSILON: Self;
+    /// Least and greatest amount of a product that a certified formula trusts: between them a further product neither over- nor underflows.
+    const SAFE: [Self; 2];
+    /// How many times its error bound a value must be for its own digits to be trusted, beyond its sign.
+    const MARGIN: Self;
 
     /// The nearest number to `x`.
     fn of(x: f64) -> Self;
@@ -58,10 +62,17 @@ pub trait Real:
     fn ln(self) -> Self;
     /// Whether it is neither infinite nor NaN.
     fn is_finite(self) -> bool;
+
+    /// Whether its amount lies within [`Real::SAFE`]; not that of 0, ∞ or NaN.
+    #[inline(always)]
+    fn is_safe(self) -> bool {
+        let size = self.abs();
+        Self::SAFE[0] < size && size < Self::SAFE[1]
+    }
 }
 
 macro_rules! real {
-    ($t:ident, $ray_epsilon:expr) => {
+    ($t:ident, $ray_epsilon:expr, $safe:expr, $margin:expr) => {
         impl Real for $t {
             const ZERO: Self = 0.0;
             const HALF: Self = 0.5;
@@ -70,6 +81,8 @@ macro_rules! real {
             const INFINITY: Self = $t::INFINITY;
             const ULP: Self = $t::EPSILON;
             const RAY_EPSILON: Self = $ray_epsilon;
+            const SAFE: [Self; 2] = $safe;
+            const MARGIN: Self = $margin;
 
             #[inline(always)]
             fn of(x: f64) -> Self {
@@ -115,5 +128,5 @@ macro_rules! real {
     };
 }
 
-real!(f32, 1e-4);
-real!(f64, cases::RAY_EPSILON);
+real!(f32, 1e-4, [1e-18, 1e18], 512.0);
+real!(f64, cases::RAY_EPSILON, [1e-150, 1e150], 268_435_456.0);

@@ -1,6 +1,34 @@
 //! The only place that solves a quadratic.
 
+use std::ops::{Add, Div, Sub};
+
 use crate::real::Real;
+use crate::two::Two;
+
+/// What a quadratic can be solved in.
+pub trait Number: Copy + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Div<Output = Self> {
+    /// 0.
+    const ZERO: Self;
+    /// √x; NaN below 0.
+    fn sqrt(self) -> Self;
+}
+
+impl<T: Real> Number for T {
+    const ZERO: Self = <T as Real>::ZERO;
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Real::sqrt(self)
+    }
+}
+
+impl Number for Two {
+    const ZERO: Self = Self::ZERO;
+
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+}
 
 /// The real roots of a t² − 2 b t + c = 0 in ascending order, given `disc` = b² − a c; `None` where there is none. [rule 14]
 ///
@@ -8,7 +36,7 @@ use crate::real::Real;
 /// - One root comes from q = b ± √disc with the sign that does not cancel, the other from c / q: their product is c / a.
 /// - A double root is given twice. With a = 0 the one root is c / 2b and the other infinite. NaN gives `None`.
 #[inline(always)]
-pub fn ascending<T: Real>(a: T, b: T, c: T, disc: T) -> Option<[T; 2]> {
+pub fn ascending<T: Number>(a: T, b: T, c: T, disc: T) -> Option<[T; 2]> {
     let is_real = disc >= T::ZERO; // false for NaN
     if !is_real {
         return None;

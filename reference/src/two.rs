@@ -56,6 +56,12 @@ impl Two {
         if self.hi < 0.0 { -self } else { self }
     }
 
+    /// The number itself, or 0 where `amounts`, the sum of what its terms amount to, leaves its sign in doubt.
+    #[inline]
+    pub fn certain(self, amounts: f64) -> Self {
+        if self.hi.abs() <= DOUBT * amounts { Self::ZERO } else { self }
+    }
+
     /// √x; NaN below 0.
     #[inline]
     pub fn sqrt(self) -> Self {
@@ -134,6 +140,9 @@ impl Div for Two {
     #[inline]
     fn div(self, other: Self) -> Self {
         let first = self.hi / other.hi;
+        if !first.is_finite() {
+            return Self::of(first);
+        }
         let rest = self - other * Self::of(first);
         let second = rest.hi / other.hi;
         let rest = rest - other * Self::of(second);
@@ -206,6 +215,14 @@ impl Sub for Two3 {
 
     fn sub(self, other: Self) -> Self {
         Self { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
+    }
+}
+
+impl Neg for Two3 {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { x: -self.x, y: -self.y, z: -self.z }
     }
 }
 

@@ -3,6 +3,7 @@
 mod cuboid;
 mod plane;
 mod round;
+mod settle;
 mod sphere;
 mod square;
 mod triangle;

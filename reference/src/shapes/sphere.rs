@@ -1,11 +1,12 @@
 //! The sphere. [rule 14]
 
 use super::Meeting;
+use super::settle::Ball;
 use crate::bounds::Bounds;
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::roots;
-use crate::rules::{Quadratic, RuleSource, SphereNormal, SphereRoots};
+use crate::rules::{Quadratic, Robustness, RuleSource, SphereNormal, SphereRoots};
 use crate::vec3::Vec3;
 
 /// ‖X − center‖ = radius.
@@ -13,17 +14,67 @@ use crate::vec3::Vec3;
 pub struct Sphere<T> {
     /// Center.
     pub center: Vec3<T>,
-    /// Radius, above 0.
+    /// Radius, not below 0.
     pub radius: T,
 }
 
 impl<T: Real> Sphere<T> {
     /// The first meeting in the ray's interval: the near root, or the far one where the near one does not count. [rule 14]
     ///
-    /// The discriminant is taken from the point of the ray nearest to the centre (Haines et al., Ray Tracing Gems, chapter 7),
-    /// which does not cancel when the sphere is small and far away. A touching ray meets it once.
+    /// A touching ray meets it once. A sphere without radius is met by the rays through its centre.
     #[inline(always)]
     pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
+        let style = &rules.get().style;
+        let is_certified = style.robustness == Robustness::Certified
+            && style.quadratic == Quadratic::NearestPoint
+            && rules.get().sphere_roots != SphereRoots::UnitDirection;
+        let roots = if is_certified { self.certified(ray) } else { self.plain(rules, ray) }?;
+        let t = match rules.get().sphere_roots {
+            SphereRoots::NearThenFar | SphereRoots::UnitDirection => ray.first(roots)?,
+            SphereRoots::NearOnly => ray.first([roots[0]; 2])?,
+            SphereRoots::FarFirst => ray.first([roots[1], roots[0]])?,
+        };
+        Some(Meeting::with(t, 0))
+    }
+
+    /// Both roots, by the point n of the ray's line that is nearest to the centre (Haines et al., Ray Tracing Gems, chapter 7), whose
+    /// gap r² − ‖n‖² does not cancel where the sphere is small and far away; `None` where there are none, or neither counts.
+    ///
+    /// With u half a ulp, rounding moves n by 2u‖f‖ + u‖n‖ across the ray, f from the centre to the origin. (What it moves it by along the ray
+    /// changes ‖n‖² only in second order.) So the gap is off by 4u‖f‖‖n‖ + 6u‖n‖² + 2u r² + u‖f‖² at most; as ‖n‖ ≤ ‖f‖, twice that is below
+    /// 24u (‖f‖² + r²). c = ‖f‖² − r² is off by 6u‖f‖² + 2u r² at most. Where that leaves a sign open, or few digits of a root that may count,
+    /// the second step is taken; a ray that leaves the sphere, as most that start at it do, is done before.
+    #[inline(always)]
+    fn certified(&self, ray: &Ray<T>) -> Option<[T; 2]> {
+        let d = ray.direction;
+        let f = ray.origin - self.center;
+        let (a, b) = (d.dot(d), -f.dot(d));
+        let (ff, rr) = (f.dot(f), self.radius * self.radius);
+        let nearest = f + d * (b / a);
+        let gap = rr - nearest.dot(nearest);
+        let (c, size) = (ff - rr, ff + rr);
+        let doubt = size * (T::of(12.0) * T::ULP);
+        if a.is_safe() && size.is_safe() {
+            if gap < -doubt {
+                return None;
+            }
+            if gap > doubt * T::MARGIN {
+                let in_doubt = size * (T::of(3.0) * T::ULP);
+                let leaves = b < T::ZERO;
+                if c.abs() > size * T::of(0.25) || (c < -in_doubt && !leaves) {
+                    return roots::ascending(a, b, c, a * gap);
+                }
+                if c > in_doubt && leaves && ray.is_before(T::ZERO) {
+                    return None;
+                }
+            }
+        }
+        Ball::new(self, ray)?.ts()
+    }
+
+    /// Both roots as students compute them, whatever rounding makes of them.
+    #[inline(always)]
+    fn plain<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<[T; 2]> {
         let from_center = ray.origin - self.center;
         let a = match rules.get().sphere_roots {
             SphereRoots::UnitDirection => T::ONE,
@@ -31,26 +82,41 @@ impl<T: Real> Sphere<T> {
         };
         let b = -from_center.dot(ray.direction);
         let c = from_center.dot(from_center) - self.radius * self.radius;
-        let roots = match rules.get().style.quadratic {
+        match rules.get().style.quadratic {
             Quadratic::NearestPoint if rules.get().sphere_roots != SphereRoots::UnitDirection => {
                 let nearest = from_center + ray.direction * (b / a);
-                roots::ascending(a, b, c, a * (self.radius * self.radius - nearest.dot(nearest)))?
+                roots::ascending(a, b, c, a * (self.radius * self.radius - nearest.dot(nearest)))
             }
-            Quadratic::Textbook => roots::textbook(a, b, c)?,
+            Quadratic::Textbook => roots::textbook(a, b, c),
             // who forgets d·d does so in the usual discriminant
-            Quadratic::NearestPoint | Quadratic::Stable => roots::ascending(a, b, c, b * b - a * c)?,
+            Quadratic::NearestPoint | Quadratic::Stable => roots::ascending(a, b, c, b * b - a * c),
             Quadratic::Geometric => {
                 let middle = b / a;
                 let from_axis = from_center.dot(from_center) - middle * middle * a; // squared
-                roots::about(middle, (self.radius * self.radius - from_axis) / a)?
+                roots::about(middle, (self.radius * self.radius - from_axis) / a)
             }
-        };
-        let t = match rules.get().sphere_roots {
-            SphereRoots::NearThenFar | SphereRoots::UnitDirection => ray.first(roots)?,
-            SphereRoots::NearOnly => ray.first([roots[0]; 2])?,
-            SphereRoots::FarFirst => ray.first([roots[1], roots[0]])?,
-        };
-        Some(Meeting::with(t, 0))
+        }
+    }
+
+    /// The outward unit normal where the ray meets it at `t`, however far it comes from.
+    ///
+    /// Where the origin is 64 radii away or more, the digits of the point that t alone gives would be too few: it is worked out in two words.
+    /// At a sphere without radius the direction against the ray stands in for it.
+    #[inline(always)]
+    pub fn outwards(&self, ray: &Ray<T>, t: T) -> Vec3<T> {
+        let from_center = ray.origin - self.center;
+        let (ff, rr) = (from_center.dot(from_center), self.radius * self.radius);
+        if ff.is_safe() && rr.is_safe() && ff < rr * T::of(4096.0) {
+            return (from_center + ray.direction * t).normalised();
+        }
+        let out = Ball::new(self, ray).and_then(|ball| ball.outwards(t)).filter(|out| *out != Vec3::ZERO);
+        out.map_or_else(
+            || -ray.direction.normalised(),
+            |out| {
+                let unit = out.normalised();
+                Vec3::new(T::of(unit.x), T::of(unit.y), T::of(unit.z))
+            },
+        )
     }
 
     /// The outward unit normal at a point of the sphere.

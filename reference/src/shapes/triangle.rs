@@ -1,9 +1,9 @@
 //! The triangle. [rule 16] [rule 17]
 
-use super::Meeting;
+use super::{Meeting, settle};
 use crate::ray::Ray;
 use crate::real::Real;
-use crate::rules::{RuleSource, TriangleFormula, TriangleNormal, TriangleTest};
+use crate::rules::{Robustness, RuleSource, TriangleFormula, TriangleNormal, TriangleTest};
 use crate::vec3::Vec3;
 
 /// Corners A, B, C; the normal is along (B − A) × (C − A).
@@ -45,6 +45,9 @@ impl<T: Real> Triangle<T> {
     pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>, shear: &Shear<T>, index: u32) -> Option<Meeting<T>> {
         let tests_bc = rules.get().triangle != TriangleTest::TwoEdges;
         let (t, weights) = match rules.get().style.triangle {
+            TriangleFormula::Sheared if rules.get().style.robustness == Robustness::Certified => {
+                self.certified(ray, shear, tests_bc)
+            }
             TriangleFormula::Sheared => self.sheared(ray, shear, tests_bc),
             TriangleFormula::Edges => self.edges(ray, tests_bc),
             TriangleFormula::MollerTrumbore => self.moller_trumbore(ray, tests_bc),
@@ -56,16 +59,57 @@ impl<T: Real> Triangle<T> {
         ray.contains(t).then_some(Meeting { t, part: index, weights })
     }
 
-    /// t and the weights where the ray's line meets the triangle; the edge BC need not be tested.
+    /// t and the weights where the ray's line meets the triangle; `None` also where t certainly does not count.
+    ///
+    /// With u half a ulp, x and y the greatest of sheared coordinates and z that along the ray: a sheared coordinate is off by u (2x + 6z), so an
+    /// area by u x (12x + 24z) at most, twice that below 48u x (x + z); and Σ area·z by z times the three of them and 4u Σ|area|. Where that leaves a sign
+    /// open, or few digits of the weights or of t, the second step is taken.
     #[inline(always)]
-    fn sheared(&self, ray: &Ray<T>, shear: &Shear<T>, tests_bc: bool) -> Option<(T, Vec3<T>)> {
+    fn certified(&self, ray: &Ray<T>, shear: &Shear<T>, tests_bc: bool) -> Option<(T, Vec3<T>)> {
+        let greater = |p: T, q: T| if p > q { p } else { q };
+        let lesser = |p: T, q: T| if p < q { p } else { q };
+        let [a, b, c] = self.seen_along(ray, shear);
+        let (u, v, w) = (area(b, c), area(c, a), area(a, b));
+        let across = |p: (T, T, T)| greater(p.0.abs(), p.1.abs());
+        let x = greater(across(a), greater(across(b), across(c)));
+        let z = greater(a.2.abs(), greater(b.2.abs(), c.2.abs()));
+        let doubt = x * (x + z) * (T::of(24.0) * T::ULP);
+        if doubt.is_safe() {
+            let (least, most) = (lesser(v, w), greater(v, w));
+            let (least, most) = if tests_bc { (lesser(u, least), greater(u, most)) } else { (least, most) };
+            if least < -doubt && most > doubt {
+                return None;
+            }
+            let sum = u + v + w;
+            if (least > doubt || most < -doubt) && sum.abs() > doubt * T::MARGIN && shear.scale.is_safe() {
+                let along = u * a.2 + v * b.2 + w * c.2;
+                let in_doubt = z * (T::of(4.0) * (doubt + T::ULP * sum.abs()));
+                let t = shear.scale * along / sum;
+                if along.abs() > in_doubt * T::MARGIN {
+                    return Some((t, Vec3::new(u, v, w) * (T::ONE / sum)));
+                }
+                if along.abs() > in_doubt && t < T::ZERO && ray.is_before(T::ZERO) {
+                    return None;
+                }
+            }
+        }
+        settle::triangle(self, ray, shear.axes, tests_bc)
+    }
+
+    /// The corners as seen along the ray: x and y across it, z along it.
+    #[inline(always)]
+    fn seen_along(&self, ray: &Ray<T>, shear: &Shear<T>) -> [(T, T, T); 3] {
         let [x, y, z] = shear.axes;
-        let sheared = self.corners.map(|corner| {
+        self.corners.map(|corner| {
             let from = corner - ray.origin;
             (from[x] - shear.shear[0] * from[z], from[y] - shear.shear[1] * from[z], from[z])
-        });
-        let area = |p: (T, T, T), q: (T, T, T)| p.0 * q.1 - p.1 * q.0;
-        let [a, b, c] = sheared;
+        })
+    }
+
+    /// t and the weights where the ray's line meets the triangle, whatever rounding makes of them; the edge BC need not be tested.
+    #[inline(always)]
+    fn sheared(&self, ray: &Ray<T>, shear: &Shear<T>, tests_bc: bool) -> Option<(T, Vec3<T>)> {
+        let [a, b, c] = self.seen_along(ray, shear);
         let (u, v, w) = (area(b, c), area(c, a), area(a, b));
         let tested = if tests_bc { [u, v, w] } else { [v, v, w] };
         let is_outside = tested.iter().any(|s| *s < T::ZERO) && tested.iter().any(|s| *s > T::ZERO);
@@ -93,6 +137,12 @@ impl<T: Real> Triangle<T> {
         let n = self.outwards().normalised();
         if rules.get().triangle_normal == TriangleNormal::Left { -n } else { n }
     }
+}
+
+/// Twice the area of the triangle from the ray to two corners, across the ray.
+#[inline(always)]
+fn area<T: Real>(p: (T, T, T), q: (T, T, T)) -> T {
+    p.0 * q.1 - p.1 * q.0
 }
 
 /// (α, β, γ) of a point Q in the plane of ABC: signed areas of QBC, AQC, ABQ, over that of ABC. [rule 17]

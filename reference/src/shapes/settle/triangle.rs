@@ -1,0 +1,62 @@
+//! The triangle in two words. [rule 16] [rule 17]
+
+use super::{Line, coordinates};
+use crate::ray::Ray;
+use crate::real::Real;
+use crate::shapes::Triangle;
+use crate::two::{Two, Two3};
+use crate::vec3::Vec3;
+
+/// Where coordinates begin: products of three stay within what Dekker's product can take, and so do corners 2^1000 times nearer to the ray.
+const ROOM: i32 = 300;
+
+/// A corner as seen along the ray: moved and sheared, times d_z; beside it what the terms of x and y amount to.
+#[derive(Clone, Copy)]
+struct Corner {
+    x: Two,
+    y: Two,
+    /// From the origin along the axis of the shear, exactly.
+    z: Two,
+    terms: [f64; 2],
+}
+
+/// t, and the weights (α, β, γ), where the ray's line meets the triangle; the edge BC need not be tested.
+///
+/// `axes` are those of the shear. A triangle seen edge on is not met.
+#[cold]
+#[inline(never)]
+pub(in crate::shapes) fn triangle<T: Real>(
+    triangle: &Triangle<T>,
+    ray: &Ray<T>,
+    axes: [usize; 3],
+    tests_bc: bool,
+) -> Option<(T, Vec3<T>)> {
+    let line = Line::new(ray, coordinates(triangle.corners), ROOM)?;
+    let [x, y, z] = axes.map(|axis| line.direction[axis]);
+    let [a, b, c] = triangle.corners.map(|corner| {
+        let from = Two3::difference(line.point(corner), line.origin);
+        let [fx, fy, fz] = axes.map(|axis| [from.x, from.y, from.z][axis]);
+        let (to_x, to_y) = ((fx * Two::of(z), fz * Two::of(x)), (fy * Two::of(z), fz * Two::of(y)));
+        let terms = [to_x, to_y].map(|(p, q)| p.abs().f64() + q.abs().f64());
+        Corner { x: to_x.0 - to_x.1, y: to_y.0 - to_y.1, z: fz, terms }
+    });
+    let (u, v, w) = (area(b, c), area(c, a), area(a, b));
+    let tested = if tests_bc { [u, v, w] } else { [v, v, w] };
+    let is_outside = tested.iter().any(|e| e.0 < Two::ZERO) && tested.iter().any(|e| e.0 > Two::ZERO);
+    let sum = u.0 + v.0 + w.0;
+    if is_outside || sum == Two::ZERO || !sum.f64().is_finite() {
+        return None;
+    }
+    let along = u.0 * a.z + v.0 * b.z + w.0 * c.z;
+    let terms = [(u, a), (v, b), (w, c)].map(|(e, corner)| (e.0.f64().abs() + e.1) * corner.z.f64().abs());
+    let t = along.certain(terms[0] + terms[1] + terms[2]) / (sum * Two::of(z));
+    let weight = |e: (Two, f64)| T::of((e.0 / sum).f64());
+    Some((line.t(t), Vec3::new(weight(u), weight(v), weight(w))))
+}
+
+/// p × q, 0 where its sign is in doubt; and what its error may amount to in units of [`DOUBT`](crate::two::DOUBT).
+fn area(p: Corner, q: Corner) -> (Two, f64) {
+    let of = |x: Two, y: Two, in_x: f64, in_y: f64| x.f64().abs() * in_y + in_x * y.f64().abs();
+    let terms = of(p.x, q.y, p.terms[0], q.terms[1]) + of(q.x, p.y, q.terms[0], p.terms[1]);
+    ((p.x * q.y - p.y * q.x).certain(terms), terms)
+}
