@@ -1,26 +1,75 @@
 //! Clusters: correct tracers leave single pixels that are out, mistakes leave blobs.
 
 /// The size of the largest 8-connected cluster of pixels that are `out`, in rows of `width`; 0 where none is.
-///
-/// Takes time in proportion to the picture, and a stack on the heap: a picture that is out as a whole is one cluster.
 pub fn largest_cluster(out: &[bool], width: u32) -> u32 {
-    let width = width as usize;
-    let mut left = out.to_vec();
-    let mut stack = Vec::new();
-    let mut largest = 0;
-    for start in 0..left.len() {
-        if !std::mem::take(&mut left[start]) {
-            continue;
+    let mut clusters = Clusters::default();
+    out.chunks(width.max(1) as usize).for_each(|row| clusters.row(row));
+    clusters.largest()
+}
+
+/// The clusters of a picture that comes row by row: memory goes with the runs of pixels that are out, not with the picture.
+#[derive(Clone, Debug, Default)]
+pub struct Clusters {
+    /// Of each run, the run it was joined to; a root is joined to itself.
+    joined: Vec<u32>,
+    /// Of each root, the pixels of its cluster.
+    sizes: Vec<u32>,
+    /// The runs of the row before: first and last column, number.
+    before: Vec<(usize, usize, u32)>,
+}
+
+impl Clusters {
+    /// Takes the next row from the top.
+    pub fn row(&mut self, out: &[bool]) {
+        let mut runs = Vec::new();
+        let mut at = 0;
+        while let Some(first) = out[at..].iter().position(|is_out| *is_out).map(|n| at + n) {
+            let end = out[first..].iter().position(|is_out| !is_out).map_or(out.len(), |n| first + n);
+            runs.push((first, end - 1, self.run((end - first) as u32)));
+            at = end;
         }
-        stack.push(start);
-        let mut size = 0;
-        while let Some(at) = stack.pop() {
-            size += 1;
-            stack.extend(neighbours(at, width, left.len()).filter(|n| std::mem::take(&mut left[*n])));
+        let mut above = 0;
+        for (first, last, run) in &runs {
+            while above < self.before.len() && self.before[above].1 + 1 < *first {
+                above += 1;
+            }
+            let touching = self.before[above..].iter().take_while(|one| one.0 <= last + 1).map(|one| one.2);
+            for other in touching.collect::<Vec<_>>() {
+                self.join(*run, other);
+            }
         }
-        largest = largest.max(size);
+        self.before = runs;
     }
-    largest
+
+    /// The pixels of the largest cluster so far.
+    pub fn largest(&self) -> u32 {
+        self.sizes.iter().copied().max().unwrap_or(0)
+    }
+
+    fn run(&mut self, size: u32) -> u32 {
+        let run = self.joined.len() as u32;
+        self.joined.push(run);
+        self.sizes.push(size);
+        run
+    }
+
+    fn root(&mut self, mut run: u32) -> u32 {
+        while self.joined[run as usize] != run {
+            let next = self.joined[run as usize];
+            self.joined[run as usize] = self.joined[next as usize];
+            run = next;
+        }
+        run
+    }
+
+    fn join(&mut self, one: u32, other: u32) {
+        let (one, other) = (self.root(one), self.root(other));
+        if one != other {
+            let (low, high) = (one.min(other), one.max(other));
+            self.joined[high as usize] = low;
+            self.sizes[low as usize] += std::mem::take(&mut self.sizes[high as usize]);
+        }
+    }
 }
 
 /// The pixels around the one with index `at`, corners included, that lie in a picture of `n` pixels.
@@ -50,6 +99,8 @@ mod tests {
         check(&["#.##", "...."], 2);
         check(&["#"], 1);
         check(&["####", "####", "####"], 12);
+        check(&["#.#.#", "#.#.#", ".#.#."], 8); // joined from below
+        check(&["##.##", "...#.", "#####"], 8);
     }
 
     #[test]

@@ -8,7 +8,7 @@ mod picture;
 use std::path::{Path, PathBuf};
 
 pub use check::{CheckAnswer, check_answers_from_str, check_answers_to_string};
-pub use cluster::{largest_cluster, neighbours};
+pub use cluster::{Clusters, largest_cluster, neighbours};
 pub use mistake::{Mistake, mistakes_from_str, mistakes_to_string};
 pub use picture::{ImageAnswer, Levels, Limits, Wrong};
 

@@ -110,7 +110,7 @@ pub fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
 /// [`PictureError`]; never a panic, and never more memory than a picture of that size needs.
 pub fn read_exact(bytes: &[u8], width: u32, height: u32) -> Result<Image, PictureError> {
     match bytes {
-        [0x89, b'P', b'N', b'G', ..] => decode_png(bytes, (width, height)),
+        _ if is_png(bytes) => decode_png(bytes, (width, height)),
         [b'P', b'F' | b'f', b'\n' | b'\r' | b' ', ..] => decode_pfm(bytes, (width, height)),
         _ => Err(PictureError::Foreign(describe(bytes))),
     }
@@ -165,14 +165,19 @@ fn decode_png(bytes: &[u8], wanted: (u32, u32)) -> Result<Image, PictureError> {
 }
 
 /// What chunks beside the pixels, a colour profile say, may take when they are inflated.
-fn limits() -> image::Limits {
+pub(super) fn limits() -> image::Limits {
     let mut limits = image::Limits::no_limits();
     limits.max_alloc = Some(8 << 20);
     limits
 }
 
+/// Whether the bytes begin as those of a PNG do.
+pub(super) fn is_png(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"\x89PNG")
+}
+
 /// Width and height, which stand at a fixed place: before a decoder sees the rest.
-fn png_size(bytes: &[u8]) -> Option<(u32, u32)> {
+pub(super) fn png_size(bytes: &[u8]) -> Option<(u32, u32)> {
     let number = |at: usize| Some(u32::from_be_bytes(bytes.get(at..at + 4)?.try_into().ok()?));
     Some((number(16)?, number(20)?))
 }

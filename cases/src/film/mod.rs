@@ -4,9 +4,13 @@ mod encode;
 #[cfg(feature = "authoring")]
 pub mod exr;
 mod image;
+#[cfg(feature = "authoring")]
+mod raster;
 
 pub use self::encode::{Quantiser, byte, level};
 pub use image::Image;
+#[cfg(feature = "authoring")]
+pub use raster::Raster;
 
 mod files;
 

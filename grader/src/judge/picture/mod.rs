@@ -2,6 +2,7 @@
 
 mod antialiased;
 mod difference;
+mod raster;
 mod share;
 #[cfg(test)]
 mod tests;
@@ -16,6 +17,7 @@ use crate::record::{Finding, FindingKind};
 use difference::measure;
 
 pub use difference::{Difference, compare};
+pub use raster::{compare_rasters, describe_rasters};
 
 /// What is said of an anti-aliased picture.
 const ONE_RAY: &str =
@@ -84,17 +86,8 @@ fn is_one_colour(picture: &Image) -> bool {
 
 /// How many pixels differ, where, and what the worst of them shows on both sides.
 fn describe(actual: &Image, answer: &ImageAnswer, difference: &Difference) -> String {
-    let [n_out, cluster, n_contested] = [difference.n_out, difference.cluster, difference.n_contested].map(u64::from);
-    let all = actual.pixels().len() as u64;
-    let verb = if n_out == 1 { "pixel of {} differs" } else { "pixels of {} differ" };
-    let mut text = format!("{} {}", grouped(n_out), verb.replace("{}", &grouped(all)));
-    if cluster > 1 && cluster < all {
-        text += &format!(", {} of them side by side", grouped(cluster));
-    }
-    if let (Some([x0, y0, x1, y1]), Some([x, y])) = (difference.bounds, difference.worst) {
-        if n_out < all {
-            text += &format!(" (columns {x0} to {x1}, rows {y0} to {y1})");
-        }
+    let mut text = extent(difference, actual.pixels().len() as u64);
+    if let Some([x, y]) = difference.worst {
         let (yours, right) = (shown(actual.pixel(x, y)), shown(answer.expected.pixel(x, y)));
         text += &format!(", most at ({x}, {y}): yours {yours}, expected {right}");
         let n = (y * actual.width() + x) as usize;
@@ -103,9 +96,23 @@ fn describe(actual: &Image, answer: &ImageAnswer, difference: &Difference) -> St
             text += &format!(", allowed {} to {}", levels(answer.lo[n]), levels(answer.hi[n]));
         }
     }
-    if n_contested > 0 && n_contested < n_out {
-        let share = percent(answer.contested_share());
-        text += &format!("; on {} of them right tracers differ too (on {share} of the picture)", grouped(n_contested));
+    if difference.n_contested > 0 && difference.n_contested < difference.n_out {
+        let (n_contested, share) = (grouped(difference.n_contested.into()), percent(answer.contested_share()));
+        text += &format!("; on {n_contested} of them right tracers differ too (on {share} of the picture)");
+    }
+    text
+}
+
+/// How many of `all` pixels differ, and where.
+fn extent(difference: &Difference, all: u64) -> String {
+    let [n_out, cluster] = [difference.n_out, difference.cluster].map(u64::from);
+    let verb = if n_out == 1 { "pixel of {} differs" } else { "pixels of {} differ" };
+    let mut text = format!("{} {}", grouped(n_out), verb.replace("{}", &grouped(all)));
+    if cluster > 1 && cluster < all {
+        text += &format!(", {} of them side by side", grouped(cluster));
+    }
+    if let Some([x0, y0, x1, y1]) = difference.bounds.filter(|_| n_out < all) {
+        text += &format!(" (columns {x0} to {x1}, rows {y0} to {y1})");
     }
     text
 }

@@ -134,3 +134,22 @@ fn one_pixel_more_is_no_longer_excused() {
                    yours 0 0 0, expected 128 128 128; on 3 of them right tracers differ too (on 10.0 % of the picture)";
     check(&black(&["##.#", ".#"]), &contested(), (Verdict::Partial, 900, Some(message)));
 }
+
+#[test]
+fn rasters_differ_as_pictures_do() {
+    let light = |i: u32, j: u32| DVec3::splat(f64::from(i + 8 * j) / 255.0);
+    let raster = |image: &Image| {
+        let png = cases::film::encode(cases::film::Kind::Png, image).unwrap();
+        cases::film::Raster::read(&png, 64).unwrap().unwrap()
+    };
+    let one = Image::from_fn(8, 6, light);
+    let step = |i: u32, j: u32| DVec3::Y * [0.0, 1.0, 2.0, 5.0][(i * j % 4) as usize] / 255.0;
+    let other = Image::from_fn(8, 6, |i, j| light(i, j) + step(i, j));
+    for slack in [0.5, 1.5, 2.5, 4.5, 5.5] {
+        let expected = compare(&other, &ImageAnswer::exact(one.clone(), slack, 0));
+        assert_eq!(compare_rasters(&raster(&other), &raster(&one), slack), expected, "slack {slack}");
+    }
+    let found = compare_rasters(&raster(&other), &raster(&one), 4.5);
+    let text = describe_rasters(&raster(&other), &raster(&one), &found);
+    assert_eq!(text, describe(&other, &ImageAnswer::exact(one, 4.5, 0), &found));
+}
