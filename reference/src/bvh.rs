@@ -40,6 +40,11 @@ impl<T: Real> Bvh<T> {
         tree
     }
 
+    /// Bytes it takes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.nodes) + size_of_val(&*self.order)
+    }
+
     fn grow(&mut self, bounds: &[Bounds<T>], items: &mut [u32], depth: usize) {
         let all = items.iter().fold(Bounds::empty(), |all, i| all.join(bounds[*i as usize]));
         let at = self.nodes.len();

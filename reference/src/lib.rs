@@ -11,6 +11,7 @@
 //! | [`camera`], [`lights`], [`shade`], [`optics`] | formulas; they cast no ray |
 //! | [`trace`], [`render`], [`watch`] | the kernel, pictures, and who looks on |
 //! | [`variations`] | other ways of computing the same pictures |
+//! | [`cost`] | what accuracy costs in time |
 //! | [`vary`] | other cases of the same kind, for hidden sets |
 //! | [`hard`] | questions that are hard for floats, and an oracle that answers them exactly |
 
@@ -19,6 +20,7 @@ pub mod bounds;
 pub mod bvh;
 pub mod camera;
 pub mod cli;
+pub mod cost;
 pub mod expect;
 pub mod hard;
 pub mod lights;

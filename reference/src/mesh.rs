@@ -72,6 +72,13 @@ impl<T: Real> Mesh<T> {
         interpolate(rules, met.weights, normals)
     }
 
+    /// Bytes it takes, its tree included.
+    pub fn bytes(&self) -> usize {
+        let normals = self.normals.as_ref().map_or(0, |list| size_of_val(&**list));
+        let tree = self.tree.as_ref().map_or(0, Bvh::bytes);
+        size_of_val(&*self.triangles) + normals + size_of_val(&*self.solid) + tree
+    }
+
     /// The least box around it.
     pub fn bounds(&self) -> Bounds<T> {
         self.bounds

@@ -5,6 +5,7 @@
 
 use cases::film::Image;
 use cases::{Effects, Scene};
+use serde::Serialize;
 
 use crate::real::Real;
 use crate::render::{self, Options};
@@ -15,7 +16,8 @@ use crate::rules::{
 use crate::world::World;
 
 /// The scalars of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Precision {
     /// Single.
     F32,
@@ -24,7 +26,8 @@ pub enum Precision {
 }
 
 impl Precision {
-    fn says(self) -> &'static str {
+    /// Its name.
+    pub fn says(self) -> &'static str {
         match self {
             Self::F32 => "f32",
             Self::F64 => "f64",

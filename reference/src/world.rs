@@ -273,6 +273,13 @@ impl<T: Real> World<T> {
         }
     }
 
+    /// Bytes that lights, materials, objects, meshes and trees take; names are not counted.
+    pub fn bytes(&self) -> usize {
+        let lists = size_of_val(&*self.lights) + size_of_val(&*self.materials) + size_of_val(&*self.objects);
+        let tree = self.tree.as_ref().map_or(0, |(inside, tree)| size_of_val(&**inside) + tree.bytes());
+        lists + self.meshes.iter().map(Mesh::bytes).sum::<usize>() + size_of_val(&*self.endless) + tree
+    }
+
     /// The first meeting of the ray with one object.
     #[inline(always)]
     fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>, object: usize) -> Option<Meeting<T>> {

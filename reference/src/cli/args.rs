@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
+pub(super) use super::cost_args::CostArgs;
 use super::find::STAGES;
 
 /// Renders and explains scenes by the numbered rules of light, and writes the answers that submissions are judged by.
@@ -32,17 +33,20 @@ Examples:
   reference explain 04_refraction/crystal_ball 80 60
   reference expect --check
   reference vary --seed 2026 --out hidden
+  reference cost 04_refraction/crystal_ball --html cost.html
 
 Exit codes:
   0  done; with `expect --check`: every stored answer is what the rules give
   1  done, but a stored answer differs, a check's answer on paper is wrong, or a case cannot be varied within its bounds
   2  usage, or a file that cannot be read
-  3  the machine failed: a file cannot be written";
+  3  the machine failed: a file cannot be written
+  130  `cost` was interrupted; what was measured by then is reported";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     Render(RenderArgs),
     Effects(EffectsArgs),
+    Cost(CostArgs),
     Explain(ExplainArgs),
     Probe(ProbeArgs),
     Expect(ExpectArgs),
@@ -284,7 +288,7 @@ pub(super) enum Form {
 /// Largest side of a picture.
 const MAX_SIDE: u32 = 16384;
 
-fn size(text: &str) -> Result<(u32, u32), String> {
+pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
     let sides = text.split_once(['x', '×']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
     match sides {
         Some((w, h)) if (1..=MAX_SIDE).contains(&w) && (1..=MAX_SIDE).contains(&h) => Ok((w, h)),

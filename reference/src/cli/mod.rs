@@ -1,6 +1,8 @@
 //! The command line: what was typed, what it means, and how it ended.
 
 mod args;
+mod cost;
+mod cost_args;
 mod course;
 mod effects;
 mod expect;
@@ -34,6 +36,8 @@ enum Stop {
     Usage(String),
     /// The machine failed: 3.
     Machine(String),
+    /// The user has interrupted: 130.
+    Interrupted(String),
 }
 
 impl From<Problems> for Stop {
@@ -77,6 +81,7 @@ fn dispatch(command: &Command, talk: Talk) -> Result<(), Stop> {
     match command {
         Command::Render(args) => render::run(args, talk),
         Command::Effects(args) => effects::run(args),
+        Command::Cost(args) => cost::run(args, talk),
         Command::Explain(args) => explain::run(args),
         Command::Probe(args) => probe::run(args),
         Command::Expect(args) => expect::run(args, talk),
@@ -94,6 +99,7 @@ fn report(stop: Stop) -> ExitCode {
         Stop::Problems(problems) => (problems.render(true), 2),
         Stop::Usage(text) => (format!("error: {text}\n"), 2),
         Stop::Machine(text) => (format!("error: {text}\n"), 3),
+        Stop::Interrupted(text) => (format!("{text}\n"), 130),
     };
     anstream::eprint!("{text}{}", if text.ends_with('\n') { "" } else { "\n" });
     ExitCode::from(code)

@@ -21,6 +21,11 @@ impl Bar {
         Self::new(n, "cases", talk > Talk::Quiet)
     }
 
+    /// For the pictures of a measurement, `n` of one ray a pixel.
+    pub(super) fn pictures(n: u64, talk: Talk) -> Self {
+        Self::new(n, "pictures", talk > Talk::Quiet)
+    }
+
     fn new(n: u64, unit: &'static str, is_shown: bool) -> Self {
         let target = if is_shown { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         let style = ProgressStyle::with_template("{bar:40} {percent}% of {len} {msg}, {eta} left");

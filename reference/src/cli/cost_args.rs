@@ -1,0 +1,131 @@
+//! What can be typed after `reference cost`.
+
+use std::path::PathBuf;
+
+use clap::Parser;
+
+use super::args::CourseArg;
+use crate::cost::setting::Formula;
+use crate::cost::sweep::{Axes, finer};
+use crate::variations::Precision;
+
+/// Measures what accuracy costs: time against error over precision, formulas, samples, depth, threshold and effects
+#[derive(Debug, Parser)]
+#[command(after_help = "\
+Measured are precision × formula × samples in full around the scene's own depth and threshold, then each depth and each threshold alone at
+one ray a pixel, then the scene without each of its effects. Nothing that the scene does not call for is swept.
+Errors are differences from the most accurate picture: f64, robust, twice the most samples a side, the greatest depth, no threshold;
+and from the most accurate one with as many rays a pixel. Formulas: `plain` is what most tracers have (textbook quadratic, Möller–Trumbore,
+RAY_EPSILON), `stable` does not cancel, `robust` is the reference's own.
+Each round takes every setting once. Ctrl-C ends the measurement after the picture at hand; the rounds done by then are reported.
+
+Examples:
+  reference cost 04_refraction/crystal_ball
+  reference cost scene.toml --samples 1,2,4,8 --rounds 9 --html cost.html
+  reference cost 03_reflection/hall_of_mirrors --depths 0,1,2,4,8,16 --precisions f64 --formulas robust --no-effects
+  reference cost scene.toml --thresholds 0,1/256,1/64 --csv - > cost.csv
+
+Exit codes: 0 done, 2 usage or a file that cannot be read, 3 a file cannot be written, 130 interrupted")]
+pub(super) struct CostArgs {
+    /// Scene, case, or id of a case
+    pub scene: String,
+    /// Scalars to measure [default: f32,f64]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = precision)]
+    pub precisions: Option<Vec<Precision>>,
+    /// Formulas to measure [default: plain,stable,robust]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = formula)]
+    pub formulas: Option<Vec<Formula>>,
+    /// N for N x N rays a pixel [default: 1,2,4]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub samples: Option<Vec<u32>>,
+    /// Rays a side of a pixel of the truth [default: twice the most of --samples]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=256))]
+    pub truth: Option<u32>,
+    /// Depths of recursion [default: from 0 to a little beyond the scene's own]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub depths: Option<Vec<u32>>,
+    /// Weights below which paths end, 0 for never [default: 0, 1e-3, 1/256, 1/64, 1/16 and the scene's own]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = threshold)]
+    pub thresholds: Option<Vec<f64>>,
+    /// Every setting with every other
+    #[arg(long)]
+    pub full: bool,
+    /// Leave out what effects cost
+    #[arg(long)]
+    pub no_effects: bool,
+    /// Times that each setting is timed
+    #[arg(long, value_name = "N", default_value = "5", value_parser = clap::value_parser!(u16).range(1..=1000))]
+    pub rounds: u16,
+    /// Threads; of one, processor time is measured, which other programs hardly disturb; of more, the wall clock
+    #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: u16,
+    /// Pixels, such as 640x480, in the place of the scene's
+    #[arg(long, value_name = "WxH", value_parser = super::args::size)]
+    pub size: Option<(u32, u32)>,
+    /// All figures as JSON; `-` is the output stream, in the place of the table
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<PathBuf>,
+    /// The table as CSV; `-` as above
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// Error against time as a picture; `-` as above
+    #[arg(long, value_name = "FILE")]
+    pub svg: Option<PathBuf>,
+    /// Tables and pictures as a page that needs nothing else; `-` as above
+    #[arg(long, value_name = "FILE")]
+    pub html: Option<PathBuf>,
+    #[command(flatten)]
+    pub course: CourseArg,
+}
+
+impl CostArgs {
+    /// The axes of a scene, narrowed to what was typed.
+    pub(super) fn narrowed(&self, axes: Axes) -> Axes {
+        let samples = self.samples.clone().unwrap_or(axes.samples);
+        Axes {
+            precisions: self.precisions.clone().unwrap_or(axes.precisions),
+            formulas: self.formulas.clone().unwrap_or(axes.formulas),
+            truth_samples: self.truth.unwrap_or_else(|| finer(&samples)),
+            samples,
+            depths: self.depths.clone().unwrap_or(axes.depths),
+            thresholds: self.thresholds.clone().unwrap_or(axes.thresholds),
+            full: self.full,
+            effects: !self.no_effects,
+        }
+    }
+}
+
+fn precision(text: &str) -> Result<Precision, String> {
+    let known = [Precision::F32, Precision::F64];
+    known.into_iter().find(|p| p.says() == text).ok_or_else(|| "f32 or f64".to_owned())
+}
+
+fn formula(text: &str) -> Result<Formula, String> {
+    Formula::ALL.into_iter().find(|f| f.name() == text).ok_or_else(|| "plain, stable or robust".to_owned())
+}
+
+/// A weight, as a number or a fraction such as `1/256`.
+pub(super) fn threshold(text: &str) -> Result<f64, String> {
+    let number = |text: &str| text.trim().parse::<f64>().ok();
+    let value = match text.split_once('/') {
+        Some((above, below)) => number(above).zip(number(below)).map(|(above, below)| above / below),
+        None => number(text),
+    };
+    let wrong = || "a threshold is a number from 0 to 1, such as 0.01 or 1/256".to_owned();
+    value.filter(|value| (0.0..=1.0).contains(value)).ok_or_else(wrong)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thresholds_are_numbers_or_fractions_from_0_to_1() {
+        for (text, value) in [("0", 0.0), ("1", 1.0), ("1/256", 1.0 / 256.0), (" 3 / 4 ", 0.75), ("1e-3", 1e-3)] {
+            assert_eq!(threshold(text), Ok(value), "{text}");
+        }
+        for text in ["", "a", "-0.1", "1.5", "1/0", "0/0", "1/2/3", "nan", "inf"] {
+            assert!(threshold(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! What to pick, in sentences.
+
+use super::report::{Report, Row};
+use super::setting::{Formula, Setting};
+use super::table::{figure, percent};
+use crate::variations::Precision;
+
+/// The cheapest setting that changes no 8-bit pixel, the next step below, and what more rays a pixel buy.
+pub(super) fn advice(report: &Report) -> Vec<String> {
+    let Some(own) = report.row(&report.own) else { return Vec::new() };
+    let same: Vec<&Row> = report.rows.iter().filter(|row| row.setting.samples == own.setting.samples).collect();
+    let mut sentences = Vec::new();
+    let cheapest = least(same.iter().filter(|row| row.same_rays.changed == 0.0).copied(), |row| row.time_ms.median);
+    if let Some(pick) = cheapest {
+        sentences.push(pick_it(pick, own, &same));
+        sentences.extend(step_below(pick, &same));
+    }
+    sentences.extend(own_error(own));
+    sentences.extend(samples(report));
+    sentences
+}
+
+fn least<'a>(rows: impl Iterator<Item = &'a Row>, by: impl Fn(&Row) -> f64) -> Option<&'a Row> {
+    rows.min_by(|a, b| by(a).total_cmp(&by(b)))
+}
+
+fn pick_it(pick: &Row, own: &Row, same: &[&Row]) -> String {
+    let n = own.setting.samples;
+    let mut text = format!(
+        "Pick {}: {} ms, the cheapest with {n}×{n} rays a pixel that changes no 8-bit pixel of the most accurate picture with as many.",
+        pick.name,
+        figure(pick.time_ms.median)
+    );
+    if pick.setting != own.setting {
+        let share = pick.time_ms.median / own.time_ms.median;
+        text += &format!(
+            " As the scene stands ({}) it takes {} ms; this is {} of that.",
+            own.name,
+            figure(own.time_ms.median),
+            percent(share)
+        );
+    }
+    let is_as_fast = |row: &&&Row| {
+        row.setting != pick.setting && row.same_rays.changed == 0.0 && row.time_ms.least <= pick.time_ms.greatest
+    };
+    let n_others = same.iter().filter(is_as_fast).count();
+    if n_others > 0 {
+        text += &format!(
+            " {n_others} other{} that change{} none {} not told apart from it by time: the spreads overlap.",
+            if n_others == 1 { "" } else { "s" },
+            if n_others == 1 { "s" } else { "" },
+            if n_others == 1 { "is" } else { "are" },
+        );
+    }
+    text
+}
+
+fn step_below(pick: &Row, same: &[&Row]) -> Option<String> {
+    let cheaper = same.iter().filter(|row| row.time_ms.median < pick.time_ms.median && row.same_rays.changed > 0.0);
+    let next = least(cheaper.copied(), |row| row.same_rays.rms_levels)?;
+    Some(format!(
+        "The next step below is {}: {} ms; it changes {} of the pixels, {} by more than 1/255, the worst by {} levels.",
+        next.name,
+        figure(next.time_ms.median),
+        percent(next.same_rays.changed),
+        percent(next.same_rays.off),
+        figure(next.same_rays.max_levels)
+    ))
+}
+
+fn own_error(own: &Row) -> Option<String> {
+    (own.same_rays.changed > 0.0).then(|| {
+        format!(
+            "The scene as it stands is not there yet: greater depth or no threshold changes {} of its pixels, the worst by {} levels.",
+            percent(own.same_rays.changed),
+            figure(own.same_rays.max_levels)
+        )
+    })
+}
+
+/// f64, robust, the truth's depth: what is left then is what samples do.
+fn samples(report: &Report) -> Option<String> {
+    let exact = |row: &&Row| {
+        let s = &row.setting;
+        let truth = Setting { samples: s.samples, ..report.truth };
+        *s == truth && s.precision == Precision::F64 && s.formula == Formula::Robust && *s != report.truth
+    };
+    let mut rows: Vec<&Row> = report.rows.iter().filter(exact).collect();
+    rows.sort_by_key(|row| row.setting.samples);
+    let (first, last) = (rows.first()?, rows.last()?);
+    if first.setting.samples == last.setting.samples || last.error.rms_levels == 0.0 {
+        return None;
+    }
+    let step = |row: &&Row| {
+        let n = row.setting.samples;
+        format!("{n}×{n} {} ms and {}", figure(row.time_ms.median), figure(row.error.rms_levels))
+    };
+    let steps: Vec<String> = rows.iter().map(step).collect();
+    let ln = |x: f64| cases::maths::ln(x);
+    let order = ln(first.error.rms_levels / last.error.rms_levels)
+        / ln(f64::from(last.setting.samples) / f64::from(first.setting.samples));
+    let n = report.truth.samples;
+    Some(format!(
+        "More rays a pixel, against {n}×{n}: {} levels (root mean square). The error falls as the number of rays a side to the power −{}.",
+        steps.join(", "),
+        figure(order)
+    ))
+}

@@ -1,0 +1,25 @@
+//! What accuracy costs: settings, their pictures, errors and times, and what to pick.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `setting.rs`, `sweep.rs` | the ways of computing a picture, and which of them are measured |
+//! | `bench.rs`, `measure.rs` | a scene made ready for all of them; pictures first, then times in interleaved rounds |
+//! | `error.rs`, `front.rs` | how far a picture is from a better one; which settings no other one beats |
+//! | `report.rs`, `advice.rs` | what was found, as data and in sentences |
+//! | `table.rs`, `csv.rs`, `plot.rs`, `page.rs` | the same as text, table, picture and page |
+//!
+//! Nothing here reads a clock: [`measure::Outside`] is handed in.
+
+mod advice;
+pub mod bench;
+pub mod csv;
+pub mod error;
+pub mod front;
+mod labels;
+pub mod measure;
+pub mod page;
+pub mod plot;
+pub mod report;
+pub mod setting;
+pub mod sweep;
+pub mod table;

@@ -1,0 +1,102 @@
+//! The report as a page that needs nothing else: no network, no script.
+
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
+use minijinja::value::Serde;
+use minijinja::{AutoEscape, Environment, context};
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+
+use super::plot::{self, Place, Plot, Point, Shape};
+use super::report::{Report, Row};
+use super::setting::Formula;
+use super::table::{figure, percent};
+use crate::variations::Precision;
+
+const TEMPLATE: &str = include_str!("page.html");
+const LOOK: &str = include_str!("page.css");
+
+/// The two pictures of a report: against the truth, and what is left when samples are not counted.
+pub fn plots(report: &Report) -> [Plot; 2] {
+    let n = report.own.samples;
+    let plot = |title: String, y: String, points: Vec<Point>| Plot {
+        title,
+        x: "milliseconds a picture (median; the line: least to greatest)".to_owned(),
+        y,
+        key: vec![
+            (Shape::Circle, false, "robust"),
+            (Shape::Square, false, "stable"),
+            (Shape::Triangle, false, "plain"),
+            (Shape::Circle, true, "hollow: f32"),
+        ],
+        points,
+    };
+    let truth = report.rows.iter().map(|row| point(row, row.error.rms_levels, row.is_on_front));
+    let is_own = |row: &&Row| row.setting.samples == n;
+    let same =
+        report.rows.iter().filter(is_own).map(|row| point(row, row.same_rays.rms_levels, row.is_on_same_rays_front));
+    [
+        plot(
+            format!("{}: error against time", report.scene),
+            format!("RMS error in 8-bit levels, against {0}×{0} rays a pixel", report.truth.samples),
+            truth.collect(),
+        ),
+        plot(
+            format!("{}: what precision, formula, depth and threshold do at {n}×{n}", report.scene),
+            format!("RMS error in 8-bit levels, against the most accurate {n}×{n}"),
+            same.collect(),
+        ),
+    ]
+}
+
+fn point(row: &Row, error: f64, is_on_front: bool) -> Point {
+    let shape = match row.setting.formula {
+        Formula::Robust => Shape::Circle,
+        Formula::Stable => Shape::Square,
+        Formula::Plain => Shape::Triangle,
+    };
+    let (time, rays) = (row.time_ms, row.rays.total());
+    Point {
+        x: time.median,
+        spread: (time.least, time.greatest),
+        y: error,
+        shape,
+        is_hollow: row.setting.precision == Precision::F32,
+        is_on_front,
+        label: row.name.clone(),
+        hover: format!(
+            "{}\n{} ms ({} to {}), {rays} rays\nRMS {} levels, greatest {}, {} of the pixels changed",
+            row.name,
+            figure(time.median),
+            figure(time.least),
+            figure(time.greatest),
+            figure(error),
+            figure(row.error.max_levels),
+            percent(row.error.changed),
+        ),
+    }
+}
+
+/// The page.
+pub fn page(report: &Report) -> String {
+    let plots = plots(report).map(|plot| plot::svg(&plot, Place::Page));
+    let mut sorted = report.clone();
+    sorted.rows.sort_by(|a, b| a.time_ms.median.total_cmp(&b.time_ms.median));
+    let names = context! { own => report.own.to_string(), truth => report.truth.to_string() };
+    render(TEMPLATE, &sorted, &plots, names)
+}
+
+/// `template` with `report` in it, our style alone allowed by its hash.
+pub(super) fn render(template: &str, report: &impl Serialize, plots: &[String], names: minijinja::Value) -> String {
+    let style = format!("{LOOK}{}", plot::STYLE);
+    let hash = BASE64_STANDARD.encode(Sha256::digest(style.as_bytes()));
+    let policy = format!("default-src 'none'; style-src 'sha256-{hash}'; base-uri 'none'; form-action 'none'");
+    let mut engine = Environment::new();
+    engine.set_auto_escape_callback(|_| AutoEscape::Html);
+    engine.add_filter("figure", figure);
+    engine.add_filter("percent", percent);
+    let report = minijinja::Value::from(Serde(report));
+    engine
+        .render_str(template, context! { policy, style, plots => plots.to_vec(), report, names })
+        .expect("the template is part of this program and the tests render all of it")
+}

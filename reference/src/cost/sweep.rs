@@ -1,0 +1,152 @@
+//! Which settings are measured.
+
+use cases::{Effect, Effects, Scene};
+
+use super::setting::{Formula, Setting};
+use crate::variations::Precision;
+
+/// The values that each axis takes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axes {
+    /// Scalars.
+    pub precisions: Vec<Precision>,
+    /// Formulas.
+    pub formulas: Vec<Formula>,
+    /// N for N × N rays a pixel.
+    pub samples: Vec<u32>,
+    /// N of the truth; at least the greatest of `samples`.
+    pub truth_samples: u32,
+    /// Depths of recursion.
+    pub depths: Vec<u32>,
+    /// Weights below which paths end; 0 for never.
+    pub thresholds: Vec<f64>,
+    /// Whether all axes are crossed.
+    pub full: bool,
+    /// Whether effects are switched off one by one, and all on.
+    pub effects: bool,
+}
+
+impl Axes {
+    /// What makes sense for a scene: where nothing spawns rays, depth and threshold have nothing to change.
+    pub fn of(scene: &Scene) -> Self {
+        let own = Setting::of(scene);
+        let (depths, thresholds) = if spawns(scene.effects) {
+            (depths(own.max_depth), thresholds(own.threshold))
+        } else {
+            (vec![own.max_depth], vec![own.threshold])
+        };
+        let samples = vec![1, 2, 4];
+        Self {
+            precisions: vec![Precision::F32, Precision::F64],
+            formulas: Formula::ALL.to_vec(),
+            truth_samples: finer(&samples),
+            samples,
+            depths,
+            thresholds,
+            full: false,
+            effects: true,
+        }
+    }
+}
+
+/// Samples of a truth that is finer than all of these, so that none of them is compared with itself.
+pub fn finer(samples: &[u32]) -> u32 {
+    2 * samples.iter().copied().max().unwrap_or(1)
+}
+
+fn spawns(effects: Effects) -> bool {
+    effects.has(Effect::Reflection) || effects.has(Effect::Refraction)
+}
+
+/// All up to `own`, beyond 8 only powers of two, and three beyond: the next two, and twice as deep, but no more than 4.
+fn depths(own: u32) -> Vec<u32> {
+    let below = (0..own).filter(|depth| *depth <= 8 || depth.is_power_of_two());
+    let beyond = own.saturating_add(own.clamp(2, 4));
+    sorted(below.chain([own, own.saturating_add(1), own.saturating_add(2), beyond]), |a, b| a.cmp(b))
+}
+
+fn thresholds(own: f64) -> Vec<f64> {
+    sorted([0.0, own, 1e-3, 1.0 / 256.0, 1.0 / 64.0, 1.0 / 16.0], f64::total_cmp)
+}
+
+fn sorted<T: PartialEq>(values: impl IntoIterator<Item = T>, by: impl Fn(&T, &T) -> std::cmp::Ordering) -> Vec<T> {
+    let mut values: Vec<T> = values.into_iter().collect();
+    values.sort_by(by);
+    values.dedup();
+    values
+}
+
+/// What a setting is there to show.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum About {
+    /// What accuracy costs.
+    Accuracy,
+    /// What this effect costs, which is left out.
+    Without(Effect),
+    /// That simulating effects the scene does not call for changes nothing, and what it costs.
+    Everything,
+}
+
+/// The settings to measure, and what they are compared with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sweep {
+    /// As the scene stands.
+    pub own: Setting,
+    /// The most accurate of all: f64, robust, the most samples, the deepest, no threshold.
+    pub truth: Setting,
+    /// Each setting once for what it shows; those of [`About::Accuracy`] first, without repetition.
+    pub subjects: Vec<(Setting, About)>,
+}
+
+impl Sweep {
+    /// The settings around the scene's own: precision × formula × samples in full, each other axis alone, and for each number of samples the
+    /// most accurate setting. With `full`, all axes in full.
+    pub fn of(scene: &Scene, axes: &Axes) -> Self {
+        let own = Setting::of(scene);
+        let deepest = axes.depths.iter().copied().max().unwrap_or(own.max_depth);
+        let exact = |samples| Setting { samples, max_depth: deepest, threshold: 0.0, ..own };
+        let mut settings = vec![own];
+        let mut add = |setting: Setting| {
+            if !settings.contains(&setting) {
+                settings.push(setting);
+            }
+        };
+        let only_own = (vec![own.max_depth], vec![own.threshold]);
+        let (depths, thresholds) = if axes.full { (axes.depths.clone(), axes.thresholds.clone()) } else { only_own };
+        for samples in &axes.samples {
+            for (precision, formula) in pairs(&axes.precisions, &axes.formulas) {
+                for (max_depth, threshold) in pairs(&depths, &thresholds) {
+                    add(Setting { precision, formula, samples: *samples, max_depth, threshold, ..own });
+                }
+            }
+        }
+        axes.depths.iter().for_each(|max_depth| add(Setting { max_depth: *max_depth, ..own }));
+        axes.thresholds.iter().for_each(|threshold| add(Setting { threshold: *threshold, ..own }));
+        axes.samples.iter().chain([&own.samples, &axes.truth_samples]).for_each(|samples| add(exact(*samples)));
+        let truth = exact(axes.truth_samples);
+        let accuracy = settings.into_iter().map(|setting| (setting, About::Accuracy));
+        let effects = if axes.effects { switches(own) } else { Vec::new() };
+        Self { own, truth, subjects: accuracy.chain(effects).collect() }
+    }
+
+    /// The most accurate setting with as many rays a pixel as `setting`.
+    pub fn exact(&self, setting: &Setting) -> Setting {
+        Setting { samples: setting.samples, ..self.truth }
+    }
+}
+
+/// The scene without each effect that it calls for and that can be left out, and with all of them. Transforms and the weakening of
+/// light belong to objects and lights that have them: the kernel has no switch for those.
+fn switches(own: Setting) -> Vec<(Setting, About)> {
+    let has_switch = |effect: &Effect| !matches!(effect, Effect::Transforms | Effect::Attenuation);
+    let without = |effect| {
+        let threshold = if effect == Effect::AdaptiveDepth { 0.0 } else { own.threshold };
+        (Setting { threshold, effects: own.effects.without(effect), ..own }, About::Without(effect))
+    };
+    let everything = Setting { effects: Effects::all().without(Effect::AdaptiveDepth), ..own };
+    own.simulated().iter().filter(has_switch).map(without).chain([(everything, About::Everything)]).collect()
+}
+
+fn pairs<A: Copy, B: Copy>(one: &[A], other: &[B]) -> Vec<(A, B)> {
+    one.iter().flat_map(|a| other.iter().map(move |b| (*a, *b))).collect()
+}
