@@ -7,9 +7,9 @@ use crate::camera::Lens;
 use crate::lights::Light;
 use crate::mesh;
 use crate::optics;
-use crate::ray::Ray;
+use crate::ray::{Ray, Spot};
 use crate::real::Real;
-use crate::rules::RuleSource;
+use crate::rules::{RuleSource, Rules, Start};
 use crate::shade;
 use crate::shapes::{self, Cuboid, Plane, Shear, Solid, Sphere, Square, Triangle};
 use crate::trace::{self, Kernel, Path, Seen};
@@ -42,22 +42,14 @@ pub fn answer_in<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
         Ask::Box { ray, min, max } => solid(rules, ray, Solid::<T>::Cuboid(Cuboid { min: v(*min), max: v(*max) })),
         Ask::Triangle { ray, a, b, c } => triangle(rules, ray, [*a, *b, *c].map(v::<T>)),
         Ask::TransformedSphere { ray, world_from_object, object_from_world } => {
-            let frame = Frame {
-                world_from_object: Affine::of(world_from_object),
-                object_from_world: Affine::of(object_from_world),
-            };
-            transformed_sphere::<T, R>(rules, &Ray::of(ray), &frame)
+            transformed_sphere::<T, R>(rules, &Ray::of(ray), &Frame::of(world_from_object, object_from_world))
         }
         Ask::RayToObject { ray, object_from_world } => {
             let ray = Frame::ray_to_object(rules, &Affine::of(object_from_world), &Ray::<T>::of(ray));
             Answer::Ray { origin: ray.origin.f64(), direction: ray.direction.f64() }
         }
         Ask::NormalToWorld { normal, object_from_world } => {
-            let frame = Frame {
-                world_from_object: Affine::of(&object_from_world.inverse()),
-                object_from_world: Affine::of(object_from_world),
-            };
-            vector::<T>(frame.normal_to_world(rules, v(*normal)))
+            vector::<T>(Frame::of_inverse(object_from_world).normal_to_world(rules, v(*normal)))
         }
         Ask::Barycentric { a, b, c, q } => vector(shapes::barycentric([*a, *b, *c].map(v::<T>), v(*q))),
         Ask::Interpolate { weights, normals } => direction(mesh::interpolate(rules, v::<T>(*weights), normals.map(v))),
@@ -121,17 +113,20 @@ fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
             let Some(object) = scene.objects.get(*object) else { return no_such("object") };
             let [point, normal, to_viewer] = [*point, *normal, *to_viewer].map(v::<T>);
             let is_inside = *inside;
-            let seen = Seen { point, normal, n_geom: normal, to_viewer, is_inside, material: object.material };
+            let spot = Spot { point, error: Vec3::ZERO, n_geom: normal };
+            let seen = Seen { spot, normal, to_viewer, is_inside, material: object.material };
             let world = World::<T>::with_search(scene, Search::Scan);
-            colour(Kernel::new(&world, rules, scene.effects).shade(&seen, &mut Counts::default()))
+            colour(Kernel::new(&world, &of_given_point(rules), scene.effects).shade(&seen, &mut Counts::default()))
         }
         Ask::Shadow { scene, light, point } => {
             let world = World::<T>::with_search(scene, Search::Scan);
             let Some(light) = world.lights.get(*light) else { return no_such("light") };
             let Some((to_light, r)) = light.seen_from(rules, v(*point)) else { return colour(Vec3::<T>::ONE) };
-            let kernel = Kernel::new(&world, rules, scene.effects);
-            let n_geom = to_light; // the question tells none: a start off the surface is one along the ray
-            colour(kernel.shadow(v(*point), n_geom, to_light, r, &mut Counts::default()))
+            let rules = of_given_point(rules);
+            let kernel = Kernel::new(&world, &rules, scene.effects);
+            // the question tells no normal: a start off the surface is one along the ray
+            let spot = Spot { point: v(*point), error: Vec3::ZERO, n_geom: to_light };
+            colour(kernel.shadow(&spot, to_light, r, &mut Counts::default()))
         }
         Ask::Trace { scene, ray, depth } => {
             let world = World::<T>::with_search(scene, Search::Scan);
@@ -140,6 +135,15 @@ fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
         }
         _ => unreachable!("`answer` hands over scenes alone"),
     }
+}
+
+/// The rules for a point that comes with a question: no hit tells how far off its surface it is, so RAY_EPSILON has to. [rule 21]
+fn of_given_point(rules: impl RuleSource) -> Rules {
+    let mut rules = *rules.get();
+    if rules.style.start == Start::OffBound {
+        rules.style.start = Start::Interval;
+    }
+    rules
 }
 
 fn solid<T: Real, R: RuleSource>(rules: R, ray: &cases::Ray, solid: Solid<T>) -> Answer {

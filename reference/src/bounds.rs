@@ -61,13 +61,13 @@ pub struct BoxRay<T> {
 }
 
 impl<T: Real> BoxRay<T> {
-    /// For boxes within `all`.
-    pub fn new(ray: &Ray<T>, all: Bounds<T>) -> Self {
+    /// For boxes within `all`, where rounding in the test of what is inside loses up to `loss` times what it loses in world space.
+    pub fn new(ray: &Ray<T>, all: Bounds<T>, loss: T) -> Self {
         let reach = ray.origin.abs().max_element().greatest(all.min.abs().greatest(all.max.abs()).max_element());
         Self {
             origin: ray.origin,
             inverse: ray.direction.map(|d| T::ONE / d),
-            pad: reach * T::of(256.0) * T::ULP,
+            pad: reach * (loss * T::of(256.0) * T::ULP),
             t_min: ray.t_min,
         }
     }

@@ -17,6 +17,7 @@ pub struct Bvh<T> {
     nodes: Vec<Node<T>>,
     /// The things' numbers, leaf by leaf.
     order: Vec<u32>,
+    loss: T,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +35,7 @@ enum Kind {
 impl<T: Real> Bvh<T> {
     /// The tree over `bounds.len()` things, split where the surface-area heuristic finds it cheapest. The same bounds give the same tree.
     pub fn build(bounds: &[Bounds<T>]) -> Self {
-        let mut tree = Self { nodes: Vec::new(), order: Vec::new() };
+        let mut tree = Self { nodes: Vec::new(), order: Vec::new(), loss: T::ONE };
         let mut items: Vec<u32> = (0..bounds.len() as u32).collect();
         tree.grow(bounds, &mut items, 0);
         tree
@@ -43,6 +44,11 @@ impl<T: Real> Bvh<T> {
     /// Bytes it takes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.nodes) + size_of_val(&*self.order)
+    }
+
+    /// The tree over things that are asked in frames of their own, on the way to which roundings grow by up to this factor, 1 or more.
+    pub fn with_loss(self, loss: T) -> Self {
+        Self { loss, ..self }
     }
 
     fn grow(&mut self, bounds: &[Bounds<T>], items: &mut [u32], depth: usize) {
@@ -66,7 +72,7 @@ impl<T: Real> Bvh<T> {
     #[inline]
     pub fn walk(&self, ray: &Ray<T>, mut visit: impl FnMut(u32, T) -> T) {
         let Some(root) = self.nodes.first() else { return };
-        let boxed = BoxRay::new(ray, root.bounds);
+        let boxed = BoxRay::new(ray, root.bounds, self.loss);
         let mut limit = ray.t_max;
         let mut stack = [(0, T::ZERO); 2 * DEEP];
         let mut n_open = 0;

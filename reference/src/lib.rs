@@ -7,7 +7,7 @@
 //! | [`rules`], [`misconceptions`] | the rules as a value, and the ways in which they are got wrong |
 //! | [`ray`], [`roots`] | where a ray's interval begins and ends; the one solver of quadratics |
 //! | [`shapes`], [`mesh`] | where a ray meets a shape; no materials |
-//! | [`bounds`], [`bvh`], [`world`] | the nearest hit |
+//! | [`frame`], [`bounds`], [`bvh`], [`world`] | the nearest hit |
 //! | [`camera`], [`lights`], [`shade`], [`optics`] | formulas; they cast no ray |
 //! | [`trace`], [`render`], [`watch`] | the kernel, pictures, and who looks on |
 //! | [`variations`] | other ways of computing the same pictures |
@@ -22,6 +22,7 @@ pub mod camera;
 pub mod cli;
 pub mod cost;
 pub mod expect;
+pub mod frame;
 pub mod hard;
 pub mod lights;
 pub mod mesh;

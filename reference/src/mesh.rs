@@ -2,10 +2,10 @@
 
 use crate::bounds::Bounds;
 use crate::bvh::Bvh;
-use crate::ray::Ray;
+use crate::ray::{Ray, Spot};
 use crate::real::Real;
 use crate::rules::{Interpolation, RuleSource, Weights};
-use crate::shapes::{Meeting, Shear, Triangle};
+use crate::shapes::{Meeting, Shear, Triangle, on_triangle};
 use crate::vec3::Vec3;
 use crate::world::Search;
 
@@ -61,9 +61,10 @@ impl<T: Real> Mesh<T> {
         best
     }
 
-    /// The triangle's own unit normal. [rule 16]
-    pub fn normal<R: RuleSource>(&self, rules: R, part: u32) -> Vec3<T> {
-        self.triangles[part as usize].normal(rules)
+    /// The place of a meeting, with the triangle's own unit normal. [rule 16]
+    pub fn place<R: RuleSource>(&self, rules: R, met: &Meeting<T>) -> Spot<T> {
+        let triangle = &self.triangles[met.part as usize];
+        on_triangle(&triangle.corners, met.weights, triangle.normal(rules))
     }
 
     /// The interpolated normal at a meeting; `None` on a flat mesh, or where the vertex normals cancel. [rule 18]

@@ -23,6 +23,11 @@ pub struct Misconception {
 }
 
 impl Misconception {
+    /// The rules of a course with this mistake in them, otherwise as a student computes.
+    pub fn in_student_style(&self, rules: &Rules) -> Rules {
+        self.on(rules).plain()
+    }
+
     /// The rules of a course with this mistake in them.
     pub fn on(&self, rules: &Rules) -> Rules {
         let mut rules = *rules;
@@ -70,7 +75,7 @@ misconceptions! {
         "the first object in the list that is hit wins, not the nearest";
     last_object_wins, 2, "nearest.rs nearest_hit", nearest = Nearest::LastListed,
         "the last object in the list that is hit wins, not the nearest";
-    behind_the_eye, 2, "nearest.rs nearest_hit", epsilon = Epsilon::Fixed(-1e9),
+    behind_the_eye, 2, "nearest.rs nearest_hit", epsilon = Epsilon::Mistaken(-1e9),
         "hits behind the ray's origin (t < 0) count";
     phong_highlight, 3, "shade.rs light_term", highlight = Highlight::Phong,
         "the highlight is Phong's (R·V) where the half vector's (N·H) is due";
@@ -256,8 +261,8 @@ misconceptions! {
         "the normal is not normalised after the transformation";
     normal_not_transformed, 20, "transform.rs normal_to_world", world_normal = WorldNormal::Untransformed,
         "the normal stays in object space";
-    no_epsilon, 21, "reflection.rs reflected_light", epsilon = Epsilon::Fixed(0.0),
+    no_epsilon, 21, "reflection.rs reflected_light", epsilon = Epsilon::Mistaken(0.0),
         "a ray that leaves a surface meets the same surface again: RAY_EPSILON is missing";
-    large_epsilon, 21, "reflection.rs reflected_light", epsilon = Epsilon::Fixed(0.05),
+    large_epsilon, 21, "reflection.rs reflected_light", epsilon = Epsilon::Mistaken(0.05),
         "RAY_EPSILON is so large that rays jump over what touches the surface";
 }

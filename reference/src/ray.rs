@@ -1,7 +1,7 @@
 //! Rays, and the one place that says where a ray's interval begins and ends.
 
 use crate::real::Real;
-use crate::rules::{RuleSource, Start, ToLight};
+use crate::rules::{Epsilon, RuleSource, Start, ToLight};
 use crate::vec3::Vec3;
 
 /// r(t) = origin + t · direction, for t_min < t < t_max. [rule 2]
@@ -17,6 +17,38 @@ pub struct Ray<T> {
     pub t_max: T,
 }
 
+/// A point of a surface, as well as it is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot<T> {
+    /// The point.
+    pub point: Vec3<T>,
+    /// How far along each axis the surface may lie from it, at most; what a ray from here loses to rounding on its way back into object space is
+    /// counted in.
+    pub error: Vec3<T>,
+    /// Unit normal of the surface itself, whichever way it points.
+    pub n_geom: Vec3<T>,
+}
+
+impl<T: Real> Spot<T> {
+    /// A point of `ray` itself: off the surface by what t and the sum O + t d lose, if t is right to a few of its last places.
+    #[inline(always)]
+    pub fn along(ray: &Ray<T>, t: T, n_geom: Vec3<T>) -> Self {
+        let error = (ray.origin.abs() + (ray.direction * t).abs()) * (T::of(16.0) * T::ULP);
+        Self { point: ray.at(t), error, n_geom }
+    }
+
+    /// The point moved off the surface, to the side to which `direction` points.
+    ///
+    /// With S on the surface and |Q − S| ≤ e, the point Q + δ N lies beyond the tangent plane at S if δ > Σ |N_i| e_i. Rounding Q + δ N loses
+    /// half a last place of Q a component; a whole one is added to e. A component that is 0 is exact, and so stays one that may be left on the surface.
+    #[inline(always)]
+    fn moved_off(&self, direction: Vec3<T>) -> Vec3<T> {
+        let away = if direction.dot(self.n_geom) < T::ZERO { -self.n_geom } else { self.n_geom };
+        let reach = away.abs().dot(self.error + self.point.abs() * T::ULP) * (T::ONE + T::of(8.0) * T::ULP);
+        self.point + away * reach
+    }
+}
+
 impl<T: Real> Ray<T> {
     /// The whole ray, over 0 < t < ∞, whatever the rules say of its beginning.
     #[inline(always)]
@@ -28,14 +60,16 @@ impl<T: Real> Ray<T> {
     /// origins off surfaces. [rule 2] [rule 21]
     #[inline(always)]
     pub fn leaving<R: RuleSource>(rules: R, origin: Vec3<T>, direction: Vec3<T>) -> Self {
-        let t_min = if start::<T, R>(rules) == Start::Interval { rules.epsilon() } else { T::ZERO };
+        let t_min = if start(rules) == Start::Interval { rules.epsilon() } else { T::ZERO };
         Self { origin, direction, t_min, t_max: T::INFINITY }
     }
 
-    /// The ray that leaves a point of a surface with that geometric normal, whichever way it points. [rule 2] [rule 21]
+    /// The ray that leaves a surface. [rule 2] [rule 21]
     #[inline(always)]
-    pub fn spawned<R: RuleSource>(rules: R, point: Vec3<T>, n_geom: Vec3<T>, direction: Vec3<T>) -> Self {
-        let origin = match start::<T, R>(rules) {
+    pub fn spawned<R: RuleSource>(rules: R, spot: &Spot<T>, direction: Vec3<T>) -> Self {
+        let Spot { point, n_geom, .. } = *spot;
+        let origin = match start(rules) {
+            Start::OffBound => spot.moved_off(direction),
             Start::Interval => point,
             Start::AlongNormal if direction.dot(n_geom) < T::ZERO => point - n_geom * rules.epsilon::<T>(),
             Start::AlongNormal => point + n_geom * rules.epsilon::<T>(),
@@ -44,22 +78,43 @@ impl<T: Real> Ray<T> {
         Self::leaving(rules, origin, direction)
     }
 
-    /// The ray that leaves a point of a surface and ends before a light in direction `to_light` at distance `r`. [rule 5] [rule 21]
+    /// The ray that leaves a surface and ends before a light in direction `to_light` at distance `r`. [rule 5] [rule 21]
     #[inline(always)]
-    pub fn to_light<R: RuleSource>(rules: R, point: Vec3<T>, n_geom: Vec3<T>, to_light: Vec3<T>, r: T) -> Self {
-        let ray = Self { t_max: r, ..Self::spawned(rules, point, n_geom, to_light) };
-        if rules.get().style.to_light == ToLight::FromPoint || !r.is_finite() {
+    pub fn to_light<R: RuleSource>(rules: R, spot: &Spot<T>, to_light: Vec3<T>, r: T) -> Self {
+        let ray = Self { t_max: r, ..Self::spawned(rules, spot, to_light) };
+        if !r.is_finite() {
             return ray;
         }
-        let way = point + to_light * r - ray.origin;
+        if start(rules) == Start::OffBound {
+            return ray.ending_before((spot.point - ray.origin) + to_light * r, to_light);
+        }
+        if rules.get().style.to_light == ToLight::FromPoint {
+            return ray;
+        }
+        let way = spot.point + to_light * r - ray.origin;
         Self { direction: way.normalised(), t_max: way.length(), ..ray }
     }
 
-    /// The rest of this ray behind its crossing of an object at `t`. A crossing of that object nearer than RAY_EPSILON behind is
-    /// the same one: a ray through an edge that two triangles share crosses one surface. [rule 6]
+    /// This ray turned to a light at the end of `way`, so short that the light itself is beyond its end whatever rounding does: what a light
+    /// touches does not hide it. A light nearer than the bound by which the origin was moved is hidden by nothing.
+    #[inline(always)]
+    fn ending_before(self, way: Vec3<T>, to_light: Vec3<T>) -> Self {
+        let r = way.length();
+        let direction = way * (T::ONE / r);
+        let reach = (self.origin.abs() + (self.origin + way).abs()).dot(direction.abs());
+        let t_max = r - (r + reach) * (T::of(16.0) * T::ULP);
+        Self { direction, t_max: if way.dot(to_light) > T::ZERO { t_max } else { T::ZERO }, ..self }
+    }
+
+    /// The rest of this ray behind its crossing of an object at `t`. A crossing of that object nearer behind than RAY_EPSILON, or than rounding
+    /// may part two of one place, is the same one: a ray through an edge that two triangles share crosses one surface. [rule 6]
     #[inline(always)]
     pub fn beyond<R: RuleSource>(&self, rules: R, t: T) -> Self {
-        Self { t_min: t + rules.epsilon::<T>().greatest(t.abs() * T::ULP), ..*self }
+        let step = match start(rules) {
+            Start::OffBound => (t.abs() + self.origin.abs().dot(self.direction.abs())) * (T::of(16.0) * T::ULP),
+            _ => rules.epsilon::<T>().greatest(t.abs() * T::ULP),
+        };
+        Self { t_min: t + step, ..*self }
     }
 
     /// The point at parameter `t`.
@@ -97,8 +152,18 @@ impl<T: Real> Ray<T> {
     }
 }
 
-/// How rays get away from surfaces. A negative epsilon, the mistake of counting what lies behind, moves no origin in any style.
+/// How rays get away from surfaces. A negative epsilon, the mistake of counting what lies behind, moves no origin in any style; where none is
+/// needed a mistaken one still counts.
 #[inline(always)]
-fn start<T: Real, R: RuleSource>(rules: R) -> Start {
-    if rules.epsilon::<T>() < T::ZERO { Start::Interval } else { rules.get().style.start }
+fn start<R: RuleSource>(rules: R) -> Start {
+    let epsilon = match rules.get().epsilon {
+        Epsilon::RayEpsilon => return rules.get().style.start,
+        Epsilon::Fixed(t) | Epsilon::Mistaken(t) => t,
+    };
+    let is_mistaken = matches!(rules.get().epsilon, Epsilon::Mistaken(_));
+    match rules.get().style.start {
+        Start::OffBound if is_mistaken => Start::Interval,
+        _ if epsilon < 0.0 => Start::Interval,
+        style => style,
+    }
 }

@@ -5,7 +5,7 @@ use cases::{Effect, Effects};
 
 use crate::camera::Lens;
 use crate::optics;
-use crate::ray::Ray;
+use crate::ray::{Ray, Spot};
 use crate::real::Real;
 use crate::rules::{
     Ambient, Cutoff, Depth, InsideBy, LightOrder, MirrorWeight, RuleSource, ShadowReach, Tint, TotalReflection,
@@ -60,11 +60,9 @@ impl<T: Real> Path<T> {
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<T> {
     /// The point.
-    pub point: Vec3<T>,
+    pub spot: Spot<T>,
     /// The normal to shade with, turned against the ray. [rule 11]
     pub normal: Vec3<T>,
-    /// The geometric normal, whichever way it points: it tells the two sides of the surface apart.
-    pub n_geom: Vec3<T>,
     /// −d.
     pub to_viewer: Vec3<T>,
     /// Whether the ray is inside the object.
@@ -140,7 +138,8 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         let (outwards, turned, is_inside) = self.turned(d, &hit);
         let (n_geom, n_shading) = turned;
         let normal = if self.rules.get().turning == Turning::NotShading { outwards } else { n_shading };
-        let seen = Seen { point: hit.point, normal, n_geom, to_viewer: -d, is_inside, material: object.material };
+        let spot = hit.spot(n_geom);
+        let seen = Seen { spot, normal, to_viewer: -d, is_inside, material: object.material };
         let mut colour = self.shade(&seen, watch);
         watch.met(|| Met { object: &object.name, t: hit.t, point: hit.point, normal, is_inside, direct: colour });
         if !self.goes_on(path) {
@@ -153,7 +152,7 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
             let r = optics::smooth_reflect(self.rules, d, n_geom, n_shading);
             let is_black = self.rules.get().total_reflection == TotalReflection::Black && way_through().is_none();
             if !is_black {
-                let ray = Ray::spawned(self.rules, hit.point, n_geom, r);
+                let ray = Ray::spawned(self.rules, &spot, r);
                 colour += kr * self.spawn(RayKind::Reflected, &ray, path, kr, watch);
             }
         }
@@ -162,7 +161,7 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
             && let Some(t) = way_through()
         {
             let kt = self.transmit_weight(material);
-            let ray = Ray::spawned(self.rules, hit.point, n_geom, t);
+            let ray = Ray::spawned(self.rules, &spot, t);
             colour += kt * self.spawn(RayKind::Refracted, &ray, path, kt, watch);
         }
         colour
@@ -233,11 +232,11 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
             if !shadowed {
                 colour += ambient;
             }
-            let Some((to_light, r)) = light.seen_from(self.rules, seen.point) else { continue };
+            let Some((to_light, r)) = light.seen_from(self.rules, seen.spot.point) else { continue };
             if !shadowed && !shade::is_lit(self.rules, material, seen.normal, to_light) {
                 continue;
             }
-            let reaching = self.shadow(seen.point, seen.n_geom, to_light, r, watch) * light.attenuation(self.rules, r);
+            let reaching = self.shadow(&seen.spot, to_light, r, watch) * light.attenuation(self.rules, r);
             if shadowed {
                 colour += ambient * reaching;
             }
@@ -247,14 +246,14 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         colour
     }
 
-    /// S_j at a point of a surface with that geometric normal, for a light in direction `to_light` at distance `r`. [rule 5] [rule 6]
-    pub fn shadow(&self, point: Vec3<T>, n_geom: Vec3<T>, to_light: Vec3<T>, r: T, watch: &mut impl Watch) -> Vec3<T> {
+    /// S_j at a point of a surface, for a light in direction `to_light` at distance `r`. [rule 5] [rule 6]
+    pub fn shadow(&self, spot: &Spot<T>, to_light: Vec3<T>, r: T, watch: &mut impl Watch) -> Vec3<T> {
         if !self.does.shadows {
             return Vec3::ONE;
         }
         watch.shadow_ray();
         let reach = if self.rules.get().shadow_reach == ShadowReach::Unbounded { T::INFINITY } else { r };
-        let ray = Ray::to_light(self.rules, point, n_geom, to_light, reach);
+        let ray = Ray::to_light(self.rules, spot, to_light, reach);
         if self.does.tinted_shadows && self.rules.get().tint != Tint::Opaque {
             return self.tint(&ray);
         }

@@ -105,6 +105,8 @@ const PLAN: [[usize; 10]; 24] = [
     [3, 3, 0, 1, 2, 1, 0, 1, 0, 0],
 ];
 
+/// How students get rays away from surfaces: with RAY_EPSILON, unlike the reference.
+const STARTS: [Start; 3] = [Start::Interval, Start::AlongNormal, Start::AlongRay];
 /// Directions of the nudges, taken in turn, from the other end for f32: the second half is the first one turned round.
 const NUDGES: [[f64; 2]; 8] =
     [[1.0, 0.3], [-0.3, 1.0], [0.7, 0.7], [-0.7, 0.7], [-1.0, -0.3], [0.3, -1.0], [-0.7, -0.7], [0.7, -0.7]];
@@ -118,7 +120,7 @@ pub fn variations(base: &Rules) -> Vec<Variation> {
         base,
         Precision::F32,
         1e-4,
-        Style { robustness: Robustness::Plain, nudge: [0.0; 2], ..base.style },
+        Style { robustness: Robustness::Plain, start: Start::Interval, nudge: [0.0; 2], ..base.style },
     );
     let planned = [Precision::F64, Precision::F32].into_iter().flat_map(|precision| {
         PLAN.iter().enumerate().map(move |(n, row)| {
@@ -138,7 +140,7 @@ fn planned(precision: Precision, n: usize, row: &[usize; 10]) -> (f64, Style) {
         quadratic: Quadratic::ALL[quadratic],
         plane: PlaneFormula::ALL[plane],
         triangle: TriangleFormula::ALL[triangle],
-        start: Start::ALL[start],
+        start: STARTS[start],
         to_light: ToLight::ALL[to_light],
         camera: CameraFormula::ALL[camera],
         snell: Snell::ALL[snell],
@@ -218,7 +220,7 @@ mod tests {
         let n_ways = [
             Quadratic::ALL.len(),
             TriangleFormula::ALL.len(),
-            Start::ALL.len(),
+            STARTS.len(),
             Precision::F64.epsilons().len(),
             CameraFormula::ALL.len(),
             ToLight::ALL.len(),

@@ -4,13 +4,14 @@ use cases::{Effects, Scene, Shape};
 
 use crate::bounds::Bounds;
 use crate::bvh::Bvh;
+pub use crate::frame::Frame;
 use crate::lights::Light;
 use crate::mesh::Mesh;
-use crate::ray::Ray;
+use crate::ray::{Ray, Spot};
 use crate::real::Real;
-use crate::rules::{Nearest, ObjectRay, RuleSource, WorldNormal};
+use crate::rules::{Nearest, RuleSource};
 use crate::shapes::{Cuboid, Meeting, Plane, Round, Solid, Sphere, Square};
-use crate::vec3::{Affine, Vec3};
+use crate::vec3::Vec3;
 
 /// With more objects than this a tree finds the nearest.
 const MANY: usize = 8;
@@ -97,15 +98,6 @@ enum Form<T> {
     Mesh(usize),
 }
 
-/// Where object space lies; `None` in its place means that it is world space.
-#[derive(Clone, Copy, Debug)]
-pub struct Frame<T> {
-    /// M.
-    pub world_from_object: Affine<T>,
-    /// M⁻¹.
-    pub object_from_world: Affine<T>,
-}
-
 /// The nearest thing a ray meets, in world space.
 #[derive(Clone, Copy, Debug)]
 pub struct Hit<T> {
@@ -113,6 +105,8 @@ pub struct Hit<T> {
     pub t: T,
     /// Where.
     pub point: Vec3<T>,
+    /// How far along each axis the surface may lie from `point`, at most.
+    pub error: Vec3<T>,
     /// Unit normal of the surface itself, outwards. [rule 19]
     pub n_geom: Vec3<T>,
     /// Unit normal to shade with: the interpolated one where there is one, else `n_geom`. [rule 18]
@@ -121,30 +115,14 @@ pub struct Hit<T> {
     pub object: usize,
 }
 
-impl<T: Real> Frame<T> {
-    /// The ray in object space; its direction keeps the length that the matrix gives it, so that t stays the same. [rule 20]
+impl<T> Hit<T> {
+    /// The place, with the normal that tells the sides of the surface apart.
     #[inline(always)]
-    pub fn ray_to_object<R: RuleSource>(rules: R, object_from_world: &Affine<T>, ray: &Ray<T>) -> Ray<T> {
-        let direction = object_from_world.vector(ray.direction);
-        let moved = Ray { origin: object_from_world.point(ray.origin), direction, ..*ray };
-        match rules.get().object_ray {
-            ObjectRay::AsIs => moved,
-            ObjectRay::Renormalised => Ray { direction: direction.normalised(), ..moved },
-            ObjectRay::Translated => Ray { direction: object_from_world.point(ray.direction), ..moved },
-            ObjectRay::OriginNotMoved => Ray { origin: ray.origin, ..moved },
-        }
-    }
-
-    /// A⁻ᵀ N′, normalised. [rule 20]
-    #[inline(always)]
-    pub fn normal_to_world<R: RuleSource>(&self, rules: R, normal: Vec3<T>) -> Vec3<T> {
-        match rules.get().world_normal {
-            WorldNormal::InverseTranspose => self.object_from_world.transposed(normal).normalised(),
-            WorldNormal::ByMatrix => self.world_from_object.vector(normal).normalised(),
-            WorldNormal::ByInverse => self.object_from_world.vector(normal).normalised(),
-            WorldNormal::NotUnit => self.object_from_world.transposed(normal),
-            WorldNormal::Untransformed => normal,
-        }
+    pub fn spot(&self, n_geom: Vec3<T>) -> Spot<T>
+    where
+        T: Copy,
+    {
+        Spot { point: self.point, error: self.error, n_geom }
     }
 }
 
@@ -182,7 +160,8 @@ impl<T: Real> World<T> {
                 None => self.endless.push(i),
             }
         }
-        self.tree = Some((inside, Bvh::build(&bounds)));
+        let loss = self.objects.iter().filter_map(|object| object.frame.as_ref()).map(Frame::loss);
+        self.tree = Some((inside, Bvh::build(&bounds).with_loss(loss.fold(T::ONE, T::greatest))));
     }
 
     /// The box around an object in world space; `None` where it has no end.
@@ -192,7 +171,7 @@ impl<T: Real> World<T> {
             Form::Solid(solid) => solid.bounds()?,
             Form::Mesh(mesh) => self.meshes[*mesh].bounds(),
         };
-        Some(object.frame.as_ref().map_or(bounds, |frame| bounds.moved(&frame.world_from_object)))
+        Some(object.frame.as_ref().map_or(bounds, |frame| frame.bounds_to_world(bounds)))
     }
 
     /// The nearest hit in the ray's interval; at one t the earlier object wins. [rule 2]
@@ -292,37 +271,44 @@ impl<T: Real> World<T> {
         }
     }
 
-    /// A meeting with an object, its normals worked out.
+    /// A meeting with an object, its place and normals worked out.
     fn hit<R: RuleSource>(&self, rules: R, ray: &Ray<T>, index: usize, met: Meeting<T>) -> Hit<T> {
         let object = &self.objects[index];
         let frame = object.frame.as_ref();
-        let (n_geom, n_shading) = match &object.shape {
+        let moved = || frame.map_or(*ray, |f| Frame::ray_to_object(rules, &f.object_from_world, ray));
+        let places_hits = rules.get().places_hits();
+        let (place, n_shading) = match &object.shape {
+            Form::Solid(solid) if places_hits => (solid.place(rules, &moved(), &met), None),
             Form::Solid(solid) => {
-                let moved = frame.map(|f| Frame::ray_to_object(rules, &f.object_from_world, ray));
-                let point = moved.as_ref().unwrap_or(ray).at(met.t);
-                (solid.normal(rules, point, met.part), None)
+                let ray = moved();
+                (Spot::along(&ray, met.t, solid.normal(rules, ray.at(met.t), met.part)), None)
             }
             Form::Mesh(mesh) => {
                 let mesh = &self.meshes[*mesh];
-                (mesh.normal(rules, met.part), mesh.interpolated(rules, &met))
+                (mesh.place(rules, &met), mesh.interpolated(rules, &met))
             }
         };
+        let spot = match frame {
+            _ if !places_hits => {
+                let n_geom = frame.map_or(place.n_geom, |f| f.normal_to_world(rules, place.n_geom));
+                Spot::along(ray, met.t, n_geom)
+            }
+            None => place,
+            Some(frame) => frame.spot_to_world(rules, &place),
+        };
         let to_world = |n| frame.map_or(n, |f| f.normal_to_world(rules, n));
-        let n_geom = to_world(n_geom);
-        Hit { t: met.t, point: ray.at(met.t), n_geom, n_shading: n_shading.map_or(n_geom, to_world), object: index }
+        let Spot { point, error, n_geom } = spot;
+        Hit { t: met.t, point, error, n_geom, n_shading: n_shading.map_or(n_geom, to_world), object: index }
     }
 }
 
 fn object<T: Real>(object: &cases::Object) -> Object<T> {
-    let frame = Frame {
-        world_from_object: Affine::of(&object.world_from_object),
-        object_from_world: Affine::of(&object.object_from_world),
-    };
+    let frame = || Frame::of(&object.world_from_object, &object.object_from_world);
     Object {
         name: object.name.clone(),
         material: object.material,
         shape: form(&object.shape),
-        frame: (!object.is_untransformed()).then_some(frame),
+        frame: (!object.is_untransformed()).then(frame),
     }
 }
 

@@ -6,7 +6,7 @@ use common::Random;
 use glam::DVec3;
 use reference::camera::Lens;
 use reference::optics::refract;
-use reference::ray::Ray;
+use reference::ray::{Ray, Spot};
 use reference::rules::{
     CameraFormula, Epsilon, Lecture, PlaneFormula, Power, Quadratic, Rules, Snell, Start, Style, ToLight,
     TriangleFormula,
@@ -206,13 +206,16 @@ fn gloss(ns: f64) -> Material<f64> {
 
 #[test]
 fn rays_get_away_from_surfaces() {
-    let (point, up) = (Vec3::ZERO, Vec3::axis(1));
+    let up = Vec3::axis(1);
+    let spot = Spot { point: Vec3::ZERO, error: Vec3::ONE * 0.25, n_geom: up };
     let slanted = vec(DVec3::new(0.6, 0.8, 0.0));
     let spawned = |start, direction| {
         let rules = Rules { epsilon: Epsilon::Fixed(0.125), ..with(|style| style.start = start) };
-        let ray = Ray::spawned(&rules, point, up, direction);
+        let ray = Ray::spawned(&rules, &spot, direction);
         (ray.origin, ray.contains(0.125), ray.contains(0.13), ray.contains(1e-9))
     };
+    let off_bound = spawned(Start::OffBound, -slanted).0;
+    assert!((off_bound + up * 0.25).length() < 1e-15, "the bound goes along N, to the side of the ray: {off_bound:?}");
     assert_eq!(spawned(Start::Interval, slanted), (Vec3::ZERO, false, true, false));
     assert_eq!(spawned(Start::AlongNormal, slanted), (up * 0.125, true, true, true));
     assert_eq!(spawned(Start::AlongNormal, -slanted), (-up * 0.125, true, true, true));
@@ -220,7 +223,7 @@ fn rays_get_away_from_surfaces() {
     let to_light = |seen, r| {
         let style = |style: &mut Style| (style.start, style.to_light) = (Start::AlongNormal, seen);
         let rules = Rules { epsilon: Epsilon::Fixed(0.125), ..with(style) };
-        let ray = Ray::to_light(&rules, point, up, slanted, r);
+        let ray = Ray::to_light(&rules, &spot, slanted, r);
         assert!(!ray.contains(ray.t_max) && ray.contains(ray.t_max.min(1e9) * 0.99));
         ray
     };

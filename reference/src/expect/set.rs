@@ -90,7 +90,7 @@ impl Set {
         let render = |wrong: &&Misconception| {
             // A student's loop asks every object, even where a wrong test leaves the bounds that a tree goes by.
             let world = World::<f64>::with_search(&case.scene, Search::Scan);
-            let image = render::render_by(&world, &wrong.on(&self.rules), &Options::of(&world), |_| {}).0;
+            let image = render::render_by(&world, &wrong.in_student_style(&self.rules), &Options::of(&world), |_| {}).0;
             let out = answer.out(&image);
             let count = out.iter().filter(|out| **out).count() as u32;
             let fails = !answer.allows(largest_cluster(&out, image.width()), count);

@@ -336,11 +336,13 @@ choices! {
     }
 }
 
-/// How far a ray must go before a hit counts. [rule 21]
+/// How far a ray must go before a hit counts, in styles that need to be told. [rule 21]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Epsilon {
     /// [`RAY_EPSILON`](crate::real::Real::RAY_EPSILON).
     RayEpsilon,
     /// This.
     Fixed(f64),
+    /// This, by mistake: it counts even where the style needs no epsilon.
+    Mistaken(f64),
 }

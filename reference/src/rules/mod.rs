@@ -24,7 +24,7 @@ pub trait RuleSource: Copy + Send + Sync {
     fn epsilon<T: Real>(&self) -> T {
         match self.get().epsilon {
             Epsilon::RayEpsilon => T::RAY_EPSILON,
-            Epsilon::Fixed(t) => T::of(t),
+            Epsilon::Fixed(t) | Epsilon::Mistaken(t) => T::of(t),
         }
     }
 }
@@ -161,4 +161,19 @@ impl Rules {
         quantiser: Quantiser::Rounding,
         style: Style::REFERENCE,
     };
+
+    /// The same rules, in the style of [`Style::PLAIN`].
+    pub fn plain(self) -> Self {
+        Self { style: Style::PLAIN, ..self }
+    }
+
+    /// Whether hits are put back on their surfaces, with a bound of what is left: not where a mistake takes t or the surface elsewhere, and the
+    /// point that a student computes is the one along the ray.
+    #[inline(always)]
+    pub fn places_hits(&self) -> bool {
+        self.style.robustness == Robustness::Certified
+            && self.object_ray == ObjectRay::AsIs
+            && self.sphere_roots != SphereRoots::UnitDirection
+            && self.plane != PlaneSide::NegatedK
+    }
 }

@@ -57,9 +57,11 @@ freedoms! {
         /// The plane's Q, then ratios of areas without the axis along which N is longest; α = 1 − β − γ.
         Areas = "barycentric areas",
     }
-    /// How a ray gets away from the surface that it leaves, with the rules' epsilon. [rule 21]
+    /// How a ray gets away from the surface that it leaves. [rule 21]
     Start {
-        /// From Q, over t > ε.
+        /// From Q, moved off the surface by the proven bound of its error, to the side where the ray goes, over t > 0.
+        OffBound = "offset by the error bound",
+        /// From Q, over t > ε, the rules' epsilon.
         Interval = "t >",
         /// From Q + ε N over t > 0, N the geometric normal, turned to the side where the ray goes.
         AlongNormal = "offset along the normal",
@@ -130,7 +132,7 @@ impl Style {
         quadratic: Quadratic::NearestPoint,
         plane: PlaneFormula::FromFoot,
         triangle: TriangleFormula::Sheared,
-        start: Start::Interval,
+        start: Start::OffBound,
         to_light: ToLight::FromPoint,
         camera: CameraFormula::Plane,
         snell: Snell::Factored,
@@ -138,4 +140,7 @@ impl Style {
         lights: LightOrder::Listed,
         nudge: [0.0; 2],
     };
+
+    /// The reference's formulas, as a student writes them: plain, and rays leave surfaces by RAY_EPSILON.
+    pub const PLAIN: Self = Self { robustness: Robustness::Plain, start: Start::Interval, ..Self::REFERENCE };
 }

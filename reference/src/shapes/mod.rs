@@ -1,6 +1,7 @@
 //! Bare shapes in object space: where a ray meets them, and the outward normal there. They know no materials.
 
 mod cuboid;
+mod place;
 mod plane;
 mod round;
 mod settle;
@@ -10,6 +11,7 @@ mod triangle;
 mod triangle_formulas;
 
 pub use cuboid::Cuboid;
+pub(crate) use place::on_triangle;
 pub use plane::Plane;
 pub use round::Round;
 pub use sphere::Sphere;

@@ -34,8 +34,17 @@ impl<T: Real> Round<T> {
     }
 
     /// r(z).
-    fn radius(&self, z: T) -> T {
+    pub(super) fn radius(&self, z: T) -> T {
         self.bottom_radius + self.slope() * (z - self.z_min)
+    }
+
+    /// z of a cap; `None` for the side.
+    pub(super) fn cap_height(&self, part: u32) -> Option<T> {
+        match part {
+            BOTTOM => Some(self.z_min),
+            TOP => Some(self.z_max),
+            _ => None,
+        }
     }
 
     /// The first meeting in the ray's interval; on a rim the side is met. The ends belong to it.

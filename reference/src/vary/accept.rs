@@ -206,13 +206,13 @@ impl Hidden {
 
 /// The pixels that differ where the program makes the mistake.
 fn broken(case: &Case, wrong: &Misconception, rules: &Rules, right: &Image) -> f64 {
-    differing(right, &picture(&case.scene, &wrong.on(rules), case.scene.effects))
+    differing(right, &picture(&case.scene, &wrong.in_student_style(rules), case.scene.effects))
 }
 
 /// Right programs of another precision or another epsilon differ on no more pixels than none would see.
 fn fair(case: &Case, rules: &Rules, right: &Image) -> Result<(), Refusal> {
-    let coarse = Rules { epsilon: Epsilon::Fixed(1e-3), ..*rules };
-    let single = Variation { name: "single precision".to_owned(), precision: Precision::F32, rules: *rules };
+    let coarse = Rules { epsilon: Epsilon::Fixed(1e-3), ..rules.plain() };
+    let single = Variation { name: "single precision".to_owned(), precision: Precision::F32, rules: rules.plain() };
     for (who, actual) in [
         ("single precision", single.picture(&case.scene, case.scene.effects)),
         ("an epsilon of 1e-3", picture(&case.scene, &coarse, case.scene.effects)),

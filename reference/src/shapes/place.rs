@@ -1,0 +1,97 @@
+//! The place of a hit: a point put back on the surface, and a bound of how far off it still is.
+//!
+//! O + t d is off by what t and the sum lose, which grows with the distance that the ray has come. The point put back on the surface is off by
+//! what the formula of the surface loses, which does not. u is half of `ULP`; γ(n) = n u / (1 − n u), and n `ULP` is twice that.
+
+use super::{Cuboid, Meeting, Plane, Round, Solid, Sphere};
+use crate::ray::{Ray, Spot};
+use crate::real::Real;
+use crate::rules::{RuleSource, SphereNormal};
+use crate::vec3::Vec3;
+
+impl<T: Real> Solid<T> {
+    /// The place where `ray` meets it, in object space: the point, its error, the outward unit normal there. [rule 11]
+    #[inline(always)]
+    pub fn place<R: RuleSource>(&self, rules: R, ray: &Ray<T>, met: &Meeting<T>) -> Spot<T> {
+        let at = ray.at(met.t);
+        match self {
+            Self::Sphere(sphere) => sphere.place(rules, at),
+            Self::Plane(plane) => plane.place(at),
+            // z = 0 exactly, and the rest of it lies within the plane
+            Self::Square(_) => Spot { point: Vec3::new(at.x, at.y, T::ZERO), error: Vec3::ZERO, n_geom: Vec3::axis(2) },
+            Self::Cuboid(cuboid) => cuboid.place(at, met.part),
+            Self::Round(round) => round.place(at, met.part),
+        }
+    }
+}
+
+impl<T: Real> Sphere<T> {
+    /// C + r q / |q| for q = X − C: any q will do.
+    ///
+    /// |q| takes γ(3) for its square, half of that and one u for the root; the quotient, q/|q| and r one each: γ(6) of r q / |q|. The last sum
+    /// takes u of its result. The centre itself, and with it a sphere without radius, is its own place.
+    #[inline(always)]
+    fn place<R: RuleSource>(&self, rules: R, at: Vec3<T>) -> Spot<T> {
+        let q = at - self.center;
+        let out = if q == Vec3::ZERO { Vec3::axis(2) } else { q.normalised() };
+        let offset = out * self.radius;
+        let point = self.center + offset;
+        let n_geom = match rules.get().sphere_normal {
+            SphereNormal::FromCentre => out,
+            _ => self.normal(rules, point),
+        };
+        Spot { point, error: (offset.abs() * T::of(6.0) + point.abs()) * T::ULP, n_geom }
+    }
+}
+
+impl<T: Real> Plane<T> {
+    /// X + (k − N·X) N, where N·X = k but for the roundings of both sums: γ(8) (|k| + Σ |N_i X_i|) along N.
+    #[inline(always)]
+    fn place(&self, at: Vec3<T>) -> Spot<T> {
+        let n = self.normal;
+        let point = at + n * (self.k - n.dot(at));
+        let terms = self.k.abs() + n.abs().dot(point.abs());
+        Spot { point, error: n.abs() * (terms * T::of(8.0) * T::ULP), n_geom: n }
+    }
+}
+
+impl<T: Real> Cuboid<T> {
+    /// The face's coordinate is exact, and the others lie within the face.
+    #[inline(always)]
+    fn place(&self, at: Vec3<T>, part: u32) -> Spot<T> {
+        let face = if part % 2 == 1 { self.max } else { self.min };
+        let pick = |axis: u32, of: T, face: T| if part / 2 == axis { face } else { of };
+        let point = Vec3::new(pick(0, at.x, face.x), pick(1, at.y, face.y), pick(2, at.z, face.z));
+        Spot { point, error: Vec3::ZERO, n_geom: Self::normal(part) }
+    }
+}
+
+impl<T: Real> Round<T> {
+    /// A cap's z is exact. On the side (x, y) comes to length r(z): γ(6) of it as on the sphere, and what r(z) itself loses, three roundings of
+    /// the slope and three more of the terms of r(z).
+    #[inline(always)]
+    fn place(&self, at: Vec3<T>, part: u32) -> Spot<T> {
+        if let Some(z) = self.cap_height(part) {
+            let point = Vec3::new(at.x, at.y, z);
+            return Spot { point, error: Vec3::ZERO, n_geom: self.normal(point, part) };
+        }
+        let (out, z) = (Vec3::new(at.x, at.y, T::ZERO), at.z.greatest(self.z_min).least(self.z_max));
+        let radius = self.radius(z);
+        let out = if out == Vec3::ZERO { out } else { out.normalised() * radius };
+        let point = Vec3::new(out.x, out.y, z);
+        let of_radius = self.bottom_radius.abs() + (radius - self.bottom_radius).abs();
+        let loss = T::of(if self.bottom_radius == self.top_radius { 0.0 } else { 6.0 });
+        let across = (out.abs() * T::of(6.0) + Vec3::ONE * (of_radius * loss)) * T::ULP;
+        Spot { point, error: Vec3::new(across.x, across.y, T::ZERO), n_geom: self.normal(point, part) }
+    }
+}
+
+/// α A + β B + γ C, off its plane by at most γ(4) for weights whose sum is not quite 1 and γ(5) for their products and sums, of the greatest of
+/// the sums of amounts: where a ray meets a triangle its coordinates mix.
+#[inline(always)]
+pub(crate) fn on_triangle<T: Real>(corners: &[Vec3<T>; 3], weights: Vec3<T>, n_geom: Vec3<T>) -> Spot<T> {
+    let [a, b, c] = corners;
+    let (a, b, c) = (*a * weights.x, *b * weights.y, *c * weights.z);
+    let terms = (a.abs() + b.abs() + c.abs()).max_element();
+    Spot { point: a + b + c, error: Vec3::ONE * (terms * T::of(9.0) * T::ULP), n_geom }
+}
