@@ -149,7 +149,7 @@ fn of_given_point(rules: impl RuleSource) -> Rules {
 fn solid<T: Real, R: RuleSource>(rules: R, ray: &cases::Ray, solid: Solid<T>) -> Answer {
     let ray = Ray::of(ray);
     match solid.meet(rules, &ray) {
-        Some(met) => hit(met.t, solid.normal(rules, ray.at(met.t), met.part)),
+        Some(met) => hit(met.t, solid.normal_where(rules, &ray, &met)),
         None => Answer::Miss(true),
     }
 }
@@ -164,7 +164,7 @@ fn transformed_sphere<T: Real, R: RuleSource>(rules: R, ray: &Ray<T>, frame: &Fr
     let sphere = Solid::Sphere(Sphere { center: Vec3::ZERO, radius: T::of(0.5) });
     let moved = Frame::ray_to_object(rules, &frame.object_from_world, ray);
     match sphere.meet(rules, &moved) {
-        Some(met) => hit(met.t, frame.normal_to_world(rules, sphere.normal(rules, moved.at(met.t), met.part))),
+        Some(met) => hit(met.t, frame.normal_to_world(rules, sphere.normal_where(rules, &moved, &met))),
         None => Answer::Miss(true),
     }
 }

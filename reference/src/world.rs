@@ -281,7 +281,7 @@ impl<T: Real> World<T> {
             Form::Solid(solid) if places_hits => (solid.place(rules, &moved(), &met), None),
             Form::Solid(solid) => {
                 let ray = moved();
-                (Spot::along(&ray, met.t, solid.normal(rules, ray.at(met.t), met.part)), None)
+                (Spot::along(&ray, met.t, solid.normal_where(rules, &ray, &met)), None)
             }
             Form::Mesh(mesh) => {
                 let mesh = &self.meshes[*mesh];

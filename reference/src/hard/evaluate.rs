@@ -8,7 +8,7 @@ use crate::ray::Ray;
 use crate::real::Real;
 use crate::rules::RuleSource;
 use crate::shapes::{Cuboid, Plane, Round, Shear, Solid, Sphere, Square, Triangle};
-use crate::vec3::{Affine, Vec3};
+use crate::vec3::Vec3;
 use crate::world::Frame;
 
 /// The numbers of an answer that is no miss, in the scalar `S`.
@@ -86,7 +86,7 @@ fn ray<T: Real>(line: &Line) -> Ray<T> {
 fn solid<T: Real, R: RuleSource>(rules: R, line: &Line, solid: Solid<T>) -> Reply {
     let ray = ray(line);
     let met = solid.meet(rules, &ray)?;
-    Some(Found::hit(met.t.f64(), out(solid.normal(rules, ray.at(met.t), met.part))))
+    Some(Found::hit(met.t.f64(), out(solid.normal_where(rules, &ray, &met))))
 }
 
 /// A meeting whose normal is known beforehand.
@@ -107,7 +107,7 @@ fn transformed_sphere<T: Real, R: RuleSource>(rules: R, line: &Line, frame: &Fra
     let sphere = Solid::Sphere(Sphere { center: Vec3::ZERO, radius: T::HALF });
     let moved = Frame::ray_to_object(rules, &frame.object_from_world, &ray(line));
     let met = sphere.meet(rules, &moved)?;
-    let normal = frame.normal_to_world(rules, sphere.normal(rules, moved.at(met.t), met.part));
+    let normal = frame.normal_to_world(rules, sphere.normal_where(rules, &moved, &met));
     Some(Found::hit(met.t.f64(), out(normal)))
 }
 
@@ -115,10 +115,7 @@ fn transformed_sphere<T: Real, R: RuleSource>(rules: R, line: &Line, frame: &Fra
 fn frame<T: Real>(rows: [[f64; 3]; 3], translation: [f64; 3]) -> Frame<T> {
     let matrix = DMat3::from_cols_array_2d(&rows).transpose();
     let world_from_object = DAffine3 { matrix3: matrix, translation: DVec3::from_array(translation) };
-    Frame {
-        world_from_object: Affine::of(&world_from_object),
-        object_from_world: Affine::of(&world_from_object.inverse()),
-    }
+    Frame::of(&world_from_object, &world_from_object.inverse())
 }
 
 fn v<T: Real>(v: [f64; 3]) -> Vec3<T> {

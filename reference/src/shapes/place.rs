@@ -15,7 +15,7 @@ impl<T: Real> Solid<T> {
     pub fn place<R: RuleSource>(&self, rules: R, ray: &Ray<T>, met: &Meeting<T>) -> Spot<T> {
         let at = ray.at(met.t);
         match self {
-            Self::Sphere(sphere) => sphere.place(rules, at),
+            Self::Sphere(sphere) => sphere.place(rules, ray, met.t),
             Self::Plane(plane) => plane.place(at),
             // z = 0 exactly, and the rest of it lies within the plane
             Self::Square(_) => Spot { point: Vec3::new(at.x, at.y, T::ZERO), error: Vec3::ZERO, n_geom: Vec3::axis(2) },
@@ -25,15 +25,25 @@ impl<T: Real> Solid<T> {
     }
 }
 
-impl<T: Real> Sphere<T> {
-    /// C + r q / |q| for q = X − C: any q will do.
-    ///
-    /// |q| takes γ(3) for its square, half of that and one u for the root; the quotient, q/|q| and r one each: γ(6) of r q / |q|. The last sum
-    /// takes u of its result. The centre itself, and with it a sphere without radius, is its own place.
+impl<T: Real> Solid<T> {
+    /// The outward unit normal where `ray` meets it: at its place, or at the point along the ray by rules that know no place.
     #[inline(always)]
-    fn place<R: RuleSource>(&self, rules: R, at: Vec3<T>) -> Spot<T> {
-        let q = at - self.center;
-        let out = if q == Vec3::ZERO { Vec3::axis(2) } else { q.normalised() };
+    pub fn normal_where<R: RuleSource>(&self, rules: R, ray: &Ray<T>, met: &Meeting<T>) -> Vec3<T> {
+        match rules.get().places_hits() {
+            true => self.place(rules, ray, met).n_geom,
+            false => self.normal(rules, ray.at(met.t), met.part),
+        }
+    }
+}
+
+impl<T: Real> Sphere<T> {
+    /// C + r q for a vector q of unit length, whichever it is.
+    ///
+    /// q takes γ(3) for the square of its length, half of that and one u for the root, one each for the quotient, q itself and r: γ(6) of r q.
+    /// The last sum takes u of its result.
+    #[inline(always)]
+    fn place<R: RuleSource>(&self, rules: R, ray: &Ray<T>, t: T) -> Spot<T> {
+        let out = self.outwards(ray, t);
         let offset = out * self.radius;
         let point = self.center + offset;
         let n_geom = match rules.get().sphere_normal {

@@ -39,3 +39,41 @@ impl Random {
         }
     }
 }
+
+/// A scene of one object, all white; its frame is the identity unless the map says otherwise.
+pub(crate) fn lone(shape: cases::Shape, meshes: Vec<cases::Mesh>, world_from_object: glam::DAffine3) -> Scene {
+    let mut scene = scene("[scene.materials.m]\nkd = [1, 1, 1]\n[[scene.objects]]\nsphere = {}\nmaterial = \"m\"\n");
+    let object = &mut scene.objects[0];
+    (object.shape, object.world_from_object) = (shape, world_from_object);
+    object.object_from_world = world_from_object.inverse();
+    scene.meshes = meshes;
+    scene
+}
+
+/// A closed mesh around the origin: a sphere of `n` bands and `n` columns whose vertices lie at the distances that `radius` gives.
+pub(crate) fn globe(n: u32, mut radius: impl FnMut() -> f64) -> cases::Mesh {
+    use cases::maths::{cos, sin};
+    use std::f64::consts::PI;
+    let mut vertices = vec![glam::DVec3::Y * radius(), glam::DVec3::NEG_Y * radius()];
+    for band in 1..n {
+        let angle = PI * f64::from(band) / f64::from(n);
+        let (height, width) = (sin(angle), cos(angle));
+        for column in 0..n {
+            let angle = 2.0 * PI * f64::from(column) / f64::from(n);
+            let (z, x) = (sin(angle), cos(angle));
+            vertices.push(glam::DVec3::new(x * height, width, z * height) * radius());
+        }
+    }
+    let at = |band: u32, column: u32| 2 + (band - 1) * n + column % n;
+    let mut triangles = Vec::new();
+    for column in 0..n {
+        triangles.push([0, at(1, column + 1), at(1, column)]);
+        for band in 1..n - 1 {
+            let [a, b] = [at(band, column), at(band, column + 1)];
+            let [c, d] = [at(band + 1, column), at(band + 1, column + 1)];
+            triangles.extend([[a, b, d], [a, d, c]]);
+        }
+        triangles.push([1, at(n - 1, column), at(n - 1, column + 1)]);
+    }
+    cases::Mesh { vertices, triangles, normals: None }
+}

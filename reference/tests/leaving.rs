@@ -1,0 +1,181 @@
+//! Rays that leave a surface: none meets it again at once, none slips through it, and none jumps over more than rounding makes it.
+
+mod common;
+
+use cases::{Shape, maths};
+use common::{Random, globe, lone};
+use glam::{DAffine3, DMat3, DQuat, DVec3};
+use reference::ray::Ray;
+use reference::real::Real;
+use reference::rules::{Lecture, RuleSource, Rules, Start, Style};
+use reference::vec3::Vec3;
+use reference::world::{Hit, World};
+
+/// Pairs of rays, one to each side of the surface, per shape and precision.
+const N_PAIRS: usize = 100_000;
+const SCALES: [f64; 4] = [1e-3, 1.0, 1e3, 1e6];
+
+/// A convex shape of size 1 or so.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    Sphere,
+    Plane,
+    Square,
+    Box,
+    Cylinder,
+    Cone,
+    Mesh,
+}
+
+const KINDS: [Kind; 7] = [Kind::Sphere, Kind::Plane, Kind::Square, Kind::Box, Kind::Cylinder, Kind::Cone, Kind::Mesh];
+
+impl Kind {
+    /// Whether it has an inside.
+    fn is_closed(self) -> bool {
+        !matches!(self, Self::Plane | Self::Square)
+    }
+
+    /// The shape `scale` times as large, somewhat beside the origin where it can be.
+    fn shape(self, scale: f64, random: &mut Random) -> Shape {
+        let beside = DVec3::new(random.signed(), random.signed(), random.signed()) * scale;
+        match self {
+            Self::Sphere => Shape::Sphere { center: beside, radius: 0.7 * scale },
+            Self::Plane => Shape::Plane { normal: random.unit(), k: random.signed() * scale },
+            Self::Square => Shape::Square {},
+            Self::Box => Shape::Box { min: beside - scale * DVec3::new(0.3, 0.5, 0.7), max: beside + scale * 0.6 },
+            Self::Cylinder => {
+                Shape::Cylinder { radius: 0.6 * scale, z_min: -0.4 * scale, z_max: 0.7 * scale, capped: true }
+            }
+            Self::Cone => Shape::Cone {
+                bottom_radius: 0.8 * scale,
+                top_radius: if random.signed() > 0.0 { 0.0 } else { 0.3 * scale },
+                z_min: beside.z,
+                z_max: beside.z + scale,
+                capped: true,
+            },
+            Self::Mesh => Shape::Mesh { mesh: 0 },
+        }
+    }
+}
+
+/// A map that turns, stretches by up to ten to one and moves; the size of what it makes of a thing of size 1 is `scale` or so.
+fn affine(scale: f64, random: &mut Random) -> DAffine3 {
+    let mut turn = || {
+        let angle = 3.0 * random.signed();
+        DMat3::from_quat(DQuat::from_axis_angle(random.unit(), angle))
+    };
+    let (one, other) = (turn(), turn());
+    let sizes = DVec3::new(1.0, 0.3 + 0.7 * random.share(), 0.1 + 0.9 * random.share()) * scale;
+    let mirror = if random.signed() > 0.0 { DVec3::ONE } else { DVec3::new(1.0, -1.0, 1.0) };
+    let beside = DVec3::new(random.signed(), random.signed(), random.signed()) * 3.0 * scale;
+    DAffine3::from_mat3_translation(one * DMat3::from_diagonal(sizes * mirror) * other, beside)
+}
+
+/// What became of the rays.
+#[derive(Debug, Default)]
+struct Tally {
+    n: usize,
+    /// Outwards, and yet the shape was met again.
+    re_hits: usize,
+    /// Inwards, and no far side was met, though it lies farther away than a ray may jump.
+    leaks: usize,
+    /// The longest way from a hit to the start of a new ray, over the size of the object.
+    skipped: f64,
+}
+
+/// `direction` is at an angle to `n` whose cosine lies between 0 and 1: half of the time uniform, half of the time grazing.
+fn direction(random: &mut Random, n: DVec3) -> DVec3 {
+    let along = random.unit().cross(n).normalize();
+    let cosine = if random.signed() > 0.0 { random.share().max(1e-3) } else { maths::pow(10.0, -3.0 * random.share()) };
+    n * cosine + along * (1.0 - cosine * cosine).sqrt()
+}
+
+fn leave<T: Real, R: RuleSource>(rules: R, kind: Kind, frame: bool, scale: f64, n: usize, most: f64) -> Tally {
+    let mut random = Random(0x1ea_5e0f_5afe + scale.to_bits() + kind as u64);
+    let mut tally = Tally::default();
+    while tally.n < n {
+        // squares and meshes lie at the origin at size 1 unless a frame moves them
+        let of_shape = if frame || kind == Kind::Square { 1.0 } else { scale };
+        let shape = kind.shape(of_shape, &mut random);
+        let map = if frame { affine(scale, &mut random) } else { DAffine3::IDENTITY };
+        let scale = if frame { scale } else { of_shape };
+        let mesh = globe(8, || of_shape);
+        let scene = lone(shape, vec![mesh], map);
+        let (world, sharp) = (World::<T>::new(&scene), World::<f64>::new(&scene));
+        let wanted = (tally.n + n / 20 + 1).min(n);
+        while tally.n < wanted {
+            let inside = map.transform_point3(DVec3::new(random.signed(), random.signed(), random.signed()) * of_shape);
+            let from = inside + random.unit() * scale * maths::pow(10.0, 2.0 * random.share());
+            let aimed = Ray::leaving(rules, Vec3::of(from), Vec3::of((inside - from).normalize()));
+            let Some(hit) = world.nearest(rules, &aimed) else { continue };
+            tally.n += 1;
+            both_sides(rules, (&world, &sharp), kind, &hit, scale, most, &mut random, &mut tally);
+        }
+    }
+    tally
+}
+
+#[allow(clippy::too_many_arguments, reason = "the insides of one loop")]
+fn both_sides<T: Real, R: RuleSource>(
+    rules: R,
+    (world, sharp): (&World<T>, &World<f64>),
+    kind: Kind,
+    hit: &Hit<T>,
+    scale: f64,
+    most: f64,
+    random: &mut Random,
+    tally: &mut Tally,
+) {
+    let outwards = direction(random, hit.n_geom.f64());
+    // a plane is as large as the place of the hit is far
+    let size = if kind == Kind::Plane { scale.max(hit.point.f64().length()) } else { scale };
+    for way in [outwards, -outwards] {
+        let ray = Ray::spawned(rules, &hit.spot(hit.n_geom), Vec3::of(way));
+        tally.skipped = tally.skipped.max((ray.origin - hit.point).f64().length() / size);
+        let met = world.nearest(rules, &ray);
+        let goes_in = kind.is_closed() && way.dot(hit.n_geom.f64()) < 0.0;
+        if !goes_in {
+            tally.re_hits += usize::from(met.is_some());
+        } else if met.is_none() {
+            let true_ray = Ray::leaving(Lecture, Vec3::of(hit.point.f64()), Vec3::of(way));
+            let far = sharp.nearest(Lecture, &true_ray).map_or(0.0, |far| far.t / scale);
+            tally.leaks += usize::from(far > most);
+        }
+    }
+}
+
+/// `most` is the greatest share of an object that a ray may jump over.
+fn check<T: Real>(most: f64) {
+    for kind in KINDS {
+        for frame in [false, true] {
+            for scale in SCALES {
+                let tally = leave::<T, _>(Lecture, kind, frame, scale, N_PAIRS / 8, most);
+                println!("{kind:?} in a frame: {frame}, scale {scale:e}: {tally:?}");
+                assert_eq!((tally.re_hits, tally.leaks), (0, 0), "{kind:?} {frame} {scale:e}: {tally:?}");
+                assert!(tally.skipped < most, "{kind:?} {frame} {scale:e}: {tally:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn in_double_precision_no_ray_is_lost_or_caught() {
+    check::<f64>(1e-12);
+}
+
+#[test]
+fn in_single_precision_no_ray_is_lost_or_caught() {
+    check::<f32>(1e-3);
+}
+
+/// What the bound replaces: a start that is not moved meets its own surface, and one that is moved by a constant does so at large scales.
+#[test]
+fn a_constant_is_wrong_at_some_scale() {
+    let rules = |start, epsilon| Rules { epsilon, style: Style { start, ..Style::PLAIN }, ..Rules::LECTURE };
+    let tally = |rules: &Rules, scale| leave::<f32, _>(rules, Kind::Sphere, false, scale, 2000, 1e-3);
+    let fixed = reference::rules::Epsilon::Fixed;
+    assert!(tally(&rules(Start::Interval, fixed(0.0)), 1.0).re_hits > 200);
+    assert!(tally(&rules(Start::Interval, fixed(1e-4)), 1e6).re_hits > 200);
+    assert!(tally(&rules(Start::AlongNormal, fixed(1e-4)), 1e6).re_hits > 200);
+    assert!(tally(&rules(Start::AlongNormal, fixed(1e-4)), 1e-3).skipped > 0.05);
+}
