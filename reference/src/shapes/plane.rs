@@ -1,9 +1,9 @@
 //! The plane. [rule 15]
 
-use super::Meeting;
+use super::{Meeting, settle};
 use crate::ray::Ray;
 use crate::real::Real;
-use crate::rules::{PlaneFormula, PlaneSide, RuleSource};
+use crate::rules::{PlaneFormula, PlaneSide, Robustness, RuleSource};
 use crate::vec3::Vec3;
 
 /// N·X = k, N a unit vector.
@@ -18,20 +18,50 @@ pub struct Plane<T> {
 impl<T: Real> Plane<T> {
     /// The meeting in the ray's interval. [rule 15]
     ///
-    /// t = N·(kN − P) / N·d: the difference of two points first, so that far from the origin nothing cancels. A parallel ray
-    /// never meets it, not even one that runs within it.
+    /// A parallel ray never meets it, not even one that runs within it.
     #[inline(always)]
     pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
-        let slope = self.normal.dot(ray.direction);
-        if slope == T::ZERO || (rules.get().plane == PlaneSide::FrontOnly && slope > T::ZERO) {
+        if rules.get().plane == PlaneSide::FrontOnly && self.normal.dot(ray.direction) > T::ZERO {
             return None;
         }
         let k = if rules.get().plane == PlaneSide::NegatedK { -self.k } else { self.k };
-        let t = match rules.get().style.plane {
-            PlaneFormula::FromFoot => self.normal.dot(self.normal * k - ray.origin) / slope,
-            PlaneFormula::Textbook => (k - self.normal.dot(ray.origin)) / slope,
-        };
+        let t = match rules.get().style.robustness {
+            Robustness::Certified => self.certified(k, ray),
+            Robustness::Plain => self.plain(rules, k, ray),
+        }?;
         ray.contains(t).then(|| Meeting::with(t, 0))
+    }
+
+    /// t = (k − N·P) / N·d; `None` for a parallel ray, and where t certainly does not count.
+    ///
+    /// With u half a ulp, N·d is off by 3u Σ|N_i d_i| at most and k − N·P by 4u (|k| + Σ|N_i P_i|); 8u is twice that. Where that leaves a sign open, or
+    /// most digits of t cancel, the second step is taken.
+    #[inline(always)]
+    fn certified(&self, k: T, ray: &Ray<T>) -> Option<T> {
+        let n = self.normal;
+        let (slope, slopes) = (n.dot(ray.direction), n.abs().dot(ray.direction.abs()));
+        let (height, terms) = (k - n.dot(ray.origin), k.abs() + n.abs().dot(ray.origin.abs()));
+        if slopes.is_safe() && terms.is_safe() {
+            let exceeds = |share: T| slope.abs() > slopes * share && height.abs() > terms * share;
+            if exceeds(T::of(4.0) * T::ULP) && (slope < T::ZERO) != (height < T::ZERO) && ray.is_before(T::ZERO) {
+                return None;
+            }
+            if exceeds(T::of(1.0 / 32.0)) {
+                return Some(height / slope);
+            }
+        }
+        settle::plane(self, k, ray)
+    }
+
+    /// t as students compute it; `None` for a parallel ray.
+    #[inline(always)]
+    fn plain<R: RuleSource>(&self, rules: R, k: T, ray: &Ray<T>) -> Option<T> {
+        let slope = self.normal.dot(ray.direction);
+        let way = match rules.get().style.plane {
+            PlaneFormula::FromFoot => self.normal.dot(self.normal * k - ray.origin),
+            PlaneFormula::Textbook => k - self.normal.dot(ray.origin),
+        };
+        (slope != T::ZERO).then(|| way / slope)
     }
 }
 

@@ -1,16 +1,21 @@
 //! Cylinder and cone: both are a radius that goes linearly along z.
 
 use super::Meeting;
+use super::settle::Coil;
 use crate::bounds::Bounds;
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::roots;
-use crate::rules::{Quadratic, RuleSource};
+use crate::rules::{Quadratic, Robustness, RuleSource};
+use crate::two::Two;
 use crate::vec3::Vec3;
 
 const SIDE: u32 = 0;
 const BOTTOM: u32 = 1;
 const TOP: u32 = 2;
+
+/// What one word leaves open.
+struct Doubt;
 
 /// x² + y² = r(z)², z_min ≤ z ≤ z_max, r linear between its values at the ends.
 #[derive(Clone, Copy, Debug)]
@@ -49,20 +54,115 @@ impl<T: Real> Round<T> {
 
     /// The first meeting in the ray's interval; on a rim the side is met. The ends belong to it.
     pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
-        let mut met = self.side(rules, ray);
-        if self.is_capped {
-            for (part, z, radius) in [(BOTTOM, self.z_min, self.bottom_radius), (TOP, self.z_max, self.top_radius)] {
-                let cap = cap(ray, z, radius).map(|t| Meeting::with(t, part));
-                met = match (met, cap) {
-                    (Some(side), Some(cap)) if cap.t < side.t => Some(cap),
-                    (side, cap) => side.or(cap),
-                };
-            }
+        let style = &rules.get().style;
+        let is_own = style.quadratic == Quadratic::NearestPoint || style.quadratic == Quadratic::Geometric;
+        if style.robustness == Robustness::Certified && is_own {
+            return self.certified(ray).unwrap_or_else(|Doubt| self.settled(ray));
+        }
+        let caps = self.caps().map(|(part, z, radius)| (part, cap(ray, z, radius)));
+        self.nearest(self.side(rules, ray), caps)
+    }
+
+    /// Both ends: part, z and radius.
+    fn caps(&self) -> [(u32, T, T); 2] {
+        [(BOTTOM, self.z_min, self.bottom_radius), (TOP, self.z_max, self.top_radius)]
+    }
+
+    /// The nearest of the meetings with the side and, if they are closed, with the ends.
+    fn nearest(&self, side: Option<T>, caps: [(u32, Option<T>); 2]) -> Option<Meeting<T>> {
+        let mut met = side.map(|t| Meeting::with(t, SIDE));
+        for (part, t) in caps.into_iter().filter(|_| self.is_capped) {
+            let cap = t.map(|t| Meeting::with(t, part));
+            met = match (met, cap) {
+                (Some(side), Some(cap)) if cap.t < side.t => Some(cap),
+                (side, cap) => side.or(cap),
+            };
         }
         met
     }
 
-    fn side<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
+    /// The first meeting, if no rounding can decide it.
+    fn certified(&self, ray: &Ray<T>) -> Result<Option<Meeting<T>>, Doubt> {
+        let side = self.certified_side(ray)?;
+        let [bottom, top] = self.caps();
+        let cap = |(part, z, radius)| Ok((part, if self.is_capped { certified_cap(ray, z, radius)? } else { None }));
+        Ok(self.nearest(side, [cap(bottom)?, cap(top)?]))
+    }
+
+    /// The first meeting in two words: on a rim, where both are met as far as can be told, the side.
+    #[cold]
+    #[inline(never)]
+    fn settled(&self, ray: &Ray<T>) -> Option<Meeting<T>> {
+        let coil = Coil::new(self, ray)?;
+        let counts = |t: &Two| ray.contains(coil.t(*t));
+        let mut first = coil.side().into_iter().find(counts).map(|t| (t, SIDE));
+        for (end, part) in [(0, BOTTOM), (1, TOP)].into_iter().filter(|_| self.is_capped) {
+            let Some(t) = coil.cap(end).filter(counts) else { continue };
+            let is_nearer = |(best, _): (Two, u32)| (best - t).certain(best.f64().abs() + t.f64().abs()) > Two::ZERO;
+            first = if first.is_none_or(is_nearer) { Some((t, part)) } else { first };
+        }
+        first.map(|(t, part)| Meeting::with(coil.t(t), part))
+    }
+
+    /// t of the first meeting with the side.
+    ///
+    /// Let h = ‖(x, y)‖² + R², with R the amounts of the terms of r at the origin, and l the length of (d_x, d_y) and of the growth of r, squared. With u
+    /// half a ulp, r is off by 6u R and its growth by 4u of itself, so the discriminant by 38u h l at most, c by 14u h and a by 10u l. Twice that is
+    /// asked for and more where few digits would be left, else the second step is taken; likewise where z is as near to an end as it may be off.
+    #[inline(always)]
+    fn certified_side(&self, ray: &Ray<T>) -> Result<Option<T>, Doubt> {
+        let (o, d) = (ray.origin, ray.direction);
+        let slope = self.slope();
+        let (rise, growth) = (slope * (o.z - self.z_min), slope * d.z);
+        let (radius, most) = (self.bottom_radius + rise, self.bottom_radius + rise.abs());
+        let (dd, gg, oo) = (d.x * d.x + d.y * d.y, growth * growth, o.x * o.x + o.y * o.y);
+        let (h, l) = (oo + most * most, dd + gg);
+        let (a, b, c) = (dd - gg, radius * growth - (o.x * d.x + o.y * d.y), oo - radius * radius);
+        let disc = self.discriminant(ray, radius, growth);
+        let doubt = h * l * (T::of(40.0) * T::ULP);
+        if !(h.is_safe() && l.is_safe()) {
+            return Err(Doubt);
+        }
+        if disc < -doubt {
+            return Ok(None);
+        }
+        let c_doubt = h * (T::of(16.0) * T::ULP);
+        let (is_flat, leaves) = (a > l * T::of(1.0 / 64.0), b < T::ZERO);
+        if is_flat && c > c_doubt && leaves && disc > doubt && ray.is_before(T::ZERO) {
+            return Ok(None);
+        }
+        let has_digits = c.abs() > h * T::of(0.25) || (is_flat && c < -c_doubt && !leaves);
+        if !(disc > doubt * T::MARGIN && (is_flat || a < -l * T::of(1.0 / 64.0)) && has_digits) {
+            return Err(Doubt);
+        }
+        let Some(roots) = roots::ascending(a, b, c, disc) else { return Ok(None) };
+        let root = (roots[1] - roots[0]) * a.abs() * T::HALF;
+        let share = doubt / (root * (b.abs() + root)) + T::of(512.0) * T::ULP; // of t
+        for t in roots.into_iter().filter(|t| ray.contains(*t)) {
+            let z = o.z + t * d.z;
+            let doubt = (t * d.z).abs() * share + o.z.abs() * T::ULP;
+            let (above, below) = (z - self.z_min, self.z_max - z);
+            if !(above.abs() > doubt && below.abs() > doubt) {
+                return Err(Doubt);
+            }
+            if above > T::ZERO && below > T::ZERO {
+                return Ok(Some(t));
+            }
+        }
+        Ok(None)
+    }
+
+    /// b² − a c, multiplied out: the fourth powers cancel on paper.
+    #[inline(always)]
+    fn discriminant(&self, ray: &Ray<T>, radius: T, growth: T) -> T {
+        let (o, d) = (ray.origin, ray.direction);
+        let across = o.x * d.y - o.y * d.x;
+        let (x, y) = (radius * d.x - growth * o.x, radius * d.y - growth * o.y);
+        x * x + y * y - across * across
+    }
+
+    /// t of the first meeting with the side as students compute it.
+    fn side<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<T> {
         let (o, d) = (ray.origin, ray.direction);
         let (radius, slope) = (self.radius(o.z), self.slope());
         let growth = slope * d.z; // of the radius along the ray
@@ -71,10 +171,7 @@ impl<T: Real> Round<T> {
         let c = o.x * o.x + o.y * o.y - radius * radius;
         let roots = match rules.get().style.quadratic {
             Quadratic::NearestPoint | Quadratic::Geometric => {
-                let across = o.x * d.y - o.y * d.x;
-                let (x, y) = (radius * d.x - growth * o.x, radius * d.y - growth * o.y);
-                let disc = x * x + y * y - across * across; // b² − a c, multiplied out: the fourth powers cancel on paper
-                roots::ascending(a, b, c, disc)?
+                roots::ascending(a, b, c, self.discriminant(ray, radius, growth))?
             }
             Quadratic::Textbook => roots::textbook(a, b, c)?,
             Quadratic::Stable => roots::ascending(a, b, c, b * b - a * c)?,
@@ -83,7 +180,7 @@ impl<T: Real> Round<T> {
             let z = o.z + *t * d.z;
             self.z_min <= z && z <= self.z_max && ray.contains(*t)
         };
-        roots.into_iter().find(is_on).map(|t| Meeting::with(t, SIDE))
+        roots.into_iter().find(is_on)
     }
 
     /// The outward unit normal at `point`. At the tip of a cone, where there is none, that along the axis.
@@ -117,6 +214,25 @@ fn cap<T: Real>(ray: &Ray<T>, z: T, radius: T) -> Option<T> {
     let t = (z - ray.origin.z) / ray.direction.z;
     let at = ray.at(t);
     (at.x * at.x + at.y * at.y <= radius * radius && ray.contains(t)).then_some(t)
+}
+
+/// t on an end, if no rounding can decide whether it is within the rim.
+///
+/// With u half a ulp, a coordinate there is off by 4u of the amounts of its terms, so the comparison by 12u of their squares and the radius's.
+fn certified_cap<T: Real>(ray: &Ray<T>, z: T, radius: T) -> Result<Option<T>, Doubt> {
+    let (o, d) = (ray.origin, ray.direction);
+    let t = (z - o.z) / d.z;
+    if d.z == T::ZERO || !ray.contains(t) {
+        return Ok(None);
+    }
+    let (x, y) = (o.x + d.x * t, o.y + d.y * t);
+    let (most_x, most_y) = (o.x.abs() + (d.x * t).abs(), o.y.abs() + (d.y * t).abs());
+    let most = most_x * most_x + most_y * most_y + radius * radius;
+    let (beyond, doubt) = (x * x + y * y - radius * radius, most * (T::of(12.0) * T::ULP));
+    match most.is_safe() && beyond.abs() > doubt {
+        true => Ok((beyond < T::ZERO).then_some(t)),
+        false => Err(Doubt),
+    }
 }
 
 #[cfg(test)]

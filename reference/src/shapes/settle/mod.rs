@@ -4,9 +4,13 @@
 //! small as it may. What is less than [`DOUBT`](crate::two::DOUBT) of its terms counts as zero, and borders are closed: so no hit is lost, and
 //! none is found that is farther than that beside a border. A ray without direction, or one that is not finite, meets nothing.
 
+mod flat;
+mod round;
 mod sphere;
 mod triangle;
 
+pub(super) use flat::{cuboid, plane, square};
+pub(super) use round::Coil;
 pub(super) use sphere::Ball;
 pub(super) use triangle::triangle;
 

@@ -1,0 +1,87 @@
+//! Plane, square and box in two words: comparisons of quotients, with the denominators multiplied out. [rule 15]
+
+use super::{Line, coordinates, double, times};
+use crate::ray::Ray;
+use crate::real::Real;
+use crate::shapes::{Cuboid, Plane};
+use crate::two::{Two, Two3, exponent, scaled};
+use crate::vec3::Vec3;
+
+/// Where coordinates begin: a product of two of them stays within what Dekker's product can take.
+const ROOM: i32 = 300;
+
+/// t = (k − N·P) / N·d of the plane with that k; `None` for a parallel ray.
+#[cold]
+#[inline(never)]
+pub(in crate::shapes) fn plane<T: Real>(plane: &Plane<T>, k: T, ray: &Ray<T>) -> Option<T> {
+    let of_normal = -exponent(coordinates([plane.normal])); // into units where N is some 1
+    let (n, k) = (times(double(plane.normal), of_normal), scaled(k.f64(), of_normal));
+    let line = Line::new(ray, k, ROOM)?;
+    let dot = |v: Vec3<f64>| (Two3::of(n).dot(Two3::of(v)), n.abs().dot(v.abs()));
+    let (slope, slopes) = dot(line.direction);
+    let (along, terms) = dot(line.origin);
+    let k = scaled(k, line.lengths);
+    let slope = slope.certain(slopes);
+    (slope != Two::ZERO).then(|| line.t((Two::of(k) - along).certain(k.abs() + terms) / slope))
+}
+
+/// Whether the ray's line passes the plane of the square within `half` of both axes; not for a ray along it.
+#[cold]
+#[inline(never)]
+pub(in crate::shapes) fn square<T: Real>(half: T, ray: &Ray<T>) -> bool {
+    let Some(line) = Line::new(ray, half.f64(), ROOM) else { return false };
+    let (o, d, half) = (line.origin, line.direction, line.length(half));
+    let is_within = |o_x: f64, d_x: f64| {
+        let (one, other) = (Two::product(o_x, d.z), Two::product(o.z, d_x));
+        let reach = Two::product(half, d.z.abs());
+        let beyond = (one - other).abs() - reach;
+        beyond.certain((one.abs() + other.abs() + reach).f64()) <= Two::ZERO
+    };
+    d.z != 0.0 && is_within(o.x, d.x) && is_within(o.y, d.y)
+}
+
+/// Where a line passes the plane of a face: at `way` / `along`, the latter above 0.
+#[derive(Clone, Copy)]
+struct Passing {
+    way: Two,
+    along: f64,
+    part: u32,
+}
+
+impl Passing {
+    /// Whether this one comes later; not where the order is in doubt.
+    fn is_after(&self, other: &Self) -> bool {
+        let (here, there) = (self.way * Two::of(other.along), other.way * Two::of(self.along));
+        (here - there).certain((here.abs() + there.abs()).f64()) > Two::ZERO
+    }
+}
+
+/// Where the ray's line enters the box and where it leaves it: t and the face.
+#[cold]
+#[inline(never)]
+pub(in crate::shapes) fn cuboid<T: Real>(cuboid: &Cuboid<T>, ray: &Ray<T>) -> Option<[(T, u32); 2]> {
+    let line = Line::new(ray, coordinates([cuboid.min, cuboid.max]), ROOM)?;
+    let (min, max) = (line.point(cuboid.min), line.point(cuboid.max));
+    let (mut enter, mut leave): (Option<Passing>, Option<Passing>) = (None, None);
+    for axis in 0..3 {
+        let along = ray.direction[axis];
+        if along == T::ZERO {
+            if ray.origin[axis] < cuboid.min[axis] || ray.origin[axis] > cuboid.max[axis] {
+                return None;
+            }
+            continue;
+        }
+        let passing = |face: Vec3<f64>, is_max: bool| {
+            let way = Two::sum(face[axis], -line.origin[axis]);
+            let way = if along > T::ZERO { way } else { -way };
+            Passing { way, along: line.direction[axis].abs(), part: 2 * axis as u32 + u32::from(is_max) }
+        };
+        let (lower, upper) = (passing(min, false), passing(max, true));
+        let (first, last) = if along > T::ZERO { (lower, upper) } else { (upper, lower) };
+        enter = if enter.is_none_or(|enter| first.is_after(&enter)) { Some(first) } else { enter };
+        leave = if leave.is_none_or(|leave| leave.is_after(&last)) { Some(last) } else { leave };
+    }
+    let (enter, leave) = (enter?, leave?);
+    let at = |passing: Passing| (line.t(passing.way / Two::of(passing.along)), passing.part);
+    (!enter.is_after(&leave)).then(|| [at(enter), at(leave)])
+}
