@@ -73,8 +73,9 @@ pub fn evaluate<T: Real, R: RuleSource>(rules: R, question: &Question) -> Reply 
                 .map(|t| Found::direction(out(t)))
         }
         Question::Normal { rows, normal } => {
-            let frame = frame::<T>(rows, [0.0; 3]);
-            Some(Found::direction(out(frame.normal_to_world(rules, v(normal)))))
+            let moved = frame::<T>(rows, [0.0; 3]).normal_to_world(rules, v(normal));
+            let is_one = moved.dot(moved).is_finite(); // a matrix without inverse leaves none
+            is_one.then(|| Found::direction(out(moved)))
         }
     }
 }

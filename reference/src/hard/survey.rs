@@ -145,7 +145,7 @@ pub fn questions<T: Real>(family: &Family, chunk: u64, n: u64, seed: u64) -> imp
     (0..n).map(move |_| draw(&mut draws).rounded::<T>())
 }
 
-/// The reply against the right answer, for numbers of the precision `T`: what is too great for it may be infinite.
+/// The reply against the right answer, for numbers of the precision `T`: a t that is too great for it may be infinite, or a miss.
 pub fn compare<T: Real>(right: &Option<Found<Exact>>, reply: &Reply) -> Comparison {
     let numbers = |found: &Found<f64>| {
         found.t.into_iter().chain(found.vector.into_iter().chain(found.weights).flatten()).collect()
@@ -154,8 +154,10 @@ pub fn compare<T: Real>(right: &Option<Found<Exact>>, reply: &Reply) -> Comparis
     if given.iter().any(|x| x.is_nan()) {
         return Comparison::NotANumber;
     }
+    let is_beyond = |right: &Found<Exact>| right.t.as_ref().is_some_and(|t| !T::of(t.f64()).is_finite());
     let (right, reply) = match (right, reply) {
         (None, None) => return Comparison::Same { t: 0.0, vector: 0.0 },
+        (Some(right), None) if is_beyond(right) => return Comparison::Same { t: 0.0, vector: 0.0 },
         (None, Some(_)) => return Comparison::FalseHit,
         (Some(_), None) => return Comparison::FalseMiss,
         (Some(right), Some(reply)) => (right, reply),
