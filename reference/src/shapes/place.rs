@@ -55,13 +55,15 @@ impl<T: Real> Sphere<T> {
 }
 
 impl<T: Real> Plane<T> {
-    /// X + (k − N·X) N, where N·X = k but for the roundings of both sums: γ(8) (|k| + Σ |N_i X_i|) along N.
+    /// X + (k − N·X)/(N·N) N, where N·X = k but for the roundings of the sums: γ(8) (|k| + Σ |N_i X_i|) along N, X the point along the ray. N need
+    /// not be of unit length.
     #[inline(always)]
     fn place(&self, at: Vec3<T>) -> Spot<T> {
         let n = self.normal;
-        let point = at + n * (self.k - n.dot(at));
-        let terms = self.k.abs() + n.abs().dot(point.abs());
-        Spot { point, error: n.abs() * (terms * T::of(8.0) * T::ULP), n_geom: n }
+        let inverse = T::ONE / n.dot(n);
+        let point = at + n * ((self.k - n.dot(at)) * inverse);
+        let terms = self.k.abs() + n.abs().dot(at.abs());
+        Spot { point, error: n.abs() * (terms * inverse * T::of(8.0) * T::ULP), n_geom: n }
     }
 }
 
@@ -104,4 +106,23 @@ pub(crate) fn on_triangle<T: Real>(corners: &[Vec3<T>; 3], weights: Vec3<T>, n_g
     let (a, b, c) = (*a * weights.x, *b * weights.y, *c * weights.z);
     let terms = (a.abs() + b.abs() + c.abs()).max_element();
     Spot { point: a + b + c, error: Vec3::ONE * (terms * T::of(9.0) * T::ULP), n_geom }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rules::Lecture;
+
+    #[test]
+    fn a_ray_leaves_a_plane_whose_normal_is_not_of_unit_length() {
+        let normal = Vec3::new(0.0, 1.0 + 1e-7, 0.0);
+        let plane = Plane { normal, k: 0.0 };
+        for n in 1..1000 {
+            let at = Vec3::new(f64::from(n), f64::from(n) * 1e-19, 1.0); // off the plane by what rounding leaves of some units
+            let spot = plane.place(at);
+            assert!(spot.point.y.abs() <= spot.error.y, "{spot:?} is off by more than it says");
+            let leaving = Ray::spawned(Lecture, &spot, Vec3::new(0.8, 0.6, 0.0));
+            assert_eq!(plane.meet(Lecture, &leaving), None, "{leaving:?} meets the plane that it leaves");
+        }
+    }
 }
