@@ -10,6 +10,7 @@
 //! | [`frame`], [`bounds`], [`bvh`], [`world`] | the nearest hit |
 //! | [`camera`], [`lights`], [`shade`], [`optics`] | formulas; they cast no ray |
 //! | [`trace`], [`render`], [`watch`] | the kernel, pictures, and who looks on |
+//! | [`cutoff`] | how far a ray that is not cast can matter |
 //! | [`variations`] | other ways of computing the same pictures |
 //! | [`cost`] | what accuracy costs in time |
 //! | [`vary`] | other cases of the same kind, for hidden sets |
@@ -21,6 +22,7 @@ pub mod bvh;
 pub mod camera;
 pub mod cli;
 pub mod cost;
+pub mod cutoff;
 pub mod expect;
 pub mod frame;
 pub mod hard;

@@ -10,7 +10,7 @@ use crate::real::Real;
 use crate::rules::{Lecture, RuleSource, Rules};
 use crate::trace::Kernel;
 use crate::vec3::Vec3;
-use crate::watch::Counts;
+use crate::watch::{Counts, Notes};
 use crate::world::World;
 
 /// Side of a tile in pixels.
@@ -33,10 +33,13 @@ impl Options {
 }
 
 /// What a picture cost.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Stats {
     /// Rays by kind.
     pub rays: Counts,
+    /// Greatest weight of the rays that some pixel left out for depth or threshold, channel by channel; [`crate::cutoff`] says what that
+    /// bounds. [rule 13]
+    pub left_out: [f64; 3],
 }
 
 /// [`render`] by rules known only now: those of the lecture by the kernel that is made for them.
@@ -65,7 +68,7 @@ pub fn render<T: Real, R: RuleSource>(
     let kernel = Kernel::new(world, rules, options.effects);
     let (width, height) = (world.render.width, world.render.height);
     let n_columns = width.div_ceil(TILE);
-    let tiles: Vec<(Vec<Vec3<T>>, Counts)> = (0..n_columns * height.div_ceil(TILE))
+    let tiles: Vec<(Vec<Vec3<T>>, Notes)> = (0..n_columns * height.div_ceil(TILE))
         .into_par_iter()
         .map(|n| {
             let (columns, rows) = (span(n % n_columns, width), span(n / n_columns, height));
@@ -79,8 +82,8 @@ pub fn render<T: Real, R: RuleSource>(
         let tile_width = span(column, width).len();
         tiles[(row * n_columns + column) as usize].0[(j % TILE) as usize * tile_width + (i % TILE) as usize].f64()
     });
-    let rays = tiles.iter().fold(Counts::default(), |sum, (_, counts)| sum.plus(*counts));
-    (image, Stats { rays })
+    let notes = tiles.iter().fold(Notes::default(), |all, (_, notes)| all.plus(*notes));
+    (image, Stats { rays: notes.rays, left_out: notes.left_out.to_array() })
 }
 
 /// The pixels of tile `n` along a side of `size` pixels.
@@ -93,13 +96,13 @@ fn render_tile<T: Real, R: RuleSource>(
     samples: u32,
     columns: Range<u32>,
     rows: Range<u32>,
-) -> (Vec<Vec3<T>>, Counts) {
-    let mut counts = Counts::default();
+) -> (Vec<Vec3<T>>, Notes) {
+    let mut notes = Notes::default();
     let pixels = rows
         .flat_map(|j| columns.clone().map(move |i| (i, j)))
-        .map(|pixel| render_pixel(kernel, samples, pixel, &mut counts))
+        .map(|pixel| render_pixel(kernel, samples, pixel, &mut notes))
         .collect();
-    (pixels, counts)
+    (pixels, notes)
 }
 
 /// The mean over a regular grid of `samples` × `samples` points; the centre alone for 1.
@@ -107,14 +110,15 @@ fn render_pixel<T: Real, R: RuleSource>(
     kernel: &Kernel<'_, T, R>,
     samples: u32,
     pixel: (u32, u32),
-    counts: &mut Counts,
+    notes: &mut Notes,
 ) -> Vec3<T> {
     let at = |n: u32| T::of((f64::from(n) + 0.5) / f64::from(samples));
     let mut sum = Vec3::ZERO;
     for y in 0..samples {
         for x in 0..samples {
-            sum += kernel.eye(pixel, (at(x), at(y)), counts);
+            sum += kernel.eye(pixel, (at(x), at(y)), notes);
         }
     }
+    notes.end_pixel(f64::from(samples) * f64::from(samples));
     if samples == 1 { sum } else { sum * T::of(1.0 / (f64::from(samples) * f64::from(samples))) }
 }

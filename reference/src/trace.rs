@@ -143,6 +143,9 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         let mut colour = self.shade(&seen, watch);
         watch.met(|| Met { object: &object.name, t: hit.t, point: hit.point, normal, is_inside, direct: colour });
         if !self.goes_on(path) {
+            if self.does.reflection || self.does.refraction {
+                watch.left_out(|| path.weight * self.weight_sent_on(material, is_inside));
+            }
             return colour;
         }
         let eta = optics::indices(self.rules, is_inside, material.index);
@@ -202,6 +205,12 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         }
     }
 
+    /// kr + kt, of what is simulated.
+    fn weight_sent_on(&self, material: &Material<T>, is_inside: bool) -> Vec3<T> {
+        let kt = if self.does.refraction { self.transmit_weight(material) } else { Vec3::ZERO };
+        self.mirror_weight(material, is_inside) + kt
+    }
+
     fn transmit_weight(&self, material: &Material<T>) -> Vec3<T> {
         match self.rules.get().transmit_weight {
             TransmitWeight::Kt => material.kt,
@@ -213,6 +222,7 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
     fn spawn(&self, kind: RayKind, ray: &Ray<T>, parent: Path<T>, weight: Vec3<T>, watch: &mut impl Watch) -> Vec3<T> {
         let weight = if self.rules.get().cutoff == Cutoff::LastOnly { weight } else { parent.weight * weight };
         if !self.rules.get().casts_faint_rays && is_faint(self.rules, weight, self.threshold()) {
+            watch.left_out(|| weight);
             return Vec3::ZERO;
         }
         let path = Path { kind, depth: parent.depth + 1, weight };

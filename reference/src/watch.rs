@@ -1,5 +1,6 @@
 //! Who looks on while rays are traced: counters for `--stats`, a recorder for `explain`.
 
+use cases::glam::DVec3;
 use cases::ray_tree::{self, RayKind};
 use serde::Serialize;
 
@@ -29,6 +30,9 @@ pub trait Watch {
     fn leave<T: Real>(&mut self, colour: Vec3<T>);
     /// A shadow ray is cast.
     fn shadow_ray(&mut self);
+    /// Rays are left out for depth or weight, which together would have had this weight at most. [rule 13]
+    #[inline(always)]
+    fn left_out<T: Real>(&mut self, _weight: impl FnOnce() -> Vec3<T>) {}
 }
 
 /// Rays by kind.
@@ -81,6 +85,57 @@ impl Watch for Counts {
     #[inline(always)]
     fn shadow_ray(&mut self) {
         self.shadow += 1;
+    }
+}
+
+/// What is noted of a picture while it is rendered.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Notes {
+    /// Rays by kind.
+    pub rays: Counts,
+    /// Weight of the rays that the pixel at hand has left out so far, channel by channel, all its rays together.
+    open: DVec3,
+    /// The greatest weight left out in any pixel, the mean over its rays, channel by channel.
+    pub left_out: DVec3,
+}
+
+impl Notes {
+    /// The pixel at hand is done, with so many rays from the eye; returns the weight that it has left out.
+    #[inline(always)]
+    pub fn end_pixel(&mut self, n_rays: f64) -> DVec3 {
+        let left_out = self.open / n_rays;
+        (self.left_out, self.open) = (self.left_out.max(left_out), DVec3::ZERO);
+        left_out
+    }
+
+    /// Those of both parts of a picture.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        let (rays, left_out) = (self.rays.plus(other.rays), self.left_out.max(other.left_out));
+        Self { rays, left_out, open: DVec3::ZERO }
+    }
+}
+
+impl Watch for Notes {
+    #[inline(always)]
+    fn enter<T: Real>(&mut self, kind: RayKind, depth: u32, ray: &Ray<T>) {
+        self.rays.enter(kind, depth, ray);
+    }
+
+    #[inline(always)]
+    fn met<'a, T: Real>(&mut self, _met: impl FnOnce() -> Met<'a, T>) {}
+
+    #[inline(always)]
+    fn leave<T: Real>(&mut self, _colour: Vec3<T>) {}
+
+    #[inline(always)]
+    fn shadow_ray(&mut self) {
+        self.rays.shadow += 1;
+    }
+
+    #[inline(always)]
+    fn left_out<T: Real>(&mut self, weight: impl FnOnce() -> Vec3<T>) {
+        self.open += weight().f64();
     }
 }
 

@@ -81,7 +81,7 @@ fn report_of(name: &str, n_rounds: usize, outside: &mut Still) -> Option<Report>
     let measured = measure(&mut bench, &sweep, n_rounds, outside)?;
     let machine =
         Machine { processor: "a <fast> one".to_owned(), threads: 1, clock: "processor time", is_optimised: true };
-    Some(Report::new(name, &scene, machine, &sweep, &measured, n_rounds))
+    Some(Report::new(name, &scene, &Rules::LECTURE, machine, &sweep, &measured, n_rounds))
 }
 
 #[test]

@@ -106,6 +106,7 @@ Examples:
   reference render 02_shadows/two_lamps -o two_lamps.png
   reference render scene.json out.pfm                      as a submission is called
   reference render scene.toml -o big.exr --size 1280x960 --samples 4 --stats
+  reference render scene.toml -o fast.png --max-depth 50 --threshold 1/256 --stats
   reference render scene.toml -o - --effects shadows,reflection > out.png")]
 pub(super) struct RenderArgs {
     /// Scene, case, or id of a case
@@ -125,19 +126,23 @@ pub(super) struct RenderArgs {
     /// Depth at which rays spawn no more, in the place of the scene's
     #[arg(long, value_name = "N")]
     pub max_depth: Option<u32>,
+    /// Weight below which rays spawn no more, such as 0.001 or 1/256, in the place of the scene's; 0 for never
+    #[arg(long, value_name = "WEIGHT", value_parser = super::cost_args::threshold)]
+    pub threshold: Option<f64>,
     /// Numbers to compute with
     #[arg(long, default_value = "f64")]
     pub precision: Precision,
     /// Effects to simulate: `auto` (those the scene lists), `all`, `none`, or names such as `shadows,reflection`
     #[arg(long, value_name = "EFFECTS", default_value = "auto")]
     pub effects: String,
-    /// N x N rays a pixel, on a regular grid
+    /// N x N rays a pixel, on a regular grid; the pixel is their mean
     #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=256))]
     pub samples: u32,
     /// Threads; the picture is the same with any number [default: one a core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Says how many rays of each kind were cast, and the time of each step; on the error stream where the picture goes to the output
+    /// Says how many rays of each kind were cast, how much those left out for depth or threshold can matter, and the time of each step; on
+    /// the error stream where the picture goes to the output
     #[arg(long, value_name = "FORM", num_args = 0..=1, default_missing_value = "text")]
     pub stats: Option<Form>,
     #[command(flatten)]

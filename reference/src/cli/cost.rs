@@ -49,7 +49,7 @@ pub(super) fn run(args: &CostArgs, talk: Talk) -> Result<(), Stop> {
         clock: clock.name(),
         is_optimised: !cfg!(debug_assertions),
     };
-    let report = Report::new(&args.scene, &scene, machine, &sweep, &measured, n_rounds);
+    let report = Report::new(&args.scene, &scene, &rules, machine, &sweep, &measured, n_rounds);
     for (what, path) in &outputs {
         put(path, &what.bytes(&report)?, talk)?;
     }

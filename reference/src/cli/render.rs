@@ -11,6 +11,8 @@ use serde::Serialize;
 use super::args::{Bits, Form, Precision, RenderArgs};
 use super::progress::Bar;
 use super::{Stop, Talk, find, print};
+use crate::cost::table::figure;
+use crate::cutoff::Limits;
 use crate::real::Real;
 use crate::render::{self, Options, Stats};
 use crate::rules::Rules;
@@ -27,6 +29,8 @@ struct Report {
     threads: usize,
     effects: Effects,
     rays: Counts,
+    /// Greatest amount of linear light by which rays left out for depth or threshold darken a pixel; none where nothing bounds it.
+    left_out_at_most: Option<f64>,
     load_s: f64,
     prepare_s: f64,
     render_s: f64,
@@ -43,6 +47,9 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     let allowed = find::allowed(&args.scene, &scene)?;
     adjust(&mut scene, args, allowed);
     scene.effects = asked_for(&scene, &args.effects)?;
+    if let Some(threshold) = args.threshold {
+        cut(&mut scene, threshold, allowed.has(Effect::AdaptiveDepth) || args.effects != "auto")?;
+    }
     let load_s = clock.lap();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads.map_or(0, usize::from)).build();
     let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
@@ -61,6 +68,7 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
         threads: pool.current_num_threads(),
         effects: scene.effects,
         rays: stats.rays,
+        left_out_at_most: left_out(&scene, &rules, &stats),
         load_s,
         prepare_s,
         render_s,
@@ -87,6 +95,26 @@ fn adjust(scene: &mut Scene, args: &RenderArgs, allowed: Effects) {
         let new = effects::called_for(scene).intersection(allowed).iter().filter(|effect| !before.has(*effect));
         scene.effects = new.fold(scene.effects, Effects::with);
     }
+}
+
+/// Paths end at that weight, at none for 0.
+fn cut(scene: &mut Scene, threshold: f64, may_adapt: bool) -> Result<(), Stop> {
+    scene.render.threshold = threshold;
+    if threshold > 0.0 && !may_adapt {
+        return Err(Stop::Usage(
+            "the case's stage does not allow adaptive_depth\nhelp: say with --effects what to simulate, such as --effects all".to_owned(),
+        ));
+    }
+    let effects = scene.effects;
+    scene.effects =
+        if threshold > 0.0 { effects.with(Effect::AdaptiveDepth) } else { effects.without(Effect::AdaptiveDepth) };
+    Ok(())
+}
+
+/// What the rays can matter that were left out, in linear light. [rule 13]
+fn left_out(scene: &Scene, rules: &Rules, stats: &Stats) -> Option<f64> {
+    let most = Limits::of(scene, rules, scene.effects).of_weight(stats.left_out.into()).max_element();
+    most.is_finite().then_some(most)
 }
 
 /// The effects that `--effects` asks for.
@@ -146,11 +174,16 @@ fn say(report: &Report, form: Form, to_errors: bool) -> Result<(), Stop> {
 fn table(report: &Report) -> String {
     let Counts { eye, shadow, reflected, refracted } = report.rays;
     let effects: Vec<_> = report.effects.iter().map(Effect::name).collect();
+    let left_out = match report.left_out_at_most {
+        Some(0.0) => "no ray, for depth or threshold".to_owned(),
+        Some(most) => format!("rays that darken no pixel by more than {} levels (proven)", figure(255.0 * most)),
+        None => "rays that nothing bounds: some material has kr + kt of 1 or more".to_owned(),
+    };
     let effects = if effects.is_empty() { "none".to_owned() } else { effects.join(", ") };
     format!(
         "picture    {}x{}, {} a pixel, {}, {} threads\neffects    {effects}\n\
          rays       {eye} eye, {shadow} shadow, {reflected} reflected, {refracted} refracted\n\
-         seconds    load {:.4}, prepare {:.4}, render {:.4}, write {:.4}\n",
+         left out   {left_out}\nseconds    load {:.4}, prepare {:.4}, render {:.4}, write {:.4}\n",
         report.width,
         report.height,
         report.samples * report.samples,

@@ -16,6 +16,7 @@ pub(super) fn advice(report: &Report) -> Vec<String> {
         sentences.extend(step_below(pick, &same));
     }
     sentences.extend(own_error(own));
+    sentences.extend(proven(own));
     sentences.extend(samples(report));
     sentences
 }
@@ -76,6 +77,20 @@ fn own_error(own: &Row) -> Option<String> {
             figure(own.same_rays.max_levels)
         )
     })
+}
+
+fn proven(own: &Row) -> Option<String> {
+    let sends_on = own.rays.reflected + own.rays.refracted > 0;
+    let text = match own.left_out_at_most {
+        Some(0.0) | None if !sends_on => return None,
+        Some(0.0) => "Proven: as the scene stands no ray is left out.".to_owned(),
+        Some(most) => {
+            let levels = figure(255.0 * most);
+            format!("Proven: rays left out as the scene stands darken no pixel by more than {levels} levels.")
+        }
+        None => "Nothing bounds what is left out: some surface sends on all the light that it receives (kr + kt is not below 1).".to_owned(),
+    };
+    Some(text)
 }
 
 /// f64, robust, the truth's depth: what is left then is what samples do.

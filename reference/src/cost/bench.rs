@@ -3,12 +3,11 @@
 use cases::Scene;
 use cases::film::Image;
 
-use super::setting::{Formula, PlainLecture, Setting, StableLecture};
+use super::setting::Setting;
 use crate::real::Real;
 use crate::render::{self, Options, Stats};
-use crate::rules::{Lecture, Rules};
+use crate::rules::Rules;
 use crate::variations::Precision;
-use crate::watch::Counts;
 use crate::world::World;
 
 /// The worlds of a scene in both precisions, and the rules by which it is rendered.
@@ -30,8 +29,8 @@ impl Bench {
         &self.rules
     }
 
-    /// The picture by a setting, and the rays it took. Runs in the current `rayon` pool.
-    pub fn render(&mut self, setting: &Setting) -> (Image, Counts) {
+    /// The picture by a setting, and what it took. Runs in the current `rayon` pool.
+    pub fn render(&mut self, setting: &Setting) -> (Image, Stats) {
         match setting.precision {
             Precision::F32 => render(&mut self.single, &self.rules, setting),
             Precision::F64 => render(&mut self.double, &self.rules, setting),
@@ -48,17 +47,9 @@ impl Bench {
     }
 }
 
-/// By the kernel that is made for the lecture's rules where they are those: each formula has its own, so that times are comparable.
-fn render<T: Real>(world: &mut World<T>, rules: &Rules, setting: &Setting) -> (Image, Counts) {
+fn render<T: Real>(world: &mut World<T>, rules: &Rules, setting: &Setting) -> (Image, Stats) {
     world.render.max_depth = setting.max_depth;
     world.render.threshold = setting.threshold;
     let options = Options { effects: setting.simulated(), samples: setting.samples };
-    let is_lecture = Formula::Robust.rules(rules) == Rules::LECTURE;
-    let (image, Stats { rays }) = match setting.formula {
-        Formula::Plain if is_lecture => render::render(world, PlainLecture, &options, |_| {}),
-        Formula::Stable if is_lecture => render::render(world, StableLecture, &options, |_| {}),
-        Formula::Robust if is_lecture => render::render(world, Lecture, &options, |_| {}),
-        formula => render::render(world, &formula.rules(rules), &options, |_| {}),
-    };
-    (image, rays)
+    render::render_by(world, &setting.formula.rules(rules), &options, |_| {})
 }

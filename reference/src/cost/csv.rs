@@ -3,7 +3,7 @@
 use super::report::{Report, Row};
 use super::setting::Setting;
 
-const HEAD: [&str; 29] = [
+const HEAD: [&str; 30] = [
     "scene",
     "width",
     "height",
@@ -33,6 +33,7 @@ const HEAD: [&str; 29] = [
     "same_rays_changed_share",
     "on_front",
     "on_same_rays_front",
+    "left_out_at_most",
 ];
 
 /// A line a setting, then a line an effect; what an effect has none of stays empty.
@@ -46,18 +47,18 @@ pub fn csv(report: &Report) -> Result<Vec<u8>, csv::Error> {
         out.write_record(line(report, row))?;
     }
     for effect in &report.effects {
-        let mut row = Row {
+        let row = Row {
             name: String::new(),
             setting: report.own,
             time_ms: effect.time_ms,
             rays: effect.rays,
             bytes: 0,
+            left_out_at_most: None,
             error: effect.error,
             same_rays: effect.error,
             is_on_front: false,
             is_on_same_rays_front: false,
         };
-        row.setting.samples = report.own.samples;
         let mut line = line(report, &row);
         line[3].clone_from(&effect.name);
         for empty in [17, 24, 25, 26, 27, 28] {
@@ -94,6 +95,7 @@ fn line(report: &Report, row: &Row) -> Vec<String> {
         .map(|x| x.to_string()),
     );
     line.extend([row.is_on_front, row.is_on_same_rays_front].map(|is_on| is_on.to_string()));
+    line.push(row.left_out_at_most.map_or_else(String::new, |most| most.to_string()));
     line
 }
 

@@ -6,7 +6,7 @@ use super::bench::Bench;
 use super::error::Error;
 use super::setting::Setting;
 use super::sweep::{About, Sweep};
-use crate::watch::Counts;
+use crate::render::Stats;
 
 /// What was measured of one setting.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,8 +19,8 @@ pub struct Measured {
     pub error: Error,
     /// Against the most accurate setting with as many rays a pixel; for an effect, the same as `error`.
     pub same_rays: Error,
-    /// Rays by kind.
-    pub rays: Counts,
+    /// Rays by kind, and what was left out.
+    pub stats: Stats,
     /// See [`Bench::bytes`].
     pub bytes: usize,
     /// Seconds of each round.
@@ -86,19 +86,19 @@ fn one_round(bench: &mut Bench, rows: &[Measured], round: usize, outside: &mut i
 
 /// Rows without times. The pictures that others are compared with are kept, all others dropped.
 fn pictures(bench: &mut Bench, sweep: &Sweep, outside: &mut impl Outside) -> Option<Vec<Measured>> {
-    let mut kept: Vec<(Setting, Image, Counts)> = Vec::new();
+    let mut kept: Vec<(Setting, Image, Stats)> = Vec::new();
     for (setting, about) in &sweep.subjects {
         let is_kept = *about == About::Accuracy && (*setting == sweep.own || *setting == sweep.exact(setting));
         if is_kept {
-            let (image, rays) = picture(bench, setting, outside)?;
-            kept.push((*setting, image, rays));
+            let (image, stats) = picture(bench, setting, outside)?;
+            kept.push((*setting, image, stats));
         }
     }
     let mut rows = Vec::new();
     for (setting, about) in &sweep.subjects {
         let found = kept.iter().find(|(s, ..)| s == setting);
-        let (image, rays) = match found {
-            Some((_, image, rays)) => (image.clone(), *rays),
+        let (image, stats) = match found {
+            Some((_, image, stats)) => (image.clone(), *stats),
             None => picture(bench, setting, outside)?,
         };
         let against = |other: &Setting| {
@@ -110,12 +110,12 @@ fn pictures(bench: &mut Bench, sweep: &Sweep, outside: &mut impl Outside) -> Opt
             About::Without(_) | About::Everything => (against(&sweep.own), against(&sweep.own)),
         };
         let bytes = bench.bytes(setting);
-        rows.push(Measured { setting: *setting, about: *about, error, same_rays, rays, bytes, times_s: Vec::new() });
+        rows.push(Measured { setting: *setting, about: *about, error, same_rays, stats, bytes, times_s: Vec::new() });
     }
     Some(rows)
 }
 
-fn picture(bench: &mut Bench, setting: &Setting, outside: &mut impl Outside) -> Option<(Image, Counts)> {
+fn picture(bench: &mut Bench, setting: &Setting, outside: &mut impl Outside) -> Option<(Image, Stats)> {
     if !outside.goes_on() {
         return None;
     }

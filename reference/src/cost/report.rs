@@ -9,6 +9,8 @@ use super::front::{Times, front};
 use super::measure::Measured;
 use super::setting::Setting;
 use super::sweep::{About, Sweep};
+use crate::cutoff::Limits;
+use crate::rules::Rules;
 use crate::watch::Counts;
 
 /// On what a sweep was measured.
@@ -67,6 +69,8 @@ pub struct Row {
     pub rays: Counts,
     /// The scene made ready for rays, and the picture in the scalars it is computed with.
     pub bytes: usize,
+    /// Proven: rays that were left out for depth or threshold darken no pixel by more than this, in linear light; none where nothing bounds it.
+    pub left_out_at_most: Option<f64>,
     /// Against the truth.
     pub error: Error,
     /// Against the most accurate setting with as many rays a pixel: what precision, formulas, depth and threshold do, without what samples do.
@@ -95,10 +99,11 @@ pub struct EffectRow {
 }
 
 impl Report {
-    /// What `measured` comes to; `n_rounds` were asked for.
+    /// What `measured` comes to, of `scene` by `rules`; `n_rounds` were asked for.
     pub fn new(
         name: &str,
         scene: &Scene,
+        rules: &Rules,
         machine: Machine,
         sweep: &Sweep,
         measured: &[Measured],
@@ -116,7 +121,7 @@ impl Report {
             truth: sweep.truth,
             is_cut_short: rounds < n_rounds,
             advice: Vec::new(),
-            rows: rows(sweep, measured),
+            rows: rows(sweep, measured, &Limits::of(scene, rules, sweep.own.effects)),
             effects: effects(sweep, measured),
         };
         report.advice = advice::advice(&report);
@@ -129,8 +134,9 @@ impl Report {
     }
 }
 
-fn rows(sweep: &Sweep, measured: &[Measured]) -> Vec<Row> {
-    let mut rows: Vec<Row> = measured.iter().filter(|one| one.about == About::Accuracy).map(row).collect();
+fn rows(sweep: &Sweep, measured: &[Measured], limits: &Limits) -> Vec<Row> {
+    let mut rows: Vec<Row> =
+        measured.iter().filter(|one| one.about == About::Accuracy).map(|one| row(one, limits)).collect();
     let all: Vec<(f64, f64)> =
         rows.iter().map(|row| (row.time_ms.median, three_digits(row.error.rms_levels))).collect();
     let outside = (f64::NAN, f64::NAN);
@@ -148,13 +154,15 @@ fn three_digits(error: f64) -> f64 {
     format!("{error:.2e}").parse().unwrap_or(error)
 }
 
-fn row(one: &Measured) -> Row {
+fn row(one: &Measured, limits: &Limits) -> Row {
     Row {
         name: one.setting.to_string(),
         setting: one.setting,
         time_ms: milliseconds(one),
-        rays: one.rays,
+        rays: one.stats.rays,
         bytes: one.bytes,
+        left_out_at_most: Some(limits.of_weight(one.stats.left_out.into()).max_element())
+            .filter(|most| most.is_finite()),
         error: one.error,
         same_rays: one.same_rays,
         is_on_front: false,
@@ -173,7 +181,7 @@ fn effects(sweep: &Sweep, measured: &[Measured]) -> Vec<EffectRow> {
         };
         let time_ms = milliseconds(one);
         let more_ms = time_ms.median - own_ms;
-        Some(EffectRow { name, without, time_ms, more_ms, rays: one.rays, error: one.error })
+        Some(EffectRow { name, without, time_ms, more_ms, rays: one.stats.rays, error: one.error })
     };
     measured.iter().filter_map(row).collect()
 }

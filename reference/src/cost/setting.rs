@@ -5,7 +5,7 @@ use std::fmt;
 use cases::{Effect, Effects, Scene};
 use serde::Serialize;
 
-use crate::rules::{PlaneFormula, Quadratic, Robustness, RuleSource, Rules, Snell, Start, Style, TriangleFormula};
+use crate::rules::{PlaneFormula, Quadratic, Robustness, Rules, Snell, Start, Style, TriangleFormula};
 use crate::variations::Precision;
 
 /// Which formulas, from the cheapest to the surest.
@@ -52,28 +52,6 @@ impl Formula {
     /// The rules `base` by these formulas.
     pub fn rules(self, base: &Rules) -> Rules {
         Rules { style: self.style(), ..*base }
-    }
-}
-
-/// The lecture's rules by [`Formula::Plain`], known when the program is compiled.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct PlainLecture;
-
-impl RuleSource for PlainLecture {
-    #[inline(always)]
-    fn get(&self) -> &Rules {
-        const { &Rules { style: Formula::Plain.style(), ..Rules::LECTURE } }
-    }
-}
-
-/// The lecture's rules by [`Formula::Stable`], known when the program is compiled.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct StableLecture;
-
-impl RuleSource for StableLecture {
-    #[inline(always)]
-    fn get(&self) -> &Rules {
-        const { &Rules { style: Formula::Stable.style(), ..Rules::LECTURE } }
     }
 }
 
