@@ -115,6 +115,37 @@ fn a_greater_depth_calls_for_what_the_file_does_not_within_the_stage() {
 }
 
 #[test]
+fn a_threshold_ends_paths_and_what_it_leaves_out_is_bounded() {
+    let folder = folder();
+    let mirrors =
+        SCENE.replace("max_depth = 1", "max_depth = 6").replace("m = {", "m = { ke = [1, 1, 1], kr = [0.5, 0.5, 0.5],");
+    let inside =
+        mirrors.replace("eye = [0, 0, 4]", "eye = [0, 0, 0.1]").replace("kd = [0.5, 0.5, 0.5]", "kd = [0, 0, 0]");
+    std::fs::write(folder.path().join("mirrors.toml"), &inside).unwrap();
+    let head = "title = \"t\"\nabout = \"a\"\nrules = [3]\npoints = 2\n";
+    std::fs::write(folder.path().join("stages/01_one/mirrors.toml"), format!("{head}{inside}")).unwrap();
+    let stats = |args: &[&str]| {
+        let args = [&["render", "mirrors.toml", "a.png", "--stats", "json"], args].concat();
+        let stats: serde_json::Value = serde_json::from_slice(&run(folder.path(), &args, "").stdout).unwrap();
+        (stats["rays"]["reflected"].as_u64().unwrap(), stats["left_out_at_most"].as_f64().unwrap())
+    };
+    // from inside every ray meets the ball; it glows by 1 and mirrors half: what is left out at weight w would bring 2 w
+    assert_eq!(stats(&[]), (8 * 6 * 6, 2.0 * 0.5 * 0.5 * 0.5 * 0.5 * 0.5 * 0.5 * 0.5));
+    assert_eq!(stats(&["--threshold", "1/4"]), (8 * 6 * 3, 2.0 * 0.5 * 0.5 * 0.5 * 0.5));
+    assert_eq!(stats(&["--threshold", "0"]).0, 8 * 6 * 6);
+    assert_eq!(stats(&["--max-depth", "0"]), (0, 2.0 * 0.5));
+    let render = |args: &[&str]| run(folder.path(), &[&["render"], args, &["a.png", "--stats"]].concat(), "");
+    expect(&render(&["stages/01_one/mirrors.toml", "--threshold", "0.1"]), 2, "does not allow adaptive_depth");
+    expect(&render(&["stages/01_one/mirrors.toml", "--threshold", "0.1", "--effects", "all"]), 0, "");
+    expect(&render(&["mirrors.toml", "--threshold", "2"]), 2, "from 0 to 1");
+    let said = render(&["mirrors.toml"]).stdout;
+    assert!(
+        String::from_utf8_lossy(&said).contains("darken no pixel by more than 3.98 levels (proven)"),
+        "2/128 of 255"
+    );
+}
+
+#[test]
 fn a_case_is_rendered_by_its_course_unless_another_is_given() {
     let folder = folder();
     let render = |args: &[&str]| {

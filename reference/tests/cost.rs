@@ -6,9 +6,11 @@ use std::process::{Command, Output, Stdio};
 
 use cases::{Effect, Scene, scene};
 use reference::cost::bench::Bench;
+use reference::cost::error::Error;
 use reference::cost::measure::{Outside, measure, work};
 use reference::cost::plot::{self, Place};
 use reference::cost::report::{Machine, Report};
+use reference::cost::scaled::scaled;
 use reference::cost::setting::{Formula, Setting};
 use reference::cost::sweep::{About, Axes, Sweep};
 use reference::cost::{csv, page, table};
@@ -279,6 +281,109 @@ fn the_command_prints_a_table_and_writes_every_form() {
     check(folder.path(), &["scene.toml", "--thresholds", "2"], 2, "from 0 to 1");
     check(folder.path(), &["none.toml"], 2, "there is no file");
     check(folder.path(), &[&short[..], &["--svg", "no/such/folder.svg"]].concat(), 3, "cannot write");
+}
+
+#[test]
+fn functions_are_measured_one_by_one_and_written_in_every_form() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    let files = ["--json", "f.json", "--csv", "f.csv", "--svg", "f.svg", "--html", "f.html"];
+    check(
+        folder.path(),
+        &[&["--functions", "--draws", "40", "--rounds", "1"][..], &files].concat(),
+        0,
+        "Möller–Trumbore",
+    );
+    let json: serde_json::Value = serde_json::from_str(&at("f.json")).unwrap();
+    let rows = json["rows"].as_array().unwrap();
+    let of = |function: &str, formula: &str, precision: &str| {
+        let is_it = |row: &&serde_json::Value| {
+            row["function"] == function && row["formula"] == formula && row["precision"] == precision
+        };
+        rows.iter().find(is_it).unwrap_or_else(|| panic!("{function}, {formula}, {precision}"))
+    };
+    let [robust, textbook] = ["robust", "textbook quadratic"].map(|formula| of("sphere", formula, "f64"));
+    assert_eq!(robust["n"], 8 * 40);
+    assert_eq!(robust["wrong"], 0);
+    assert!(textbook["wrong"].as_u64() > Some(0), "the textbook formula is known to fail there");
+    assert!(robust["max_error"].as_f64() < of("sphere", "robust", "f32")["max_error"].as_f64());
+    for row in rows {
+        let families = row["families"].as_array().unwrap();
+        let sum: u64 = families.iter().map(|family| family["wrong"].as_u64().unwrap()).sum();
+        assert_eq!(row["wrong"], sum);
+        assert!(row["ns"]["median"].as_f64().unwrap() > 0.0);
+    }
+    assert_eq!(of("cone", "robust", "f64")["precision"], "f64");
+    let text = at("f.csv");
+    let mut lines = ::csv::Reader::from_reader(text.as_bytes());
+    let n_families: usize = rows.iter().map(|row| row["families"].as_array().unwrap().len()).sum();
+    assert_eq!(lines.records().map(Result::unwrap).count(), n_families);
+    well_formed(&at("f.svg"));
+    assert!(at("f.html").contains("<figure><svg") && !at("f.html").contains("<script"));
+    check(folder.path(), &["--functions", "scene.toml"], 2, "cannot be used with");
+    check(folder.path(), &[], 2, "required");
+}
+
+#[test]
+fn the_page_of_the_documentation_is_made_of_measurements() {
+    let folder = tempfile::tempdir().unwrap();
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let page = folder.path().join("accuracy.md");
+    let short = ["--samples", "1", "--rounds", "1", "--draws", "10", "--depths", "0,2", "--size", "16x12"];
+    check(&workspace, &[&["--page", page.to_str().unwrap()][..], &short].concat(), 0, "wrote");
+    let text = std::fs::read_to_string(&page).unwrap();
+    let mut n_pictures = 0;
+    for (_, target) in
+        text.match_indices("](").map(|(at, _)| text[at + 2..].split_once(')').unwrap()).map(|(t, _)| ((), t))
+    {
+        if target.ends_with(".svg") {
+            well_formed(&std::fs::read_to_string(folder.path().join(target)).unwrap());
+            n_pictures += 1;
+        }
+    }
+    assert_eq!(n_pictures, 5);
+    let mut n_columns = None;
+    for line in text.lines() {
+        let n = line.starts_with('|').then(|| line.matches('|').count());
+        assert!(n.is_none() || n_columns.is_none() || n == n_columns, "a row has another number of cells: {line}");
+        n_columns = n;
+    }
+    assert!(text.contains("| depth 2 |") && text.contains("| f32, t > 1e-4 |"), "{text}");
+}
+
+#[test]
+fn fronts_are_stored_beside_the_stages() {
+    let folder = tempfile::tempdir().unwrap();
+    let stage = folder.path().join("cases/stages/01_one");
+    std::fs::create_dir_all(&stage).unwrap();
+    let head = "title = \"One\"\nabout = \"a\"\nneeds = []\nunit_points = 1\n";
+    std::fs::write(stage.join("stage.toml"), format!("{head}allows = [\"shadows\", \"reflection\"]\n")).unwrap();
+    let head = "title = \"t\"\nabout = \"a\"\nrules = [3]\npoints = 2\n";
+    std::fs::write(stage.join("ball.toml"), format!("{head}{SCENE}")).unwrap();
+    check(folder.path(), &["--store", "--rounds", "1"], 0, "1 cases");
+    let stages = folder.path().join("cases/stages");
+    let text = std::fs::read_to_string(cases::front::fronts_path(&stages)).unwrap();
+    let fronts = cases::front::fronts_from_str(&text).unwrap();
+    let points = &fronts.cases["01_one/ball"];
+    assert_eq!(points.len(), 6 + 2, "two precisions by three formulas, and two lesser depths");
+    assert!(points.iter().all(|point| point.time_s > 0.0));
+    let named = |name: &str| points.iter().find(|point| point.setting == name).unwrap();
+    assert_eq!(named("f64, robust formulas").rmse_levels, 0.0);
+    assert!(named("f64, robust formulas, depth 0").rmse_levels > 0.0);
+}
+
+#[test]
+fn a_scene_in_another_size_has_the_same_picture() {
+    let scene = scene(
+        &SCENE.replace("ambient = [0.2, 0.2, 0.2]", "attenuation = { quadratic = 0.02, linear = 0.1, constant = 0.5 }"),
+    );
+    let own = Setting::of(&scene);
+    let (picture, _) = Bench::new(&scene, &Rules::LECTURE).render(&own);
+    for factor in [1024.0, 1.0 / 1024.0, 1e3] {
+        let (other, _) = Bench::new(&scaled(&scene, factor), &Rules::LECTURE).render(&own);
+        let error = Error::of(&picture, &other, Default::default());
+        assert!(error.max_levels < 1e-6, "{factor}: {error:?}");
+    }
 }
 
 #[cfg(unix)]

@@ -5,65 +5,69 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use cases::film;
+use cases::{Scene, film};
 use signal_hook::consts::{SIGINT, SIGTERM};
 
 use super::args::CostArgs;
 use super::progress::Bar;
-use super::{Stop, Talk, find, print};
+use super::{Stop, Talk, cost_page, cost_store, find, print};
 use crate::cost::bench::Bench;
-use crate::cost::measure::{self, Outside};
+use crate::cost::forms::Forms;
+use crate::cost::functions;
+use crate::cost::functions_report::FunctionsReport;
+use crate::cost::measure::{self, Measured, Outside};
 use crate::cost::plot::{self, Place};
 use crate::cost::report::{Machine, Report};
 use crate::cost::sweep::{Axes, Sweep};
-use crate::cost::{csv, page, table};
 use crate::rules::Rules;
 
 /// Carries out the command.
 pub(super) fn run(args: &CostArgs, talk: Talk) -> Result<(), Stop> {
     let outputs = outputs(args)?;
-    let rules = Rules::of(&find::course(&args.scene, &args.course)?);
-    let mut scene = find::scene(&args.scene)?;
+    let session = Session::start(args.threads, talk)?;
+    if let Some(path) = &args.page {
+        return cost_page::run(args, path, &session);
+    }
+    match &args.scene {
+        _ if args.store => cost_store::run(args, &session),
+        None => {
+            let report = of_functions(args, &session)?;
+            write(&report, &outputs, talk)?;
+            session.end(report.rounds, args.rounds)
+        }
+        Some(named) => {
+            let report = of_scene(named, args, &session)?;
+            write(&report, &outputs, talk)?;
+            session.end(report.rounds, args.rounds)
+        }
+    }
+}
+
+/// Measures the scene that `named` names.
+pub(super) fn of_scene(named: &str, args: &CostArgs, session: &Session) -> Result<Report, Stop> {
+    let rules = Rules::of(&find::course(named, &args.course)?);
+    let mut scene = find::scene(named)?;
     if let Some((width, height)) = args.size {
         (scene.render.width, scene.render.height) = (width, height);
     }
     let sweep = Sweep::of(&scene, &args.narrowed(Axes::of(&scene)));
-    let n_rounds = usize::from(args.rounds);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(args.threads)).build();
-    let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
-    let clock = if args.threads == 1 { Clock::Processor } else { Clock::Wall(Instant::now()) };
-    let mut session = Session::start(clock, measure::work(&sweep, n_rounds), talk)?;
-    if talk >= Talk::Verbose {
-        anstream::eprintln!("measuring {} settings in {n_rounds} rounds", sweep.subjects.len());
-    }
-    let mut bench = Bench::new(&scene, &rules);
-    let measured = pool.install(|| measure::measure(&mut bench, &sweep, n_rounds, &mut session));
-    let is_stopped = session.is_stopped();
-    drop(session);
-    let Some(measured) = measured else {
-        return Err(Stop::Interrupted("interrupted before the first round was done: nothing to report".to_owned()));
-    };
-    let machine = Machine {
-        processor: processor(),
-        threads: usize::from(args.threads),
-        clock: clock.name(),
-        is_optimised: !cfg!(debug_assertions),
-    };
-    let report = Report::new(&args.scene, &scene, &rules, machine, &sweep, &measured, n_rounds);
-    for (what, path) in &outputs {
-        put(path, &what.bytes(&report)?, talk)?;
-    }
-    if outputs.iter().all(|(_, path)| !is_stream(path)) {
-        anstream::print!("{}", table::text(&report));
-    }
-    if is_stopped {
-        Err(Stop::Interrupted(format!("interrupted after {} of {n_rounds} rounds", report.rounds)))
-    } else {
-        Ok(())
-    }
+    let measured = session.sweep(&scene, &rules, &sweep, usize::from(args.rounds))?;
+    Ok(Report::new(named, &scene, &rules, session.machine(), &sweep, &measured, usize::from(args.rounds)))
 }
 
-/// A form of the report.
+/// Measures one function at a time.
+pub(super) fn of_functions(args: &CostArgs, session: &Session) -> Result<FunctionsReport, Stop> {
+    let (candidates, n_rounds) = (functions::candidates(), usize::from(args.rounds));
+    let mut run = session.run(Bar::steps(functions::work(&candidates, n_rounds), session.talk));
+    let measured = functions::measure(&candidates, args.draws, n_rounds, &mut run).ok_or_else(nothing)?;
+    Ok(FunctionsReport::new(session.machine(), &measured, args.draws))
+}
+
+fn nothing() -> Stop {
+    Stop::Interrupted("interrupted before the first round was done: nothing to report".to_owned())
+}
+
+/// A form of a report.
 #[derive(Clone, Copy, Debug)]
 enum Output {
     Json,
@@ -73,12 +77,12 @@ enum Output {
 }
 
 impl Output {
-    fn bytes(self, report: &Report) -> Result<Vec<u8>, Stop> {
+    fn bytes(self, report: &impl Forms) -> Result<Vec<u8>, Stop> {
         match self {
             Self::Json => serde_json::to_vec_pretty(report).map_err(|why| Stop::Machine(why.to_string())),
-            Self::Csv => csv::csv(report).map_err(|why| Stop::Machine(why.to_string())),
-            Self::Svg => Ok(plot::svg(&page::plots(report)[0], Place::File).into_bytes()),
-            Self::Html => Ok(page::page(report).into_bytes()),
+            Self::Csv => report.csv().map_err(|why| Stop::Machine(why.to_string())),
+            Self::Svg => Ok(plot::stack(&report.plots(), Place::File).into_bytes()),
+            Self::Html => Ok(report.page().into_bytes()),
         }
     }
 }
@@ -99,7 +103,18 @@ fn is_stream(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-fn put(path: &Path, bytes: &[u8], talk: Talk) -> Result<(), Stop> {
+fn write(report: &impl Forms, outputs: &[(Output, &Path)], talk: Talk) -> Result<(), Stop> {
+    for (what, path) in outputs {
+        put(path, &what.bytes(report)?, talk)?;
+    }
+    if outputs.iter().all(|(_, path)| !is_stream(path)) {
+        anstream::print!("{}", report.text());
+    }
+    Ok(())
+}
+
+/// Writes a file whole, or to the output stream.
+pub(super) fn put(path: &Path, bytes: &[u8], talk: Talk) -> Result<(), Stop> {
     if is_stream(path) {
         return print(bytes);
     }
@@ -138,37 +153,81 @@ impl Clock {
     }
 }
 
-/// A measurement while it runs.
-struct Session {
+/// One or more measurements that the user may stop.
+pub(super) struct Session {
     clock: Clock,
     stop: Arc<AtomicBool>,
-    bar: Bar,
+    pool: rayon::ThreadPool,
+    pub(super) talk: Talk,
 }
 
 impl Session {
     /// From now on the first Ctrl-C (or SIGTERM) asks the measurement to end, and a second one ends the program.
-    fn start(clock: Clock, work: u64, talk: Talk) -> Result<Self, Stop> {
+    fn start(threads: u16, talk: Talk) -> Result<Self, Stop> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build();
+        let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
         let stop = Arc::new(AtomicBool::new(false));
         for signal in [SIGINT, SIGTERM] {
             signal_hook::flag::register_conditional_default(signal, Arc::clone(&stop))
                 .and_then(|_| signal_hook::flag::register(signal, Arc::clone(&stop)))
                 .map_err(|why| Stop::Machine(format!("cannot wait for Ctrl-C: {why}")))?;
         }
-        Ok(Self { clock, stop, bar: Bar::pictures(work, talk) })
+        let clock = if threads == 1 { Clock::Processor } else { Clock::Wall(Instant::now()) };
+        Ok(Self { clock, stop, pool, talk })
     }
 
-    fn is_stopped(&self) -> bool {
-        self.stop.load(Ordering::Relaxed)
+    fn run(&self, bar: Bar) -> Run<'_> {
+        Run { session: self, bar }
+    }
+
+    /// Measures a sweep.
+    pub(super) fn sweep(
+        &self,
+        scene: &Scene,
+        rules: &Rules,
+        sweep: &Sweep,
+        n_rounds: usize,
+    ) -> Result<Vec<Measured>, Stop> {
+        if self.talk >= Talk::Verbose {
+            anstream::eprintln!("measuring {} settings in {n_rounds} rounds", sweep.subjects.len());
+        }
+        let mut run = self.run(Bar::pictures(measure::work(sweep, n_rounds), self.talk));
+        let mut bench = Bench::new(scene, rules);
+        self.pool.install(|| measure::measure(&mut bench, sweep, n_rounds, &mut run)).ok_or_else(nothing)
+    }
+
+    /// On what it is measured.
+    pub(super) fn machine(&self) -> Machine {
+        Machine {
+            processor: processor(),
+            threads: self.pool.current_num_threads(),
+            clock: self.clock.name(),
+            is_optimised: !cfg!(debug_assertions),
+        }
+    }
+
+    /// How the command ends, after that many of the rounds.
+    pub(super) fn end(&self, rounds: usize, wanted: u16) -> Result<(), Stop> {
+        if self.stop.load(Ordering::Relaxed) {
+            return Err(Stop::Interrupted(format!("interrupted after {rounds} of {wanted} rounds")));
+        }
+        Ok(())
     }
 }
 
-impl Outside for Session {
+/// A measurement while it runs.
+struct Run<'s> {
+    session: &'s Session,
+    bar: Bar,
+}
+
+impl Outside for Run<'_> {
     fn now_s(&mut self) -> f64 {
-        self.clock.now_s()
+        self.session.clock.now_s()
     }
 
     fn goes_on(&mut self) -> bool {
-        !self.is_stopped()
+        !self.session.stop.load(Ordering::Relaxed)
     }
 
     fn done(&mut self, work: u64) {
@@ -180,6 +239,6 @@ impl Outside for Session {
 fn processor() -> String {
     let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let line = text.lines().find(|line| line.starts_with("model name"));
-    line.and_then(|line| line.split_once(": "))
-        .map_or_else(|| "unknown processor".to_owned(), |(_, name)| name.to_owned())
+    let name = line.and_then(|line| line.split_once(": ")).map(|(_, name)| name.trim().to_owned());
+    name.unwrap_or_else(|| "unknown processor".to_owned())
 }

@@ -24,11 +24,27 @@ Examples:
   reference cost scene.toml --samples 1,2,4,8 --rounds 9 --html cost.html
   reference cost 03_reflection/hall_of_mirrors --depths 0,1,2,4,8,16 --precisions f64 --formulas robust --no-effects
   reference cost scene.toml --thresholds 0,1/256,1/64 --csv - > cost.csv
+  reference cost --functions --draws 100000 --html functions.html
+  reference cost --page docs/accuracy.md
+  reference cost --store
 
 Exit codes: 0 done, 2 usage or a file that cannot be read, 3 a file cannot be written, 130 interrupted")]
 pub(super) struct CostArgs {
     /// Scene, case, or id of a case
-    pub scene: String,
+    #[arg(required_unless_present_any = ["functions", "page", "store"])]
+    pub scene: Option<String>,
+    /// One function at a time instead: nanoseconds against errors and wrong decisions, over families of hard questions
+    #[arg(long, conflicts_with = "scene")]
+    pub functions: bool,
+    /// Questions a family for --functions and --page
+    #[arg(long, value_name = "N", default_value = "2000", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
+    pub draws: u64,
+    /// Writes the page of the documentation, docs/accuracy.md, and its pictures beside it; some minutes
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "functions", "store", "json", "csv", "svg", "html"])]
+    pub page: Option<PathBuf>,
+    /// Measures all cases of ./cases/stages briefly and stores it as fronts.json beside them, for students' reports
+    #[arg(long, conflicts_with_all = ["scene", "functions", "json", "csv", "svg", "html"])]
+    pub store: bool,
     /// Scalars to measure [default: f32,f64]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = precision)]
     pub precisions: Option<Vec<Precision>>,

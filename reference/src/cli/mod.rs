@@ -3,6 +3,8 @@
 mod args;
 mod cost;
 mod cost_args;
+mod cost_page;
+mod cost_store;
 mod course;
 mod effects;
 mod expect;

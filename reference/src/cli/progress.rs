@@ -26,6 +26,11 @@ impl Bar {
         Self::new(n, "pictures", talk > Talk::Quiet)
     }
 
+    /// For the steps of a measurement.
+    pub(super) fn steps(n: u64, talk: Talk) -> Self {
+        Self::new(n, "steps", talk > Talk::Quiet)
+    }
+
     fn new(n: u64, unit: &'static str, is_shown: bool) -> Self {
         let target = if is_shown { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         let style = ProgressStyle::with_template("{bar:40} {percent}% of {len} {msg}, {eta} left");

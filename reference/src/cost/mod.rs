@@ -6,20 +6,27 @@
 //! | `bench.rs`, `measure.rs` | a scene made ready for all of them; pictures first, then times in interleaved rounds |
 //! | `error.rs`, `front.rs` | how far a picture is from a better one; which settings no other one beats |
 //! | `report.rs`, `advice.rs` | what was found, as data and in sentences |
-//! | `table.rs`, `csv.rs`, `plot.rs`, `page.rs` | the same as text, table, picture and page |
+//! | `functions.rs`, `functions_report.rs` | one function at a time: nanoseconds against errors and wrong decisions |
+//! | `forms.rs`, `table.rs`, `csv.rs`, `plot.rs`, `page.rs` | reports as text, table, picture and page |
+//! | `scaled.rs`, `document.rs` | the same scene in another size; the page of the documentation |
 //!
 //! Nothing here reads a clock: [`measure::Outside`] is handed in.
 
 mod advice;
 pub mod bench;
 pub mod csv;
+pub mod document;
 pub mod error;
+pub mod forms;
 pub mod front;
+pub mod functions;
+pub mod functions_report;
 mod labels;
 pub mod measure;
 pub mod page;
 pub mod plot;
 pub mod report;
+pub mod scaled;
 pub mod setting;
 pub mod sweep;
 pub mod table;

@@ -10,11 +10,11 @@ use cases::maths;
 use super::labels::{self, Label};
 
 /// Width of the picture, in its own units.
-pub(super) const WIDTH: f64 = 760.0;
+const WIDTH: f64 = 760.0;
 const HEIGHT: f64 = 480.0;
 const LEFT: f64 = 76.0;
-pub(super) const RIGHT: f64 = 738.0;
-pub(super) const TOP: f64 = 64.0;
+const RIGHT: f64 = 738.0;
+const TOP: f64 = 64.0;
 const BOTTOM: f64 = 424.0;
 /// Height of the band for an error of 0.
 const BAND: f64 = 30.0;
@@ -114,6 +114,29 @@ fn log10(x: f64) -> f64 {
 
 /// The picture as SVG.
 pub fn svg(plot: &Plot, place: Place) -> String {
+    stack(std::slice::from_ref(plot), place)
+}
+
+/// Pictures below one another as one SVG; for none, an empty one.
+pub fn stack(plots: &[Plot], place: Place) -> String {
+    let height = HEIGHT * plots.len() as f64;
+    let titles: Vec<String> = plots.iter().map(|plot| quoted(&plot.title)).collect();
+    let mut out = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" class=\"plot\" aria-label=\"{}\">\n",
+        titles.join("; ")
+    );
+    if place == Place::File {
+        let _ =
+            write!(out, "<style>\n{STYLE}</style>\n<rect class=\"paper\" width=\"{WIDTH}\" height=\"{height}\"/>\n");
+    }
+    for (n, plot) in plots.iter().enumerate() {
+        let _ = write!(out, "<g transform=\"translate(0 {})\">\n{}</g>\n", HEIGHT * n as f64, drawn(plot));
+    }
+    out += "</svg>\n";
+    out
+}
+
+fn drawn(plot: &Plot) -> String {
     let drawable = |p: &&Point| p.x > 0.0 && p.x.is_finite() && p.y >= 0.0 && p.y.is_finite();
     let points: Vec<&Point> = plot.points.iter().filter(drawable).collect();
     let has_zero = points.iter().any(|point| point.y == 0.0);
@@ -121,33 +144,20 @@ pub fn svg(plot: &Plot, place: Place) -> String {
     let x = Scale::new(points.iter().flat_map(|p| [p.x, p.spread.0, p.spread.1]).filter(|x| *x > 0.0), (LEFT, RIGHT));
     let y = Scale::new(points.iter().map(|p| p.y).filter(|y| *y > 0.0), (floor, TOP));
     let height = |value: f64| if value == 0.0 { BOTTOM - BAND / 2.0 } else { y.at(value) };
-    let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" class=\"plot\" aria-label=\"{}\">\n",
-        quoted(&plot.title)
-    );
-    if place == Place::File {
-        let _ =
-            write!(out, "<style>\n{STYLE}</style>\n<rect class=\"paper\" width=\"{WIDTH}\" height=\"{HEIGHT}\"/>\n");
-    }
-    out += &axes(plot, &x, &y, floor, has_zero);
-    let mut front: Vec<(f64, f64)> =
-        points.iter().filter(|p| p.is_on_front).map(|p| (x.at(p.x), height(p.y))).collect();
+    let at: Vec<(f64, f64)> = points.iter().map(|p| (x.at(p.x), height(p.y))).collect();
+    let mut out = axes(plot, &x, &y, floor, has_zero);
+    let on_front = || points.iter().zip(&at).filter(|(point, _)| point.is_on_front);
+    let mut front: Vec<(f64, f64)> = on_front().map(|(_, at)| *at).collect();
     front.sort_by(|a, b| a.0.total_cmp(&b.0));
     out += &stairs(&front);
-    for point in &points {
-        out += &mark(
-            point,
-            (x.at(point.x), height(point.y)),
-            [point.spread.0, point.spread.1].map(|v| x.at(v.max(1e-300))),
-        );
+    for (point, at) in points.iter().zip(&at) {
+        let spread = [point.spread.0, point.spread.1].map(|value| if value > 0.0 { x.at(value) } else { at.0 });
+        out += &mark(point, *at, spread);
     }
-    let places: Vec<(f64, f64)> = points.iter().map(|p| (x.at(p.x), height(p.y))).collect();
-    let wanted = points.iter().zip(&places).filter(|(p, _)| p.is_on_front);
-    let wanted: Vec<Label<'_>> = wanted.map(|(p, at)| Label { text: &p.label, at: *at }).collect();
-    for (label, (left, base)) in labels::place(&wanted, &places, (LEFT, TOP, RIGHT, BOTTOM)) {
+    let wanted: Vec<Label<'_>> = on_front().map(|(point, at)| Label { text: &point.label, at: *at }).collect();
+    for (label, (left, base)) in labels::place(&wanted, &at, (LEFT, TOP, RIGHT, BOTTOM)) {
         let _ = writeln!(out, "<text class=\"label\" x=\"{left:.1}\" y=\"{base:.1}\">{}</text>", quoted(label.text));
     }
-    out += "</svg>\n";
     out
 }
 
@@ -250,7 +260,7 @@ fn number(x: f64) -> String {
 }
 
 /// Text for SVG and HTML.
-pub(super) fn quoted(text: &str) -> String {
+fn quoted(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

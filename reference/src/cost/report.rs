@@ -3,12 +3,14 @@
 use cases::{Effect, Scene};
 use serde::Serialize;
 
-use super::advice;
 use super::error::Error;
+use super::forms::Forms;
 use super::front::{Times, front};
 use super::measure::Measured;
+use super::plot::Plot;
 use super::setting::Setting;
 use super::sweep::{About, Sweep};
+use super::{advice, csv, page, table};
 use crate::cutoff::Limits;
 use crate::rules::Rules;
 use crate::watch::Counts;
@@ -131,6 +133,24 @@ impl Report {
     /// The row of a setting.
     pub fn row(&self, setting: &Setting) -> Option<&Row> {
         self.rows.iter().find(|row| row.setting == *setting)
+    }
+}
+
+impl Forms for Report {
+    fn text(&self) -> String {
+        table::text(self)
+    }
+
+    fn csv(&self) -> Result<Vec<u8>, ::csv::Error> {
+        csv::csv(self)
+    }
+
+    fn plots(&self) -> Vec<Plot> {
+        page::plots(self).into()
+    }
+
+    fn page(&self) -> String {
+        page::page(self)
     }
 }
 

@@ -1,0 +1,39 @@
+//! `reference cost --page`: docs/accuracy.md and its pictures.
+
+use std::path::Path;
+
+use super::args::CostArgs;
+use super::cost::{Session, of_functions, of_scene, put};
+use super::{Stop, Talk, find};
+use crate::cost::document::{self, Document, SCENES, SIZED};
+use crate::cost::plot::{self, Place};
+use crate::rules::Rules;
+
+/// Measures what the page shows, and writes it. An interrupt leaves what was there: half a page would mix two measurements.
+pub(super) fn run(args: &CostArgs, path: &Path, session: &Session) -> Result<(), Stop> {
+    let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    let stem = stem.ok_or_else(|| Stop::Usage(format!("`{}` names no file", path.display())))?;
+    let functions = of_functions(args, session)?;
+    session.end(functions.rounds, args.rounds)?;
+    let mut scenes = Vec::new();
+    for named in SCENES {
+        let report = of_scene(named, args, session)?;
+        session.end(report.rounds, args.rounds)?;
+        scenes.push(report);
+    }
+    let rules = Rules::of(&find::course(SIZED, &args.course)?);
+    let starts = document::starts(&find::scene(SIZED)?, &rules);
+    let page = Document { functions, scenes, starts };
+    let beside = |name: String| path.with_file_name(name);
+    for scene in &page.scenes {
+        let picture = plot::svg(&crate::cost::page::plots(scene)[0], Place::File);
+        put(&beside(document::picture_name(&stem, &scene.scene)), picture.as_bytes(), session.talk)?;
+    }
+    let functions = ["sphere", "triangle"].map(|function| page.functions.plot(function));
+    put(&beside(format!("{stem}-functions.svg")), plot::stack(&functions, Place::File).as_bytes(), session.talk)?;
+    put(path, document::markdown(&page, &stem).as_bytes(), session.talk)?;
+    if session.talk >= Talk::Normal {
+        anstream::eprintln!("wrote {} and {} pictures beside it", path.display(), SCENES.len() + 1);
+    }
+    Ok(())
+}

@@ -1,0 +1,80 @@
+//! `reference cost --store`: what accuracy costs in each public case, for students to compare themselves with.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use cases::Scene;
+use cases::course::course_of;
+use cases::front::{FrontPoint, Fronts, fronts_path, fronts_to_string, rmse_levels};
+use cases::stage;
+
+use super::args::CostArgs;
+use super::cost::{Session, put};
+use super::find::{self, STAGES};
+use super::{Stop, Talk};
+use crate::cost::bench::Bench;
+use crate::cost::front::Times;
+use crate::cost::setting::{Formula, Setting};
+use crate::cost::sweep::{About, Sweep};
+use crate::rules::Rules;
+use crate::variations::Precision;
+
+/// Measures every case and stores the points. An interrupt leaves what was stored.
+pub(super) fn run(args: &CostArgs, session: &Session) -> Result<(), Stop> {
+    let stages = Path::new(STAGES);
+    let course = match find::given(&args.course)? {
+        Some(course) => course,
+        None => course_of(stages)?,
+    };
+    let rules = Rules::of(&course);
+    let mut points = BTreeMap::new();
+    for case in stage::load_all(stages)?.iter().flat_map(|stage| &stage.cases) {
+        if session.talk >= Talk::Verbose {
+            anstream::eprintln!("{}", case.id);
+        }
+        points.insert(case.id.clone(), of_case(&case.scene, &rules, args.rounds, session)?);
+    }
+    let n_cases = points.len();
+    let machine = session.machine();
+    let fronts = Fronts { machine: format!("{}, {} of one thread", machine.processor, machine.clock), cases: points };
+    let text = fronts_to_string(&fronts).map_err(|why| Stop::Machine(why.to_string()))?;
+    let path = fronts_path(stages);
+    put(&path, text.as_bytes(), session.talk)?;
+    if session.talk >= Talk::Normal {
+        anstream::eprintln!("wrote {}: {n_cases} cases", path.display());
+    }
+    Ok(())
+}
+
+/// Both precisions by all formulas, then the scene's own setting at each lesser depth; one ray a pixel, as pictures are judged.
+fn of_case(scene: &Scene, rules: &Rules, rounds: u16, session: &Session) -> Result<Vec<FrontPoint>, Stop> {
+    let own = Setting::of(scene);
+    let both = |formula| [Precision::F64, Precision::F32].map(|precision| (precision, formula));
+    let mut settings: Vec<(Setting, String)> = Formula::ALL
+        .into_iter()
+        .rev()
+        .flat_map(both)
+        .map(|(precision, formula)| {
+            (Setting { precision, formula, ..own }, format!("{}, {} formulas", precision.says(), formula.name()))
+        })
+        .collect();
+    if scene.effects.has(cases::Effect::Reflection) || scene.effects.has(cases::Effect::Refraction) {
+        let shallower = (0..own.max_depth).rev();
+        settings.extend(
+            shallower
+                .map(|max_depth| (Setting { max_depth, ..own }, format!("f64, robust formulas, depth {max_depth}"))),
+        );
+    }
+    let subjects = settings.iter().map(|(setting, _)| (*setting, About::Accuracy)).collect();
+    let sweep = Sweep { own, truth: own, subjects };
+    let measured = session.sweep(scene, rules, &sweep, usize::from(rounds))?;
+    session.end(measured.first().map_or(0, |one| one.times_s.len()), rounds)?;
+    let mut bench = Bench::new(scene, rules);
+    let (expected, _) = bench.render(&own);
+    let point = |((setting, name), one): ((Setting, String), &crate::cost::measure::Measured)| FrontPoint {
+        setting: name,
+        time_s: Times::of(&one.times_s).median,
+        rmse_levels: rmse_levels(&expected, &bench.render(&setting).0),
+    };
+    Ok(settings.into_iter().zip(&measured).map(point).collect())
+}

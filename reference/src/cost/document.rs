@@ -1,0 +1,100 @@
+//! The page of the documentation on what accuracy costs: measurements set in words.
+
+use cases::Scene;
+use minijinja::syntax::SyntaxConfig;
+use minijinja::value::Serde;
+use minijinja::{Environment, context};
+use serde::Serialize;
+
+use super::bench::Bench;
+use super::error::Error;
+use super::functions_report::FunctionsReport;
+use super::report::Report;
+use super::scaled::scaled;
+use super::setting::{Formula, Setting};
+use super::table::{figure, percent};
+use crate::rules::{Epsilon, Rules};
+use crate::variations::Precision;
+
+/// The scenes of the page, each for what it has: mirrors that see each other, glass, moved spheres, smooth meshes.
+pub const SCENES: [&str; 4] =
+    ["03_reflection/hall_of_mirrors", "04_refraction/crystal_ball", "05_transforms/pebbles", "06_smooth_normals/soap"];
+/// The scene that is shown in many sizes.
+pub const SIZED: &str = SCENES[1];
+/// The powers of ten of those sizes.
+const SIZES: [i32; 9] = [-8, -6, -4, -2, 0, 2, 4, 6, 8];
+/// The values of RAY_EPSILON shown.
+const EPSILONS: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
+
+/// How new rays leave surfaces, and what that does to a scene in every size.
+#[derive(Clone, Debug, Serialize)]
+pub struct StartRow {
+    /// In words.
+    pub name: String,
+    /// Share of the pixels that are another 8-bit colour than they should be, for each size.
+    pub changed: Vec<f64>,
+}
+
+/// A row for the reference's own start and each RAY_EPSILON, in both precisions; right is the reference's f64 picture of the scene as it is.
+pub fn starts(scene: &Scene, rules: &Rules) -> Vec<StartRow> {
+    let own = Setting::of(scene);
+    let (truth, _) = Bench::new(scene, rules).render(&own);
+    let changed = |rules: &Rules, setting: Setting| {
+        let at = |power: &i32| {
+            let scene = scaled(scene, cases::maths::pow(10.0, f64::from(*power)));
+            let (image, _) = Bench::new(&scene, rules).render(&setting);
+            Error::of(&truth, &image, rules.quantiser).changed
+        };
+        SIZES.iter().map(at).collect()
+    };
+    let of = |precision: Precision| {
+        let setting = Setting { precision, ..own };
+        let bound = StartRow {
+            name: format!("{}, by the bound on the hit's error", precision.says()),
+            changed: changed(rules, setting),
+        };
+        let fixed = EPSILONS.iter().map(move |epsilon| StartRow {
+            name: format!("{}, t > {epsilon:e}", precision.says()),
+            changed: changed(
+                &Rules { epsilon: Epsilon::Fixed(*epsilon), ..*rules },
+                Setting { formula: Formula::Stable, ..setting },
+            ),
+        });
+        std::iter::once(bound).chain(fixed).collect::<Vec<_>>()
+    };
+    [Precision::F64, Precision::F32].into_iter().flat_map(of).collect()
+}
+
+/// Everything that the page shows.
+#[derive(Clone, Debug, Serialize)]
+pub struct Document {
+    /// One function at a time.
+    pub functions: FunctionsReport,
+    /// Whole pictures, of [`SCENES`].
+    pub scenes: Vec<Report>,
+    /// New rays in many sizes.
+    pub starts: Vec<StartRow>,
+}
+
+/// File of the picture that belongs to a scene of that name, beside a page of that stem.
+pub fn picture_name(stem: &str, scene: &str) -> String {
+    let tame: String = scene.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
+    format!("{stem}-{tame}.svg")
+}
+
+/// The page, in Markdown; `stem` is that of its file.
+pub fn markdown(document: &Document, stem: &str) -> String {
+    let syntax = SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build();
+    let mut engine = Environment::new();
+    engine.set_syntax(syntax.expect("the delimiters are the usual ones"));
+    engine.add_filter("figure", figure);
+    engine.add_filter("percent", percent);
+    engine.add_function("picture", {
+        let stem = stem.to_owned();
+        move |scene: &str| picture_name(&stem, scene)
+    });
+    let page = minijinja::Value::from(Serde(document));
+    engine
+        .render_str(include_str!("accuracy.md.in"), context! { page, sizes => SIZES.to_vec(), sized => SIZED })
+        .expect("the template is part of this program and a test renders all of it")
+}

@@ -1,0 +1,176 @@
+//! One function at a time: how long an answer takes, how far it is off, and how often it is the wrong one, over the hard families.
+
+use super::front::Times;
+use super::measure::Outside;
+use super::setting::Formula;
+use crate::hard::survey::questions;
+use crate::hard::{FAMILIES, Family, Question, Tally, evaluate, survey};
+use crate::real::Real;
+use crate::rules::{PlaneFormula, Quadratic, Rules, Snell, Style, TriangleFormula};
+use crate::variations::Precision;
+
+/// Questions of a family in a batch that is timed.
+const BATCH: u64 = 128;
+/// A batch is answered so often in a row: some tenths of a millisecond, which every clock can tell.
+const REPEATS: usize = 64;
+/// Of all draws.
+const SEED: u64 = 1;
+
+/// A function by one formula in one precision.
+#[derive(Clone, Debug)]
+pub struct Candidate {
+    /// Such as `sphere`.
+    pub function: &'static str,
+    /// Its formula in words.
+    pub formula: &'static str,
+    /// Its scalars.
+    pub precision: Precision,
+    rules: Rules,
+}
+
+/// What was measured of one.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// Of what.
+    pub candidate: Candidate,
+    /// Nanoseconds an answer over its generic family, putting the question included.
+    pub ns: Times,
+    /// The same over all its families in equal parts.
+    pub hard_ns: Times,
+    /// Rounds that the times are of.
+    pub rounds: usize,
+    /// What came of each family, in the order of [`FAMILIES`].
+    pub tallies: Vec<(&'static str, Tally)>,
+}
+
+/// Every function by every formula in both precisions, the reference's own formula first.
+pub fn candidates() -> Vec<Candidate> {
+    let mut functions: Vec<&'static str> = FAMILIES.iter().map(|family| family.function).collect();
+    functions.dedup();
+    let of = |function: &'static str| {
+        let both = [Precision::F64, Precision::F32];
+        ways(function).into_iter().flat_map(move |(formula, style)| {
+            let rules = Rules { style, ..Rules::LECTURE };
+            both.map(|precision| Candidate { function, formula, precision, rules })
+        })
+    };
+    functions.into_iter().flat_map(of).collect()
+}
+
+/// The formulas that there are for a function.
+fn ways(function: &str) -> Vec<(&'static str, Style)> {
+    let stable = Formula::Stable.style();
+    let quadratics = |n| Quadratic::ALL[..n].iter().map(|q| (q.says(), Style { quadratic: *q, ..stable })).collect();
+    let others: Vec<(&'static str, Style)> = match function {
+        "sphere" | "transformed sphere" => quadratics(Quadratic::ALL.len()),
+        "cylinder" | "cone" => quadratics(Quadratic::ALL.len() - 1), // the last one is of spheres alone
+        "plane" => PlaneFormula::ALL.iter().map(|p| (p.says(), Style { plane: *p, ..stable })).collect(),
+        "triangle" => TriangleFormula::ALL.iter().map(|t| (t.says(), Style { triangle: *t, ..stable })).collect(),
+        "refract" => Snell::ALL.iter().map(|s| (s.says(), Style { snell: *s, ..stable })).collect(),
+        _ => vec![("plain", stable)],
+    };
+    [("robust", Style::REFERENCE)].into_iter().chain(others).collect()
+}
+
+/// Steps that a measurement comes to, for a progress bar.
+pub fn work(candidates: &[Candidate], n_rounds: usize) -> u64 {
+    let families: usize = candidates.iter().map(|one| families(one.function).count()).sum();
+    (families + candidates.len() * n_rounds) as u64
+}
+
+fn families(function: &str) -> impl Iterator<Item = &'static Family> {
+    FAMILIES.iter().filter(move |family| family.function == function)
+}
+
+/// Surveys every candidate with `n_draws` questions a family, then times them in interleaved rounds. `None` where it was stopped before the
+/// first round was done; the rounds done by then count. Surveys run in the current `rayon` pool, times are of this thread.
+pub fn measure(
+    candidates: &[Candidate],
+    n_draws: u64,
+    n_rounds: usize,
+    outside: &mut impl Outside,
+) -> Option<Vec<Measured>> {
+    let mut surveyed = Vec::new();
+    for candidate in candidates {
+        let mut tallies = Vec::new();
+        for family in families(candidate.function) {
+            if !outside.goes_on() {
+                return None;
+            }
+            let tally = match candidate.precision {
+                Precision::F32 => survey::<f32, _>(family, &candidate.rules, n_draws, SEED),
+                Precision::F64 => survey::<f64, _>(family, &candidate.rules, n_draws, SEED),
+            };
+            tallies.push((family.name, tally));
+            outside.done(1);
+        }
+        surveyed.push(tallies);
+    }
+    let batches: Vec<[Vec<Question>; 2]> = candidates.iter().map(batches).collect();
+    let mut times = vec![[Vec::new(), Vec::new()]; candidates.len()];
+    for round in 0..n_rounds {
+        let Some(one) = one_round(candidates, &batches, round, outside) else { break };
+        for (times, [ns, hard_ns]) in times.iter_mut().zip(one) {
+            times[0].push(ns);
+            times[1].push(hard_ns);
+        }
+    }
+    if times.first().is_none_or(|[ns, _]| ns.is_empty()) {
+        return None;
+    }
+    let measured = candidates.iter().zip(surveyed).zip(times).map(|((candidate, tallies), [ns, hard_ns])| Measured {
+        candidate: candidate.clone(),
+        rounds: ns.len(),
+        ns: Times::of(&ns),
+        hard_ns: Times::of(&hard_ns),
+        tallies,
+    });
+    Some(measured.collect())
+}
+
+/// Questions of the generic family, the first one of its function, and of all.
+fn batches(candidate: &Candidate) -> [Vec<Question>; 2] {
+    let drawn = |family: &Family| -> Vec<Question> {
+        match candidate.precision {
+            Precision::F32 => questions::<f32>(family, 0, BATCH, SEED).collect(),
+            Precision::F64 => questions::<f64>(family, 0, BATCH, SEED).collect(),
+        }
+    };
+    let all: Vec<Vec<Question>> = families(candidate.function).map(drawn).collect();
+    [all.first().cloned().unwrap_or_default(), all.concat()]
+}
+
+/// Nanoseconds of both batches of every candidate; each round begins with another one. `None` where it was stopped.
+fn one_round(
+    candidates: &[Candidate],
+    batches: &[[Vec<Question>; 2]],
+    round: usize,
+    outside: &mut impl Outside,
+) -> Option<Vec<[f64; 2]>> {
+    let n = candidates.len();
+    let mut ns = vec![[0.0; 2]; n];
+    for at in (0..n).map(|step| (step + round * n.div_ceil(3)) % n) {
+        if !outside.goes_on() {
+            return None;
+        }
+        for (batch, ns) in batches[at].iter().zip(&mut ns[at]) {
+            let start = outside.now_s();
+            match candidates[at].precision {
+                Precision::F32 => answer::<f32>(&candidates[at].rules, batch),
+                Precision::F64 => answer::<f64>(&candidates[at].rules, batch),
+            }
+            *ns = 1e9 * (outside.now_s() - start) / (REPEATS * batch.len().max(1)) as f64;
+        }
+        outside.done(1);
+    }
+    Some(ns)
+}
+
+#[inline(never)]
+fn answer<T: Real>(rules: &Rules, batch: &[Question]) {
+    for _ in 0..REPEATS {
+        for question in batch {
+            std::hint::black_box(evaluate::<T, _>(std::hint::black_box(rules), question));
+        }
+    }
+}

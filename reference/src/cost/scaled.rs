@@ -1,0 +1,28 @@
+//! The same scene in another size: its picture stays the same on paper.
+
+use cases::glam::{DAffine3, DVec3};
+use cases::scene::Attenuation;
+use cases::{Light, Object, Scene};
+
+/// `scene` with every length times `factor`, a power of ten or two say; lights weaken as much over the longer way.
+pub fn scaled(scene: &Scene, factor: f64) -> Scene {
+    let mut scene = scene.clone();
+    scene.camera.eye *= factor;
+    for light in &mut scene.lights {
+        if let Light::Point { position, attenuation, .. } = light {
+            *position *= factor;
+            *attenuation = Attenuation {
+                quadratic: attenuation.quadratic / (factor * factor),
+                linear: attenuation.linear / factor,
+                ..*attenuation
+            };
+        }
+    }
+    let to = DAffine3::from_scale(DVec3::splat(factor));
+    let back = DAffine3::from_scale(DVec3::splat(1.0 / factor));
+    for Object { world_from_object, object_from_world, .. } in &mut scene.objects {
+        *world_from_object = to * *world_from_object;
+        *object_from_world *= back;
+    }
+    scene
+}
