@@ -168,6 +168,37 @@ fn in_single_precision_no_ray_is_lost_or_caught() {
     check::<f32>(1e-3);
 }
 
+/// The bound grows with a matrix that nearly loses a dimension, where the way to object space and back loses as many digits.
+#[test]
+fn through_matrices_that_are_nearly_singular_no_ray_is_caught() {
+    let mut random = Random(0x5_1a7);
+    let turn = DMat3::from_axis_angle(DVec3::new(0.48, 0.6, 0.64), 0.8);
+    for least in [1e-3, 1e-6, 1e-8] {
+        let squash = turn * DMat3::from_diagonal(DVec3::new(1.0, 1.0, least)) * turn.transpose();
+        let mut tally = Tally::default();
+        for kind in KINDS {
+            let of_shape = kind.shape(1.0, &mut random);
+            let map = DAffine3::from_mat3_translation(squash, DVec3::new(3.0, -2.0, 1.0));
+            let scene = lone(of_shape, vec![globe(8, || 1.0)], map);
+            let world = World::<f64>::new(&scene);
+            for _ in 0..2000 {
+                let to = map.transform_point3(random.unit() * 0.7);
+                let from = to + random.unit() * 3.0;
+                let aimed = Ray::leaving(Lecture, Vec3::of(from), Vec3::of((to - from).normalize()));
+                let Some(hit) = world.nearest(Lecture, &aimed) else { continue };
+                let cosine = 0.01 + 0.99 * random.share();
+                let n = hit.n_geom.f64();
+                let way = n * cosine + random.unit().cross(n).normalize() * (1.0 - cosine * cosine).sqrt();
+                let ray = Ray::spawned(Lecture, &hit.spot(hit.n_geom), Vec3::of(way));
+                tally.n += 1;
+                tally.re_hits += usize::from(world.nearest(Lecture, &ray).is_some());
+            }
+        }
+        println!("squashed to {least:e}: {tally:?}");
+        assert!(tally.n > 5000 && tally.re_hits == 0, "squashed to {least:e}: {tally:?}");
+    }
+}
+
 /// What the bound replaces: a start that is not moved meets its own surface, and one that is moved by a constant does so at large scales.
 #[test]
 fn a_constant_is_wrong_at_some_scale() {

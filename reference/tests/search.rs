@@ -7,7 +7,7 @@ use std::fmt::Write;
 use cases::Effect;
 use cases::film::level;
 use common::{Random, scene};
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 use reference::ray::Ray;
 use reference::real::Real;
 use reference::render::{Options, render};
@@ -130,6 +130,48 @@ fn trees_find_what_lists_find_in_double_precision() {
 #[test]
 fn trees_find_what_lists_find_in_single_precision() {
     trees_find_what_lists_find::<f32>();
+}
+
+/// The scene by another map of the world.
+fn mapped(scene: &cases::Scene, map: DAffine3) -> cases::Scene {
+    let mut scene = scene.clone();
+    for object in &mut scene.objects {
+        object.world_from_object = map * object.world_from_object;
+        object.object_from_world = object.world_from_object.inverse();
+    }
+    scene
+}
+
+/// Where rounding on the way to object space is large: far from the origin, at extreme sizes, through matrices that are nearly singular.
+fn trees_find_what_lists_find_in_far_and_flat_worlds<T: Real>() {
+    let mut random = Random(0xfa5_7a4d_f1a7);
+    let turn = DAffine3::from_axis_angle(DVec3::new(0.48, 0.6, 0.64), 0.8);
+    let flat = |least: f64| turn * DAffine3::from_scale(DVec3::new(1.0, 1.0, least)) * turn.inverse();
+    let far = |by: f64| DAffine3::from_translation(DVec3::new(by, -0.7 * by, 0.3 * by));
+    let sized = |k: f64| DAffine3::from_scale(DVec3::splat(k));
+    let maps = [far(1e4), far(1e6), far(1e8), sized(1e-8), sized(1e8), far(1e6) * sized(1e-3)];
+    for map in maps.into_iter().chain([flat(1e-3), flat(1e-6), flat(1e-9), far(1e4) * flat(1e-6)]) {
+        let scene = mapped(&disorder(&mut random), map);
+        let [tree, scan] = [Search::Tree, Search::Scan].map(|search| World::<T>::with_search(&scene, search));
+        let mut n_hits = 0;
+        for n in 0..600 {
+            let from = map.transform_point3(random.unit() * 4.0);
+            let object = &scene.objects[n % scene.objects.len()];
+            let to = object.world_from_object.transform_point3(random.unit() * 0.4);
+            let ray = Ray::leaving(Lecture, Vec3::of(from), Vec3::of((to - from).normalize()));
+            let describe = |world: &World<T>| format!("{:?}", world.nearest(Lecture, &ray));
+            assert_eq!(describe(&tree), describe(&scan), "from {from} to {to} by {map:?}");
+            assert_eq!(tree.occluded(Lecture, &ray), scan.occluded(Lecture, &ray), "from {from} to {to} by {map:?}");
+            n_hits += usize::from(tree.occluded(Lecture, &ray));
+        }
+        assert!(n_hits > 100, "only {n_hits} rays hit anything by {map:?}: it tests nothing");
+    }
+}
+
+#[test]
+fn trees_find_what_lists_find_where_rounding_is_large() {
+    trees_find_what_lists_find_in_far_and_flat_worlds::<f64>();
+    trees_find_what_lists_find_in_far_and_flat_worlds::<f32>();
 }
 
 #[test]
