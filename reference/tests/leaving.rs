@@ -40,7 +40,10 @@ impl Kind {
         let beside = DVec3::new(random.signed(), random.signed(), random.signed()) * scale;
         match self {
             Self::Sphere => Shape::Sphere { center: beside, radius: 0.7 * scale },
-            Self::Plane => Shape::Plane { normal: random.unit(), k: random.signed() * scale },
+            // not quite of unit length, as rounding leaves it
+            Self::Plane => {
+                Shape::Plane { normal: random.unit() * (1.0 + 1e-7 * random.signed()), k: random.signed() * scale }
+            }
             Self::Square => Shape::Square {},
             Self::Box => Shape::Box { min: beside - scale * DVec3::new(0.3, 0.5, 0.7), max: beside + scale * 0.6 },
             Self::Cylinder => {
