@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::args::{Bits, Form, Precision, RenderArgs};
 use super::progress::Bar;
 use super::{Stop, Talk, find, print};
-use crate::cost::table::figure;
+use crate::cost::table::{figure, levels};
 use crate::cutoff::Limits;
 use crate::real::Real;
 use crate::render::{self, Options, Stats};
@@ -176,7 +176,7 @@ fn table(report: &Report) -> String {
     let effects: Vec<_> = report.effects.iter().map(Effect::name).collect();
     let left_out = match report.left_out_at_most {
         Some(0.0) => "no ray, for depth or threshold".to_owned(),
-        Some(most) => format!("rays that darken no pixel by more than {} levels (proven)", figure(255.0 * most)),
+        Some(most) => format!("rays that darken no pixel by more than {} levels (proven)", figure(levels(most))),
         None => "rays that nothing bounds: some material has kr + kt of 1 or more".to_owned(),
     };
     let effects = if effects.is_empty() { "none".to_owned() } else { effects.join(", ") };

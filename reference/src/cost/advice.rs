@@ -2,7 +2,7 @@
 
 use super::report::{Report, Row};
 use super::setting::{Formula, Setting};
-use super::table::{figure, percent};
+use super::table::{figure, levels, percent};
 use crate::variations::Precision;
 
 /// The cheapest setting that changes no 8-bit pixel, the next step below, and what more rays a pixel buy.
@@ -85,7 +85,7 @@ fn proven(own: &Row) -> Option<String> {
         Some(0.0) | None if !sends_on => return None,
         Some(0.0) => "Proven: as the scene stands no ray is left out.".to_owned(),
         Some(most) => {
-            let levels = figure(255.0 * most);
+            let levels = figure(levels(most));
             format!("Proven: rays left out as the scene stands darken no pixel by more than {levels} levels.")
         }
         None => "Nothing bounds what is left out: some surface sends on all the light that it receives (kr + kt is not below 1).".to_owned(),

@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use cases::film::level;
+
 use super::report::{EffectRow, Report, Row};
 
 const BOLD: &str = "\x1b[1m";
@@ -122,6 +124,11 @@ pub fn percent(share: f64) -> String {
         p if p < 100.0 => format!("{:.1} %", p.min(99.9)),
         p => format!("{p:.0} %"),
     }
+}
+
+/// Linear light on the scale of 8-bit levels, without an end.
+pub fn levels(light: f64) -> f64 {
+    light * level(1.0)
 }
 
 fn signed(x: f64) -> String {

@@ -1,0 +1,41 @@
+//! What several tests on the price of accuracy need.
+
+/// Glass before a mirroring floor, a lamp.
+pub(crate) const SCENE: &str = r#"
+[render]
+size = [12, 9]
+max_depth = 2
+[scene.camera]
+eye = [0, 0.2, 4]
+look_at = [0, 0, 0]
+up = [0, 1, 0]
+fov_y_deg = 40
+[scene.materials]
+glass = { kd = [0.1, 0.1, 0.1], kt = [0.5, 0.5, 0.5], kr = [0.3, 0.3, 0.3], index = 1.5 }
+wall = { kd = [0.6, 0.4, 0.2], kr = [0.4, 0.4, 0.4] }
+[[scene.lights]]
+point = { position = [2, 3, 4], colour = [1, 1, 1], ambient = [0.2, 0.2, 0.2] }
+[[scene.objects]]
+sphere = {}
+material = "glass"
+[[scene.objects]]
+plane = { normal = [0, 1, 0], k = -0.7 }
+material = "wall"
+"#;
+
+/// Every element is closed in its order, and every `&` begins an entity.
+pub(crate) fn well_formed(svg: &str) {
+    let mut open = Vec::new();
+    for tag in svg.split('<').skip(1) {
+        let (tag, _) = tag.split_once('>').expect("a tag ends");
+        if let Some(name) = tag.strip_prefix('/') {
+            assert_eq!(open.pop(), Some(name), "{svg}");
+        } else if !tag.ends_with('/') {
+            open.push(tag.split(' ').next().unwrap());
+        }
+    }
+    assert_eq!(open, Vec::<&str>::new());
+    assert!(
+        svg.split('&').skip(1).all(|rest| ["amp;", "lt;", "gt;", "quot;", "#39;"].iter().any(|e| rest.starts_with(e)))
+    );
+}
