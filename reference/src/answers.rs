@@ -51,7 +51,7 @@ pub fn answer_in<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
         Ask::NormalToWorld { normal, object_from_world } => {
             vector::<T>(Frame::of_inverse(object_from_world).normal_to_world(rules, v(*normal)))
         }
-        Ask::Barycentric { a, b, c, q } => vector(shapes::barycentric([*a, *b, *c].map(v::<T>), v(*q))),
+        Ask::Barycentric { a, b, c, q } => vector(shapes::barycentric(rules, [*a, *b, *c].map(v::<T>), v(*q))),
         Ask::Interpolate { weights, normals } => direction(mesh::interpolate(rules, v::<T>(*weights), normals.map(v))),
         _ => formula::<T, R>(rules, ask),
     }

@@ -8,7 +8,7 @@
 //! | [`ray`], [`roots`] | where a ray's interval begins and ends; the one solver of quadratics |
 //! | [`shapes`], [`mesh`] | where a ray meets a shape; no materials |
 //! | [`frame`], [`bounds`], [`bvh`], [`world`] | the nearest hit |
-//! | [`camera`], [`lights`], [`shade`], [`optics`] | formulas; they cast no ray |
+//! | [`camera`], [`lights`], [`shade`], [`optics`], [`snell`] | formulas; they cast no ray |
 //! | [`trace`], [`render`], [`watch`] | the kernel, pictures, and who looks on |
 //! | [`cutoff`] | how far a ray that is not cast can matter |
 //! | [`variations`] | other ways of computing the same pictures |
@@ -37,6 +37,7 @@ pub mod roots;
 pub mod rules;
 pub mod shade;
 pub mod shapes;
+pub mod snell;
 mod stream;
 #[cfg(test)]
 mod testing;

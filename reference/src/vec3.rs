@@ -5,6 +5,7 @@ use std::ops::{Add, AddAssign, Index, Mul, Neg, Sub};
 use glam::{DAffine3, DVec3};
 
 use crate::real::Real;
+use crate::two::{exponent, scaled};
 
 /// x, y, z, or red, green, blue.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,16 +56,31 @@ impl<T: Real> Vec3<T> {
         )
     }
 
-    /// ‖v‖.
+    /// ‖v‖, also where its square has no place among the numbers.
     #[inline(always)]
     pub fn length(self) -> T {
-        self.dot(self).sqrt()
+        let square = self.dot(self);
+        if square.is_safe() { square.sqrt() } else { self.small_or_great().0 }
     }
 
-    /// v/‖v‖; components NaN for the zero vector.
+    /// v/‖v‖, however short or long v is; components NaN for the zero vector.
     #[inline(always)]
     pub fn normalised(self) -> Self {
-        self * (T::ONE / self.length())
+        let square = self.dot(self);
+        if square.is_safe() { self * (T::ONE / square.sqrt()) } else { self.small_or_great().1 }
+    }
+
+    /// ‖v‖ and v/‖v‖ by way of v times a power of two, which rounds nothing.
+    #[cold]
+    #[inline(never)]
+    fn small_or_great(self) -> (T, Self) {
+        let [x, y, z] = [self.x, self.y, self.z].map(T::f64);
+        let exponent = exponent(x).max(exponent(y)).max(exponent(z));
+        let near_one = |x: f64| scaled(x, -exponent);
+        let (x, y, z) = (near_one(x), near_one(y), near_one(z));
+        let length = (x * x + y * y + z * z).sqrt();
+        let unit = Self::new(T::of(x / length), T::of(y / length), T::of(z / length));
+        (T::of(scaled(length, exponent)), unit)
     }
 
     /// The greatest component.
@@ -203,5 +219,23 @@ impl<T: Real> Affine<T> {
     #[inline(always)]
     pub fn transposed(&self, x: Vec3<T>) -> Vec3<T> {
         self.rows[0] * x.x + self.rows[1] * x.y + self.rows[2] * x.z
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_vector_of_any_size_has_its_length_and_direction() {
+        for e in [-1060, -1000, -600, -300, -1, 0, 1, 300, 600, 1000] {
+            let v = Vec3::new(3.0, -4.0, 12.0).map(|x| scaled(x, e));
+            assert_eq!(v.length(), scaled(13.0, e), "times 2^{e}");
+            let off = v.normalised() - Vec3::new(3.0 / 13.0, -4.0 / 13.0, 12.0 / 13.0);
+            assert!(off.abs().max_element() <= f64::EPSILON, "times 2^{e}");
+        }
+        assert_eq!(Vec3::new(3e-30f32, 0.0, 4e-30).length(), 5e-30);
+        assert_eq!(Vec3::<f64>::ZERO.length(), 0.0);
+        assert!(Vec3::<f64>::ZERO.normalised().x.is_nan());
     }
 }

@@ -129,7 +129,8 @@ fn triangles() {
         check_triangle(corners, &ray, true);
         n_met += 1;
         for beside in [a * 1.1 - inside * 0.1, a + b - inside, b + c - inside, c + a - inside] {
-            let is_outside = reference::shapes::barycentric(corners.map(vec), vec(beside)).min_element() < -1e-3;
+            let is_outside =
+                reference::shapes::barycentric(Lecture, corners.map(vec), vec(beside)).min_element() < -1e-3;
             assert!(is_outside);
             check_triangle(corners, &Ray { origin: ray.origin + vec(beside - inside), ..ray }, false);
         }

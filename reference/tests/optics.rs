@@ -4,7 +4,7 @@ mod common;
 
 use common::Random;
 use glam::DVec3;
-use reference::optics::{reflect, refract};
+use reference::optics::{reflect, refract, smooth_reflect, smooth_refract};
 use reference::rules::Lecture;
 use reference::vec3::Vec3;
 
@@ -44,4 +44,29 @@ fn a_transmitted_ray_obeys_snell_and_none_is_lost_below_the_critical_angle() {
             }
         }
     }
+}
+
+/// Grazing rays, normals up to edge on and beyond, indices up to the critical angle: R leaves the surface and T crosses it, to the last place.
+#[test]
+fn smooth_rays_go_to_the_side_they_should() {
+    let mut random = Random(0xabcd_ef01_9abc_def1);
+    let mut n_turned = 0;
+    for _ in 0..N_DRAWS {
+        let (d, n, eta_i, eta_t) = draw(&mut random);
+        let across = random.unit().cross(n).normalize();
+        let share = 10f64.powf(-18.0 * random.share());
+        let d = if random.share() < 0.5 { (across + d * share).normalize() } else { d };
+        let d = if d.dot(n) > 0.0 { d - n * (2.0 * d.dot(n)) } else { d };
+        let n_shading = if random.share() < 0.3 { n } else { (n + random.unit() * random.share()).normalize() };
+        let [d, n, n_shading] = [d, n, n_shading].map(Vec3::<f64>::of);
+        let r = smooth_reflect(Lecture, d, n, n_shading);
+        assert!(r.dot(n) > 0.0, "R = {r:?} of {d:?} at {n:?}");
+        assert!((r.length() - 1.0).abs() < 1e-14);
+        let critical = if random.share() < 0.5 { d.cross(n_shading).length() * eta_i } else { eta_t };
+        let Some(t) = smooth_refract(Lecture, d, n, n_shading, (eta_i, critical)) else { continue };
+        assert!(t.dot(n) < 0.0, "T = {t:?} of {d:?} at {n:?}");
+        assert!((t.length() - 1.0).abs() < 1e-14);
+        n_turned += u32::from(t.dot(n) > -1e-14);
+    }
+    assert!(n_turned > 100, "only {n_turned} came as near to the surface as can be");
 }

@@ -188,7 +188,8 @@ fn a_slab_of_glass_shifts_a_ray_and_keeps_its_direction() {
 fn at_the_critical_angle_a_ray_still_leaves() {
     // sin θ_c = 3/5 between the indices 5 and 3
     let refract = |direction| answer(Lecture, &Ask::Refract { direction, normal: DVec3::Y, eta_i: 5.0, eta_t: 3.0 });
-    let Answer::Vector(along) = refract(DVec3::new(0.6, -0.8, 0.0)) else { panic!("exactly critical is transmitted") };
+    // no unit vector of doubles has that angle, but (3, −4, 0) does
+    let Answer::Vector(along) = refract(DVec3::new(3.0, -4.0, 0.0)) else { panic!("exactly critical is transmitted") };
     assert!(along.distance(DVec3::X) < 1e-15, "{along}");
     assert_eq!(refract(DVec3::new(0.61, -(1.0f64 - 0.61 * 0.61).sqrt(), 0.0)), Answer::Miss(true));
 }

@@ -88,12 +88,26 @@ impl<T: Real> Triangle<T> {
                 if along.abs() > in_doubt * T::MARGIN {
                     return Some((t, Vec3::new(u, v, w) * (T::ONE / sum)));
                 }
-                if along.abs() > in_doubt && t < T::ZERO && ray.is_before(T::ZERO) {
+                let is_behind = along.abs() > in_doubt && t < T::ZERO;
+                if (is_behind || self.is_left(ray)) && ray.is_before(T::ZERO) {
                     return None;
                 }
             }
         }
         settle::triangle(self, ray, shear.axes, tests_bc)
+    }
+
+    /// Whether the ray certainly starts on one side of the plane and goes away from it, as most do that start at the triangle.
+    ///
+    /// With u half a ulp, a component of N is off by 4u of the amounts of its terms, so what it makes of corner and direction by 8u of theirs.
+    fn is_left(&self, ray: &Ray<T>) -> bool {
+        let (n, terms) = self.outwards_with_terms();
+        let sign = |v: Vec3<T>| {
+            let (along, doubt) = (n.dot(v), terms.dot(v.abs()) * (T::of(6.0) * T::ULP));
+            if along.abs() > doubt && doubt.is_safe() { along } else { T::ZERO }
+        };
+        let (to_plane, slope) = (sign(self.corners[0] - ray.origin), sign(ray.direction));
+        to_plane != T::ZERO && slope != T::ZERO && (to_plane < T::ZERO) != (slope < T::ZERO)
     }
 
     /// The corners as seen along the ray: x and y across it, z along it.
@@ -126,15 +140,37 @@ impl<T: Real> Triangle<T> {
         (b - a).cross(c - a)
     }
 
+    /// The same, and what the terms of each component amount to.
+    fn outwards_with_terms(&self) -> (Vec3<T>, Vec3<T>) {
+        let [a, b, c] = self.corners;
+        let (p, q) = (b - a, c - a);
+        let (p1, q1) = (p.abs(), q.abs());
+        let terms = Vec3::new(p1.y * q1.z + p1.z * q1.y, p1.z * q1.x + p1.x * q1.z, p1.x * q1.y + p1.y * q1.x);
+        (p.cross(q), terms)
+    }
+
+    /// The outward direction, of some length and right to a few hundred last places at worst; `None` where no area is left.
+    fn certified_outwards(&self) -> Option<Vec3<T>> {
+        let (n, terms) = self.outwards_with_terms();
+        let (square, of_terms) = (n.dot(n), terms.dot(terms));
+        if square.is_safe() && of_terms.is_safe() && square * T::of(4096.0) > of_terms {
+            return Some(n);
+        }
+        settle::outwards(self)
+    }
+
     /// Whether it has an area; without one it is never met. [rule 16]
     pub fn has_area(&self) -> bool {
-        let n = self.outwards();
-        n.dot(n) > T::ZERO
+        self.certified_outwards().is_some()
     }
 
     /// The unit normal along (B − A) × (C − A). [rule 16]
     pub fn normal<R: RuleSource>(&self, rules: R) -> Vec3<T> {
-        let n = self.outwards().normalised();
+        let n = match rules.get().style.robustness {
+            Robustness::Certified => self.certified_outwards().unwrap_or_else(|| self.outwards()),
+            Robustness::Plain => self.outwards(),
+        };
+        let n = n.normalised();
         if rules.get().triangle_normal == TriangleNormal::Left { -n } else { n }
     }
 }
@@ -148,7 +184,10 @@ fn area<T: Real>(p: (T, T, T), q: (T, T, T)) -> T {
 /// (α, β, γ) of a point Q in the plane of ABC: signed areas of QBC, AQC, ABQ, over that of ABC. [rule 17]
 ///
 /// NaN where ABC has no area.
-pub fn barycentric<T: Real>([a, b, c]: [Vec3<T>; 3], q: Vec3<T>) -> Vec3<T> {
+pub fn barycentric<T: Real, R: RuleSource>(rules: R, [a, b, c]: [Vec3<T>; 3], q: Vec3<T>) -> Vec3<T> {
+    if rules.get().style.robustness == Robustness::Certified {
+        return settle::barycentric([a, b, c], q);
+    }
     let n = (b - a).cross(c - a);
     let area = |p: Vec3<T>, r: Vec3<T>, s: Vec3<T>| (r - p).cross(s - p).dot(n);
     Vec3::new(area(q, b, c), area(a, q, c), area(a, b, q)) * (T::ONE / n.dot(n))
@@ -171,7 +210,7 @@ mod tests {
         let found = met.map(|m| (m.t, m.weights));
         assert_eq!(found, expected.map(|(t, w)| (t, vec(w))), "from {origin:?} along {direction:?}");
         if let Some(met) = met {
-            assert_eq!(barycentric(triangle.corners, ray.at(met.t)), met.weights);
+            assert_eq!(barycentric(Lecture, triangle.corners, ray.at(met.t)), met.weights);
         }
     }
 

@@ -12,7 +12,7 @@ mod triangle;
 pub(super) use flat::{cuboid, plane, square};
 pub(super) use round::Coil;
 pub(super) use sphere::Ball;
-pub(super) use triangle::triangle;
+pub(super) use triangle::{barycentric, outwards, triangle};
 
 use crate::ray::Ray;
 use crate::real::Real;

@@ -1,10 +1,10 @@
 //! The triangle in two words. [rule 16] [rule 17]
 
-use super::{Line, coordinates};
+use super::{Line, coordinates, double, times};
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::shapes::Triangle;
-use crate::two::{Two, Two3};
+use crate::two::{Two, Two3, exponent};
 use crate::vec3::Vec3;
 
 /// Where coordinates begin: products of three stay within what Dekker's product can take, and so do corners 2^1000 times nearer to the ray.
@@ -59,4 +59,38 @@ fn area(p: Corner, q: Corner) -> (Two, f64) {
     let of = |x: Two, y: Two, in_x: f64, in_y: f64| x.f64().abs() * in_y + in_x * y.f64().abs();
     let terms = of(p.x, q.y, p.terms[0], q.terms[1]) + of(q.x, p.y, q.terms[0], p.terms[1]);
     ((p.x * q.y - p.y * q.x).certain(terms), terms)
+}
+
+/// (B − A) × (C − A), components in doubt 0.
+fn normal([a, b, c]: [Vec3<f64>; 3]) -> Two3 {
+    let (p, q) = (Two3::difference(b, a), Two3::difference(c, a));
+    let (n, p1, q1) = (p.cross(q), p.f64().abs(), q.f64().abs());
+    Two3 {
+        x: n.x.certain(p1.y * q1.z + p1.z * q1.y),
+        y: n.y.certain(p1.z * q1.x + p1.x * q1.z),
+        z: n.z.certain(p1.x * q1.y + p1.y * q1.x),
+    }
+}
+
+/// The outward direction of a triangle, its greatest component some 1; `None` where it has no area.
+#[cold]
+#[inline(never)]
+pub(in crate::shapes) fn outwards<T: Real>(triangle: &Triangle<T>) -> Option<Vec3<T>> {
+    let unit = ROOM - exponent(coordinates(triangle.corners));
+    let n = normal(triangle.corners.map(|corner| times(double(corner), unit))).f64();
+    let greatest = coordinates([n]);
+    let unit = times(n, -exponent(greatest));
+    (greatest > 0.0).then(|| Vec3::new(T::of(unit.x), T::of(unit.y), T::of(unit.z)))
+}
+
+/// (α, β, γ) of a point Q in the plane of ABC; NaN where ABC has no area.
+#[cold]
+#[inline(never)]
+pub(in crate::shapes) fn barycentric<T: Real>(corners: [Vec3<T>; 3], q: Vec3<T>) -> Vec3<T> {
+    let [a, b, c] = corners;
+    let unit = ROOM / 2 - exponent(coordinates([a, b, c, q]));
+    let [a, b, c, q] = [a, b, c, q].map(|corner| times(double(corner), unit));
+    let n = normal([a, b, c]);
+    let weight = |of: [Vec3<f64>; 3]| T::of((normal(of).dot(n) / n.dot(n)).f64());
+    Vec3::new(weight([q, b, c]), weight([a, q, c]), weight([a, b, q]))
 }
