@@ -54,7 +54,7 @@ fn smooth_rays_go_to_the_side_they_should() {
     for _ in 0..N_DRAWS {
         let (d, n, eta_i, eta_t) = draw(&mut random);
         let across = random.unit().cross(n).normalize();
-        let share = 10f64.powf(-18.0 * random.share());
+        let share = cases::maths::pow(10.0, -18.0 * random.share());
         let d = if random.share() < 0.5 { (across + d * share).normalize() } else { d };
         let d = if d.dot(n) > 0.0 { d - n * (2.0 * d.dot(n)) } else { d };
         let n_shading = if random.share() < 0.3 { n } else { (n + random.unit() * random.share()).normalize() };
