@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 
 use cases::answer::{self, CheckAnswer, ImageAnswer};
 use cases::film::Image;
+use cases::probe::Ask;
 use cases::stage::{self, Case, Stage};
 use cases::{Effect, Effects, Scene};
 use grader::judge;
@@ -16,6 +17,7 @@ use reference::misconceptions::{self, Misconception};
 use reference::real::Real;
 use reference::render::{self, Options};
 use reference::rules::{Epsilon, Lecture, RuleSource, Rules};
+use reference::variations::{Precision, Variation, variations};
 use reference::watch::Counts;
 use reference::world::World;
 
@@ -197,17 +199,31 @@ fn a_program_in_single_precision_passes_every_case() {
     );
 }
 
+/// The ways that students may choose, each with each precision, and with rays through the very centres of pixels.
 #[test]
-fn a_program_in_single_precision_passes_every_check() {
+fn every_legal_way_of_computing_passes_every_check() {
+    let centred = |mut way: Variation| {
+        way.rules.style.nudge = [0.0; 2];
+        way
+    };
+    let ways: Vec<Variation> = variations(&Rules::LECTURE).into_iter().map(centred).collect();
+    let answer = |way: &Variation, ask: &Ask| match way.precision {
+        Precision::F32 => answers::answer_in::<f32, _>(&way.rules, ask),
+        Precision::F64 => answers::answer_in::<f64, _>(&way.rules, ask),
+    };
+    let in_single = |ask: &Ask| ("single precision".to_owned(), answers::answer_in::<f32, _>(Lecture, ask));
+    let checks = STAGES.iter().flat_map(|stage| stage.checks.iter().zip(check_answers(stage)));
+    let answered = checks.flat_map(|(check, right)| {
+        let by_ways = ways.iter().map(|way| (way.name.clone(), answer(way, &check.ask)));
+        let judged = |(way, given)| (check, judge::unit(&given, &right, check.ask.function()), way);
+        by_ways.chain([in_single(&check.ask)]).map(judged).collect::<Vec<_>>()
+    });
     none(
-        STAGES
-            .iter()
-            .flat_map(|stage| stage.checks.iter().zip(check_answers(stage)))
-            .filter_map(|(check, right)| {
-                let judged =
-                    judge::unit(&answers::answer_in::<f32, _>(Lecture, &check.ask), &right, check.ask.function());
-                let finding = judged.finding.map(|finding| finding.message).unwrap_or_default();
-                (judged.verdict != Verdict::Pass).then(|| format!("{} fails in single precision: {finding}", check.id))
+        answered
+            .filter(|(_, judged, _)| judged.verdict != Verdict::Pass)
+            .map(|(check, judged, way)| {
+                let message = judged.finding.map(|finding| finding.message).unwrap_or_default();
+                format!("{} fails with {way}: {message}", check.id)
             })
             .collect(),
     );
