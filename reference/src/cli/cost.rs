@@ -26,6 +26,7 @@ pub(super) fn run(args: &CostArgs, talk: Talk) -> Result<(), Stop> {
     let outputs = outputs(args)?;
     let session = Session::start(args.threads, talk)?;
     if let Some(path) = &args.page {
+        has_folder(path)?;
         return cost_page::run(args, path, &session);
     }
     match &args.scene {
@@ -96,11 +97,22 @@ fn outputs(args: &CostArgs) -> Result<Vec<(Output, &Path)>, Stop> {
     if asked.iter().filter(|(_, path)| is_stream(path)).count() > 1 {
         return Err(Stop::Usage("only one of --json, --csv, --svg and --html can go to the output stream".to_owned()));
     }
+    asked.iter().filter(|(_, path)| !is_stream(path)).try_for_each(|(_, path)| has_folder(path))?;
     Ok(asked)
 }
 
 fn is_stream(path: &Path) -> bool {
     path == Path::new("-")
+}
+
+/// A measurement takes minutes: that there is nowhere to write is said before.
+fn has_folder(path: &Path) -> Result<(), Stop> {
+    match path.parent() {
+        Some(folder) if folder != Path::new("") && !folder.is_dir() => {
+            Err(Stop::Machine(format!("cannot write {}: there is no folder `{}`", path.display(), folder.display())))
+        }
+        _ => Ok(()),
+    }
 }
 
 fn write(report: &impl Forms, outputs: &[(Output, &Path)], talk: Talk) -> Result<(), Stop> {

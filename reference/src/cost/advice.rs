@@ -121,3 +121,109 @@ fn samples(report: &Report) -> Option<String> {
         figure(order)
     ))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cost::error::Error;
+    use crate::cost::front::Times;
+    use crate::cost::report::Machine;
+    use crate::watch::Counts;
+    use cases::Effects;
+
+    const OWN: Setting = Setting {
+        precision: Precision::F64,
+        formula: Formula::Robust,
+        samples: 1,
+        max_depth: 2,
+        threshold: 0.0,
+        effects: Effects::NONE,
+    };
+    const TRUTH: Setting = Setting { samples: 8, max_depth: 4, ..OWN };
+
+    /// A row that takes `ms`, give or take one, and is that far off: the share of changed pixels, and RMS error against the truth.
+    fn row(setting: Setting, ms: f64, changed: f64, rms: f64) -> Row {
+        Row {
+            name: setting.to_string(),
+            setting,
+            time_ms: Times { median: ms, least: ms - 1.0, greatest: ms + 1.0 },
+            rays: Counts { reflected: 1, ..Counts::default() },
+            bytes: 0,
+            left_out_at_most: None,
+            error: Error { rms_levels: rms, ..Error::default() },
+            same_rays: Error { changed, rms_levels: changed, max_levels: 100.0 * changed, ..Error::default() },
+            is_on_front: false,
+            is_on_same_rays_front: false,
+        }
+    }
+
+    fn said(rows: Vec<Row>) -> Vec<String> {
+        let machine = Machine { processor: String::new(), threads: 1, clock: "", is_optimised: true };
+        let report = Report {
+            schema: 1,
+            scene: String::new(),
+            width: 1,
+            height: 1,
+            machine,
+            rounds: 1,
+            own: OWN,
+            truth: TRUTH,
+            is_cut_short: false,
+            advice: Vec::new(),
+            rows,
+            effects: Vec::new(),
+        };
+        advice(&report)
+    }
+
+    fn depth(max_depth: u32) -> Setting {
+        Setting { max_depth, ..OWN }
+    }
+
+    #[test]
+    fn the_cheapest_that_changes_nothing_is_picked_and_the_next_one_below_named() {
+        let single = Setting { precision: Precision::F32, ..OWN };
+        let all = said(vec![
+            row(OWN, 40.0, 0.0, 3.0),
+            row(single, 20.0, 0.0, 3.0),
+            row(depth(1), 15.0, 0.25, 3.0),
+            row(depth(0), 10.0, 0.5, 3.0),
+            row(TRUTH, 900.0, 0.0, 0.0),
+        ]);
+        assert!(all[0].starts_with("Pick f32 robust, 1×1, depth 2: 20.0 ms,"), "{all:?}");
+        assert!(all[0].contains("it takes 40.0 ms; this is 50.0 % of that.") && !all[0].contains("overlap"), "{all:?}");
+        assert!(
+            all[1].starts_with("The next step below is f64 robust, 1×1, depth 1: 15.0 ms; it changes 25.0 %"),
+            "{all:?}"
+        );
+        assert!(all[2].starts_with("Nothing bounds what is left out"), "{all:?}");
+        assert_eq!(all.len(), 3, "one number of samples says nothing about more: {all:?}");
+    }
+
+    #[test]
+    fn a_scene_that_is_not_deep_enough_is_told_so_and_equals_are_counted() {
+        let bound = Row { left_out_at_most: Some(0.01), ..row(OWN, 40.0, 0.125, 4.0) };
+        let all = said(vec![bound, row(depth(4), 50.0, 0.0, 4.0), row(depth(3), 51.0, 0.0, 4.0)]);
+        assert!(
+            all[0].starts_with("Pick f64 robust, 1×1, depth 4") && all[0].contains("1 other that changes none is"),
+            "{all:?}"
+        );
+        assert!(all[2].starts_with("The scene as it stands is not there yet") && all[2].contains("12.5 %"), "{all:?}");
+        assert!(all[3].contains("darken no pixel by more than 2.55 levels"), "{all:?}");
+    }
+
+    #[test]
+    fn the_gain_of_samples_is_a_power() {
+        let exact = |samples| Setting { samples, ..TRUTH };
+        let all = said(vec![
+            row(OWN, 10.0, 0.0, 8.0),
+            row(exact(1), 10.0, 0.0, 8.0),
+            row(exact(2), 40.0, 0.0, 4.0),
+            row(exact(4), 160.0, 0.0, 2.0),
+            row(TRUTH, 640.0, 0.0, 0.0),
+        ]);
+        let last = all.last().unwrap();
+        assert!(last.contains("1×1 10.0 ms and 8.00, 2×2 40.0 ms and 4.00, 4×4 160 ms and 2.00"), "{last}");
+        assert!(last.ends_with("to the power −1.00."), "{last}");
+    }
+}
