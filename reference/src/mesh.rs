@@ -40,7 +40,7 @@ impl<T: Real> Mesh<T> {
 
     /// The first meeting in the ray's interval; at one t the lower index wins.
     pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
-        let shear = Shear::of(ray);
+        let shear = Shear::of(ray).within(ray, self.bounds);
         let mut best: Option<Meeting<T>> = None;
         let mut visit = |n: u32, limit: T| {
             let i = self.solid[n as usize];

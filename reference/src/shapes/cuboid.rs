@@ -33,10 +33,10 @@ impl<T: Real> Cuboid<T> {
     /// Where the ray's line enters and where it leaves: t and the face.
     ///
     /// A t is off by a difference and a quotient, 2u of itself, u half a ulp: which of two is the greater is certain where they differ by more than
-    /// 4u of the lesser. 8u is asked for, and where that leaves an order open, the second step is taken.
+    /// 4u of either. 8u is asked for, and where that leaves an order open, the second step is taken.
     #[inline(always)]
     fn cut(&self, ray: &Ray<T>, is_certified: bool) -> Option<[(T, u32); 2]> {
-        let apart = |a: T, b: T| (a - b).abs() > a.abs().least(b.abs()) * (T::of(4.0) * T::ULP) + T::ULP * T::SAFE[0];
+        let apart = |a: T, b: T| (a - b).abs() > a.abs() * (T::of(4.0) * T::ULP) + T::ULP * T::SAFE[0];
         let (mut enter, mut leave) = ((-T::INFINITY, 0), (T::INFINITY, 0));
         let mut is_certain = true;
         for axis in 0..3 {

@@ -43,31 +43,30 @@ impl<T: Real> Sphere<T> {
     /// With u half a ulp, rounding moves n by 2u‖f‖ + u‖n‖ across the ray, f from the centre to the origin. (What it moves it by along the ray
     /// changes ‖n‖² only in second order.) So the gap is off by 4u‖f‖‖n‖ + 6u‖n‖² + 2u r² + u‖f‖² at most; as ‖n‖ ≤ ‖f‖, twice that is below
     /// 24u (‖f‖² + r²). c = ‖f‖² − r² is off by 6u‖f‖² + 2u r² at most. Where that leaves a sign open, or few digits of a root that may count,
-    /// the second step is taken; a ray that leaves the sphere, as most that start at it do, is done before.
+    /// the second step is taken. A ray from outside that turns its back on the centre is done at once: where rounding hides that b = −f·d
+    /// is above 0, by 4u‖f‖‖d‖ at most, b² is too small against (d·d) c for a root.
     #[inline(always)]
     fn certified(&self, ray: &Ray<T>) -> Option<[T; 2]> {
         let d = ray.direction;
         let f = ray.origin - self.center;
         let (a, b) = (d.dot(d), -f.dot(d));
         let (ff, rr) = (f.dot(f), self.radius * self.radius);
+        let (c, size) = (ff - rr, ff + rr);
+        if !(a.is_safe() && size.is_safe()) {
+            return Ball::new(self, ray)?.ts();
+        }
+        let (leaves, in_doubt) = (b < T::ZERO, size * (T::of(3.0) * T::ULP));
+        if leaves && c > in_doubt && ray.is_before(T::ZERO) {
+            return None;
+        }
         let nearest = f + d * (b / a);
         let gap = rr - nearest.dot(nearest);
-        let (c, size) = (ff - rr, ff + rr);
         let doubt = size * (T::of(12.0) * T::ULP);
-        if a.is_safe() && size.is_safe() {
-            if gap < -doubt {
-                return None;
-            }
-            if gap > doubt * T::MARGIN {
-                let in_doubt = size * (T::of(3.0) * T::ULP);
-                let leaves = b < T::ZERO;
-                if c.abs() > size * T::of(0.25) || (c < -in_doubt && !leaves) {
-                    return roots::ascending(a, b, c, a * gap);
-                }
-                if c > in_doubt && leaves && ray.is_before(T::ZERO) {
-                    return None;
-                }
-            }
+        if gap < -doubt {
+            return None;
+        }
+        if gap > doubt * T::MARGIN && (c.abs() > size * T::of(0.25) || (c < -in_doubt && !leaves)) {
+            return roots::ascending(a, b, c, a * gap);
         }
         Ball::new(self, ray)?.ts()
     }

@@ -1,6 +1,7 @@
 //! The triangle. [rule 16] [rule 17]
 
 use super::{Meeting, settle};
+use crate::bounds::Bounds;
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::rules::{Robustness, RuleSource, TriangleFormula, TriangleNormal, TriangleTest};
@@ -23,7 +24,12 @@ pub struct Shear<T> {
     axes: [usize; 3],
     shear: [T; 2],
     scale: T,
+    /// By how much any area may be off.
+    doubt: T,
 }
+
+/// A corner as seen along a ray: x and y across it, z along it.
+type Seen<T> = (T, T, T);
 
 impl<T: Real> Shear<T> {
     /// The shear of `ray`: along the axis where its direction is longest.
@@ -32,7 +38,16 @@ impl<T: Real> Shear<T> {
         let size = d.abs();
         let z = if size.x > size.y && size.x > size.z { 0 } else { 1 + usize::from(size.z >= size.y) };
         let (x, y) = ((z + 1) % 3, (z + 2) % 3);
-        Self { axes: [x, y, z], shear: [d[x] / d[z], d[y] / d[z]], scale: T::ONE / d[z] }
+        Self { axes: [x, y, z], shear: [d[x] / d[z], d[y] / d[z]], scale: T::ONE / d[z], doubt: T::INFINITY }
+    }
+
+    /// The same for triangles within `all`: one bound for all of them settles nearly everything, see [`Triangle::meet`].
+    ///
+    /// With f the greatest coordinate of a corner as seen from the origin, sheared ones are 2f at most and so their bound 48u 2f (2f + f).
+    pub fn within(self, ray: &Ray<T>, all: Bounds<T>) -> Self {
+        let far = (all.min - ray.origin).abs().greatest((all.max - ray.origin).abs()).max_element();
+        let doubt = far * far * (T::of(144.0) * T::ULP);
+        Self { doubt: if doubt.is_safe() { doubt } else { T::INFINITY }, ..self }
     }
 }
 
@@ -61,37 +76,53 @@ impl<T: Real> Triangle<T> {
 
     /// t and the weights where the ray's line meets the triangle; `None` also where t certainly does not count.
     ///
-    /// With u half a ulp, x and y the greatest of sheared coordinates and z that along the ray: a sheared coordinate is off by u (2x + 6z), so an
-    /// area by u x (12x + 24z) at most, twice that below 48u x (x + z); and Σ area·z by z times the three of them and 4u Σ|area|. Where that leaves a sign
-    /// open, or few digits of the weights or of t, the second step is taken.
+    /// Most triangles are missed by far, as one bound for the whole ray can tell.
     #[inline(always)]
     fn certified(&self, ray: &Ray<T>, shear: &Shear<T>, tests_bc: bool) -> Option<(T, Vec3<T>)> {
-        let greater = |p: T, q: T| if p > q { p } else { q };
-        let lesser = |p: T, q: T| if p < q { p } else { q };
-        let [a, b, c] = self.seen_along(ray, shear);
-        let (u, v, w) = (area(b, c), area(c, a), area(a, b));
-        let across = |p: (T, T, T)| greater(p.0.abs(), p.1.abs());
+        let corners = self.seen_along(ray, shear);
+        let areas = areas(corners);
+        let (least, most) = extremes(areas, tests_bc);
+        if least < -shear.doubt && most > shear.doubt {
+            return None;
+        }
+        self.nearly_met(ray, shear, corners, areas, tests_bc)
+    }
+
+    /// The same for a triangle that is not missed by far.
+    ///
+    /// With u half a ulp, x the greatest of sheared coordinates and z that along the ray: a sheared coordinate is off by u (2x + 6z), so an area by
+    /// u x (12x + 24z) at most, twice that below 48u x (x + z); and Σ area·z by z times the three of them and 4u Σ|area|. Where that leaves a sign
+    /// open, or few digits of the weights or of t, the second step is taken.
+    #[inline(never)]
+    fn nearly_met(
+        &self,
+        ray: &Ray<T>,
+        shear: &Shear<T>,
+        corners: [Seen<T>; 3],
+        [u, v, w]: [T; 3],
+        tests_bc: bool,
+    ) -> Option<(T, Vec3<T>)> {
+        let [a, b, c] = corners;
+        let across = |p: Seen<T>| greater(p.0.abs(), p.1.abs());
         let x = greater(across(a), greater(across(b), across(c)));
         let z = greater(a.2.abs(), greater(b.2.abs(), c.2.abs()));
         let doubt = x * (x + z) * (T::of(24.0) * T::ULP);
-        if doubt.is_safe() {
-            let (least, most) = (lesser(v, w), greater(v, w));
-            let (least, most) = if tests_bc { (lesser(u, least), greater(u, most)) } else { (least, most) };
-            if least < -doubt && most > doubt {
-                return None;
+        let (least, most) = extremes([u, v, w], tests_bc);
+        let sum = u + v + w;
+        if doubt.is_safe() && least < -doubt && most > doubt {
+            return None;
+        }
+        let is_inside = (least > doubt || most < -doubt) && sum.abs() > doubt * T::MARGIN;
+        if doubt.is_safe() && is_inside && shear.scale.is_safe() {
+            let along = u * a.2 + v * b.2 + w * c.2;
+            let in_doubt = z * (T::of(4.0) * (doubt + T::ULP * sum.abs()));
+            let t = shear.scale * along / sum;
+            if along.abs() > in_doubt * T::MARGIN {
+                return Some((t, Vec3::new(u, v, w) * (T::ONE / sum)));
             }
-            let sum = u + v + w;
-            if (least > doubt || most < -doubt) && sum.abs() > doubt * T::MARGIN && shear.scale.is_safe() {
-                let along = u * a.2 + v * b.2 + w * c.2;
-                let in_doubt = z * (T::of(4.0) * (doubt + T::ULP * sum.abs()));
-                let t = shear.scale * along / sum;
-                if along.abs() > in_doubt * T::MARGIN {
-                    return Some((t, Vec3::new(u, v, w) * (T::ONE / sum)));
-                }
-                let is_behind = along.abs() > in_doubt && t < T::ZERO;
-                if (is_behind || self.is_left(ray)) && ray.is_before(T::ZERO) {
-                    return None;
-                }
+            let is_behind = along.abs() > in_doubt && t < T::ZERO;
+            if (is_behind || self.is_left(ray)) && ray.is_before(T::ZERO) {
+                return None;
             }
         }
         settle::triangle(self, ray, shear.axes, tests_bc)
@@ -112,19 +143,21 @@ impl<T: Real> Triangle<T> {
 
     /// The corners as seen along the ray: x and y across it, z along it.
     #[inline(always)]
-    fn seen_along(&self, ray: &Ray<T>, shear: &Shear<T>) -> [(T, T, T); 3] {
+    fn seen_along(&self, ray: &Ray<T>, shear: &Shear<T>) -> [Seen<T>; 3] {
         let [x, y, z] = shear.axes;
-        self.corners.map(|corner| {
+        let seen = |corner: Vec3<T>| {
             let from = corner - ray.origin;
             (from[x] - shear.shear[0] * from[z], from[y] - shear.shear[1] * from[z], from[z])
-        })
+        };
+        let [a, b, c] = self.corners;
+        [seen(a), seen(b), seen(c)]
     }
 
     /// t and the weights where the ray's line meets the triangle, whatever rounding makes of them; the edge BC need not be tested.
     #[inline(always)]
     fn sheared(&self, ray: &Ray<T>, shear: &Shear<T>, tests_bc: bool) -> Option<(T, Vec3<T>)> {
-        let [a, b, c] = self.seen_along(ray, shear);
-        let (u, v, w) = (area(b, c), area(c, a), area(a, b));
+        let corners = self.seen_along(ray, shear);
+        let ([a, b, c], [u, v, w]) = (corners, areas(corners));
         let tested = if tests_bc { [u, v, w] } else { [v, v, w] };
         let is_outside = tested.iter().any(|s| *s < T::ZERO) && tested.iter().any(|s| *s > T::ZERO);
         let sum = u + v + w;
@@ -175,10 +208,30 @@ impl<T: Real> Triangle<T> {
     }
 }
 
-/// Twice the area of the triangle from the ray to two corners, across the ray.
+/// Twice the signed areas of the triangles between the ray and the sides across from A, B and C, across the ray.
 #[inline(always)]
-fn area<T: Real>(p: (T, T, T), q: (T, T, T)) -> T {
-    p.0 * q.1 - p.1 * q.0
+fn areas<T: Real>([a, b, c]: [Seen<T>; 3]) -> [T; 3] {
+    let area = |p: Seen<T>, q: Seen<T>| p.0 * q.1 - p.1 * q.0;
+    [area(b, c), area(c, a), area(a, b)]
+}
+
+/// The least and the greatest of those that are tested.
+#[inline(always)]
+fn extremes<T: Real>([u, v, w]: [T; 3], tests_bc: bool) -> (T, T) {
+    let (least, most) = (lesser(v, w), greater(v, w));
+    if tests_bc { (lesser(u, least), greater(u, most)) } else { (least, most) }
+}
+
+/// The greater; where one is NaN, either.
+#[inline(always)]
+fn greater<T: Real>(p: T, q: T) -> T {
+    if p > q { p } else { q }
+}
+
+/// The lesser; where one is NaN, either.
+#[inline(always)]
+fn lesser<T: Real>(p: T, q: T) -> T {
+    if p < q { p } else { q }
 }
 
 /// (α, β, γ) of a point Q in the plane of ABC: signed areas of QBC, AQC, ABQ, over that of ABC. [rule 17]
