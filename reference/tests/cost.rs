@@ -88,8 +88,8 @@ fn the_sweep_crosses_what_matters_and_takes_the_rest_one_by_one() {
         assert!(accuracy.contains(&Setting { threshold, ..own }), "threshold {threshold}");
     }
     assert_eq!(sweep.truth, Setting { samples: 8, max_depth: 4, ..own });
-    // 18 crossed, 4 other depths, 4 other thresholds, and the exact ones of 2, 4 and 8
-    assert_eq!(accuracy.len(), 18 + 4 + 4 + 3);
+    // 18 crossed, 4 other depths, 4 other thresholds, the exact ones of 2, 4 and 8, and by other numbers that of 1
+    assert_eq!(accuracy.len(), 18 + 4 + 4 + 3 + 5);
     let effects: Vec<About> =
         sweep.subjects.iter().map(|(_, about)| *about).filter(|a| *a != About::Accuracy).collect();
     let without = [Effect::Shadows, Effect::TintedShadows, Effect::Reflection, Effect::Refraction];
@@ -137,6 +137,13 @@ fn errors_are_taken_from_the_truth_and_times_from_the_clock() {
     let plain = row(Setting { precision: Precision::F32, formula: Formula::Plain, ..report.own });
     assert!(plain.same_rays.max_light > own.same_rays.max_light * 0.999, "f32 is no better than f64");
     assert!(plain.bytes < own.bytes);
+    assert_eq!(own.rounding.map(|error| error.max_light), Some(0.0));
+    let rounding = plain.rounding.unwrap();
+    assert!(
+        rounding.max_light > 0.0 && rounding.max_light < own.same_rays.max_light,
+        "rounding alone, not depth: {rounding:?}"
+    );
+    assert!(report.rows.iter().all(|row| row.rounding.is_some()), "everything has its exact sibling");
     // all take as long, so that only the most accurate can be on the front
     assert!(report.rows.iter().all(|row| row.is_on_front == (row.error.rms_levels == 0.0)));
     let shadows = report.effects.iter().find(|row| row.without == Some(Effect::Shadows)).unwrap();

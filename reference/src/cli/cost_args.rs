@@ -12,8 +12,8 @@ use crate::variations::Precision;
 /// Measures what accuracy costs: time against error over precision, formulas, samples, depth, threshold and effects
 #[derive(Debug, Parser)]
 #[command(after_help = "\
-Measured are precision × formula × samples in full around the scene's own depth and threshold, then each depth and each threshold alone at
-one ray a pixel, then the scene without each of its effects. Nothing that the scene does not call for is swept.
+Measured are precision × formula × samples in full around the scene's own depth and threshold, then at one ray a
+pixel precision × formula at the greatest depth, each depth and each threshold alone, then the scene without each of its effects. Nothing that the scene does not call for is swept.
 Errors are differences from the most accurate picture: f64, robust, twice the most samples a side, the greatest depth, no threshold;
 and from the most accurate one with as many rays a pixel. Formulas: `plain` is what most tracers have (textbook quadratic, Möller–Trumbore,
 RAY_EPSILON), `stable` does not cancel, `robust` is the reference's own.

@@ -152,6 +152,7 @@ mod tests {
             left_out_at_most: None,
             error: Error { rms_levels: rms, ..Error::default() },
             same_rays: Error { changed, rms_levels: changed, max_levels: 100.0 * changed, ..Error::default() },
+            rounding: None,
             is_on_front: false,
             is_on_same_rays_front: false,
         }

@@ -3,7 +3,7 @@
 use super::report::{Report, Row};
 use super::setting::Setting;
 
-const HEAD: [&str; 30] = [
+const HEAD: [&str; 32] = [
     "scene",
     "width",
     "height",
@@ -34,6 +34,8 @@ const HEAD: [&str; 30] = [
     "on_front",
     "on_same_rays_front",
     "left_out_at_most",
+    "rounding_max_levels",
+    "rounding_changed_share",
 ];
 
 /// A line a setting, then a line an effect; what an effect has none of stays empty.
@@ -56,6 +58,7 @@ pub fn csv(report: &Report) -> Result<Vec<u8>, csv::Error> {
             left_out_at_most: None,
             error: effect.error,
             same_rays: effect.error,
+            rounding: None,
             is_on_front: false,
             is_on_same_rays_front: false,
         };
@@ -96,6 +99,8 @@ fn line(report: &Report, row: &Row) -> Vec<String> {
     );
     line.extend([row.is_on_front, row.is_on_same_rays_front].map(|is_on| is_on.to_string()));
     line.push(row.left_out_at_most.map_or_else(String::new, |most| most.to_string()));
+    let rounding = [row.rounding.map(|error| error.max_levels), row.rounding.map(|error| error.changed)];
+    line.extend(rounding.map(|x| x.map_or_else(String::new, |x| x.to_string())));
     line
 }
 

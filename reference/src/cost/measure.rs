@@ -19,6 +19,8 @@ pub struct Measured {
     pub error: Error,
     /// Against the most accurate setting with as many rays a pixel; for an effect, the same as `error`.
     pub same_rays: Error,
+    /// What precision and formulas alone do: against f64 and the robust formulas, all else the same; none where that was not rendered.
+    pub rounding: Option<Error>,
     /// Rays by kind, and what was left out.
     pub stats: Stats,
     /// See [`Bench::bytes`].
@@ -95,6 +97,7 @@ fn pictures(bench: &mut Bench, sweep: &Sweep, outside: &mut impl Outside) -> Opt
         }
     }
     let mut rows = Vec::new();
+    let mut last_exact: Option<(Setting, Image)> = None;
     for (setting, about) in &sweep.subjects {
         let found = kept.iter().find(|(s, ..)| s == setting);
         let (image, stats) = match found {
@@ -109,8 +112,18 @@ fn pictures(bench: &mut Bench, sweep: &Sweep, outside: &mut impl Outside) -> Opt
             About::Accuracy => (against(&sweep.truth), against(&sweep.exact(setting))),
             About::Without(_) | About::Everything => (against(&sweep.own), against(&sweep.own)),
         };
+        let exact = setting.by_exact_numbers();
+        let sibling =
+            kept.iter().map(|(s, picture, _)| (s, picture)).chain(last_exact.iter().map(|(s, picture)| (s, picture)));
+        let sibling = sibling.into_iter().find(|(s, _)| **s == exact).map(|(_, picture)| picture);
+        let rounding = if exact == *setting { Some(&image) } else { sibling };
+        let rounding = rounding.map(|picture| Error::of(picture, &image, bench.rules().quantiser));
         let bytes = bench.bytes(setting);
-        rows.push(Measured { setting: *setting, about: *about, error, same_rays, stats, bytes, times_s: Vec::new() });
+        let (setting, about) = (*setting, *about);
+        rows.push(Measured { setting, about, error, same_rays, rounding, stats, bytes, times_s: Vec::new() });
+        if exact == setting {
+            last_exact = Some((setting, image));
+        }
     }
     Some(rows)
 }

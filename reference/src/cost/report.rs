@@ -77,6 +77,8 @@ pub struct Row {
     pub error: Error,
     /// Against the most accurate setting with as many rays a pixel: what precision, formulas, depth and threshold do, without what samples do.
     pub same_rays: Error,
+    /// What precision and formulas alone do: against f64 and the robust formulas, all else the same.
+    pub rounding: Option<Error>,
     /// Whether no other setting is as fast and as near to the truth (root mean square, in levels, to three digits) and better in one of both.
     pub is_on_front: bool,
     /// The same among the settings with one ray a pixel, by `same_rays`.
@@ -185,6 +187,7 @@ fn row(one: &Measured, limits: &Limits) -> Row {
             .filter(|most| most.is_finite()),
         error: one.error,
         same_rays: one.same_rays,
+        rounding: one.rounding,
         is_on_front: false,
         is_on_same_rays_front: false,
     }

@@ -86,6 +86,11 @@ impl Setting {
         }
     }
 
+    /// The same with f64 and the robust formulas.
+    pub fn by_exact_numbers(&self) -> Self {
+        Self { precision: Precision::F64, formula: Formula::Robust, ..*self }
+    }
+
     /// The effects of the kernel.
     pub fn simulated(&self) -> Effects {
         if self.threshold > 0.0 { self.effects.with(Effect::AdaptiveDepth) } else { self.effects }

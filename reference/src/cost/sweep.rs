@@ -99,8 +99,8 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// The settings around the scene's own: precision × formula × samples in full, each other axis alone, and for each number of samples the
-    /// most accurate setting. With `full`, all axes in full.
+    /// The settings around the scene's own: precision × formula × samples in full, precision × formula at the greatest depth without a
+    /// threshold, each other axis alone, and for each number of samples the most accurate setting. With `full`, all axes in full.
     pub fn of(scene: &Scene, axes: &Axes) -> Self {
         let own = Setting::of(scene);
         let deepest = axes.depths.iter().copied().max().unwrap_or(own.max_depth);
@@ -113,13 +113,19 @@ impl Sweep {
         };
         let only_own = (vec![own.max_depth], vec![own.threshold]);
         let (depths, thresholds) = if axes.full { (axes.depths.clone(), axes.thresholds.clone()) } else { only_own };
+        let mut numbers = pairs(&axes.precisions, &axes.formulas);
+        numbers.sort_by_key(|one| *one != (Precision::F64, Formula::Robust)); // the exact one before those that are compared with it
+        let mut cross = |base: Setting| {
+            numbers.iter().for_each(|(precision, formula)| {
+                add(Setting { precision: *precision, formula: *formula, ..base });
+            });
+        };
         for samples in &axes.samples {
-            for (precision, formula) in pairs(&axes.precisions, &axes.formulas) {
-                for (max_depth, threshold) in pairs(&depths, &thresholds) {
-                    add(Setting { precision, formula, samples: *samples, max_depth, threshold, ..own });
-                }
+            for (max_depth, threshold) in pairs(&depths, &thresholds) {
+                cross(Setting { samples: *samples, max_depth, threshold, ..own });
             }
         }
+        cross(exact(own.samples));
         axes.depths.iter().for_each(|max_depth| add(Setting { max_depth: *max_depth, ..own }));
         axes.thresholds.iter().for_each(|threshold| add(Setting { threshold: *threshold, ..own }));
         axes.samples.iter().chain([&own.samples, &axes.truth_samples]).for_each(|samples| add(exact(*samples)));

@@ -46,8 +46,8 @@ fn accuracy(report: &Report) -> String {
     rows.sort_by(|a, b| a.time_ms.median.total_cmp(&b.time_ms.median));
     let width = rows.iter().map(|row| row.name.chars().count()).max().unwrap_or_default();
     let mut out = format!(
-        "\n  {:<width$}  {:>8} {:>15}  {:>9} {:>8}  {:>8} {:>8} {:>7}  {:>8} {:>8}\n",
-        "setting", "ms", "least–most", "rays", "KiB", "RMS", "greatest", ">1/255", "changed", "greatest"
+        "\n  {:<width$}  {:>8} {:>15}  {:>9} {:>8}  {:>8} {:>8} {:>7}  {:>8} {:>8}  {:>8}\n",
+        "setting", "ms", "least–most", "rays", "KiB", "RMS", "greatest", ">1/255", "changed", "greatest", "rounding"
     );
     for row in rows {
         let mark = if row.is_on_front { "*" } else { " " };
@@ -55,7 +55,7 @@ fn accuracy(report: &Report) -> String {
         let (on, off) = if row.is_on_front { (BOLD, PLAIN) } else { ("", "") };
         let _ = writeln!(
             out,
-            "{mark} {on}{:<width$}{off}  {:>8} {:>15}  {:>9} {:>8}  {:>8} {:>8} {:>7}  {:>8} {:>8} {same}",
+            "{mark} {on}{:<width$}{off}  {:>8} {:>15}  {:>9} {:>8}  {:>8} {:>8} {:>7}  {:>8} {:>8}  {:>8} {same}",
             row.name,
             figure(row.time_ms.median),
             format!("{}–{}", figure(row.time_ms.least), figure(row.time_ms.greatest)),
@@ -66,13 +66,15 @@ fn accuracy(report: &Report) -> String {
             percent(row.error.off),
             percent(row.same_rays.changed),
             figure(row.same_rays.max_levels),
+            row.rounding.map_or_else(String::new, |error| figure(error.max_levels)),
         );
     }
     let n = report.own.samples;
     let _ = writeln!(
         out,
         "{SOFT}RMS, greatest, >1/255: against {}, in 8-bit levels. * no setting is faster and nearer to it.\n\
-         changed, greatest: 8-bit pixels that differ from the most accurate picture with as many rays a pixel; + the front by that, of {n}×{n}.{PLAIN}",
+         changed, greatest: 8-bit pixels that differ from the most accurate picture with as many rays a pixel; + the front by that, of {n}×{n}.\n\
+         rounding: greatest difference from f64 robust, all else the same: what precision and formulas alone do.{PLAIN}",
         report.truth
     );
     out
