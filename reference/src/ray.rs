@@ -86,7 +86,7 @@ impl<T: Real> Ray<T> {
             return ray;
         }
         if start(rules) == Start::OffBound {
-            return ray.ending_before((spot.point - ray.origin) + to_light * r, to_light);
+            return ray.ending_before(ray.origin - spot.point, to_light, r);
         }
         if rules.get().style.to_light == ToLight::FromPoint {
             return ray;
@@ -95,15 +95,19 @@ impl<T: Real> Ray<T> {
         Self { direction: way.normalised(), t_max: way.length(), ..ray }
     }
 
-    /// This ray turned to a light at the end of `way`, so short that the light itself is beyond its end whatever rounding does: what a light
-    /// touches does not hide it. A light nearer than the bound by which the origin was moved is hidden by nothing.
+    /// This ray turned to the light that its point sees in direction `to_light` at distance `r`, and so short that the light itself is beyond its end
+    /// whatever rounding does: what a light touches does not hide it. A light nearer than the bound by which the origin was moved by `step` is
+    /// hidden by nothing.
+    ///
+    /// r − L·step is the length of the way that is left, but for a share of (|step|/r)², by which the direction may fail to be of unit length.
     #[inline(always)]
-    fn ending_before(self, way: Vec3<T>, to_light: Vec3<T>) -> Self {
-        let r = way.length();
-        let direction = way * (T::ONE / r);
-        let reach = (self.origin.abs() + (self.origin + way).abs()).dot(direction.abs());
-        let t_max = r - (r + reach) * (T::of(16.0) * T::ULP);
-        Self { direction, t_max: if way.dot(to_light) > T::ZERO { t_max } else { T::ZERO }, ..self }
+    fn ending_before(self, step: Vec3<T>, to_light: Vec3<T>, r: T) -> Self {
+        let left = r - to_light.dot(step);
+        let direction = (to_light * r - step) * (T::ONE / left);
+        // the coordinates of both ends, along the ray
+        let reach = left + self.origin.abs().dot(to_light.abs());
+        let t_max = left - reach * (T::of(32.0) * T::ULP);
+        Self { direction, t_max: if left > T::ZERO { t_max } else { T::ZERO }, ..self }
     }
 
     /// The rest of this ray behind its crossing of an object at `t`. A crossing of that object nearer behind than RAY_EPSILON, or than rounding
