@@ -8,92 +8,109 @@ mod spheres;
 use super::draws::Draws;
 use super::question::Question;
 
+/// The greatest error of t, relative, and of the normal, the direction or the weights, as a vector against 1.
+pub type Bound = [f64; 2];
+
 /// A kind of hard question.
 #[derive(Clone, Copy, Debug)]
 pub struct Family {
-    /// Such as `far`; with the function unique.
+    /// Such as `sphere, far`; unique.
     pub name: &'static str,
     /// Which function is asked: `sphere`, `triangle`, ...
     pub function: &'static str,
     /// The next question.
     pub draw: fn(&mut Draws) -> Question,
+    /// What the reference keeps to in double precision: some ten times the worst of 10⁶ draws.
+    pub double: Bound,
+    /// The same in single precision. `None` where that cannot hold the question: the inverse of such a matrix, rounded, is that of another.
+    pub single: Option<Bound>,
 }
 
+/// No bound: nearer to the tip of a cone than a point is known, its normal is anything.
+const ANY: f64 = f64::INFINITY;
+const NONE: Option<Bound> = None;
+
 macro_rules! families {
-    ($($function:literal { $($name:literal: $draw:path,)* })*) => {
+    ($($function:literal { $($name:literal: $draw:path, $double:expr, $single:expr;)* })*) => {
         /// All families, function by function.
-        pub const FAMILIES: &[Family] = &[$($(Family { name: concat!($function, ", ", $name), function: $function, draw: $draw },)*)*];
+        pub const FAMILIES: &[Family] = &[$($(Family {
+            name: concat!($function, ", ", $name),
+            function: $function,
+            draw: $draw,
+            double: $double,
+            single: $single,
+        },)*)*];
     };
 }
 
 families! {
     "sphere" {
-        "generic": spheres::generic,
-        "far": spheres::far,
-        "tangent": spheres::tangent,
-        "near its surface": spheres::near_surface,
-        "as a ground": spheres::ground,
-        "mixed coordinates": spheres::coordinates,
-        "offset by 1e6": spheres::offset,
-        "at any scale": spheres::scale,
+        "generic": spheres::generic, [1e-12, 1e-11], Some([1e-3, 1e-4]);
+        "far": spheres::far, [1e-14, 1e-14], Some([1e-6, 1e-6]);
+        "tangent": spheres::tangent, [1e-9, 1e-11], Some([1e-2, 1e-4]);
+        "near its surface": spheres::near_surface, [1e-10, 1e-12], Some([1e-3, 1e-4]);
+        "as a ground": spheres::ground, [1e-14, 1e-14], Some([1e-6, 1e-5]);
+        "mixed coordinates": spheres::coordinates, [1e-12, 1e-11], Some([1e-4, 1e-4]);
+        "offset by 1e6": spheres::offset, [1e-12, 1e-11], Some([1e-4, 1e-3]);
+        "at any scale": spheres::scale, [1e-12, 1e-11], Some([1e-3, 1e-4]);
     }
     "plane" {
-        "generic": flat::plane,
-        "near parallel": flat::plane_near_parallel,
-        "offset by 1e6": flat::plane_offset,
-        "at any scale": flat::plane_scale,
+        "generic": flat::plane, [1e-13, 0.0], Some([1e-4, 0.0]);
+        "near parallel": flat::plane_near_parallel, [1e-13, 0.0], Some([1e-4, 0.0]);
+        "offset by 1e6": flat::plane_offset, [1e-13, 0.0], Some([1e-4, 0.0]);
+        "at any scale": flat::plane_scale, [1e-13, 0.0], Some([1e-4, 0.0]);
     }
     "square" {
-        "generic": flat::square,
-        "at its border": flat::square_border,
+        "generic": flat::square, [1e-15, 0.0], Some([1e-6, 0.0]);
+        "at its border": flat::square_border, [1e-15, 0.0], Some([1e-6, 0.0]);
     }
     "triangle" {
-        "generic": flat::triangle,
-        "sliver": flat::sliver,
-        "small": flat::small,
-        "offset by 1e6": flat::triangle_offset,
-        "mixed scale": flat::mixed_scale,
-        "at a corner": flat::at_corner,
-        "at an edge": flat::at_edge,
-        "near edge on": flat::edge_on,
-        "at any scale": flat::triangle_scale,
+        "generic": flat::triangle, [1e-10, 1e-9], Some([1e-3, 1e-3]);
+        "sliver": flat::sliver, [1e-9, 1e-8], Some([1e-3, 1e-3]);
+        "small": flat::small, [1e-11, 1e-8], Some([1e-4, 1e-3]);
+        "offset by 1e6": flat::triangle_offset, [1e-10, 1e-9], Some([1e-3, 1e-3]);
+        "mixed scale": flat::mixed_scale, [1e-8, 1e-10], Some([1e-3, 1e-4]);
+        "at a corner": flat::at_corner, [1e-15, 1e-14], Some([1e-6, 1e-5]);
+        "at an edge": flat::at_edge, [1e-15, 1e-14], Some([1e-6, 1e-5]);
+        "near edge on": flat::edge_on, [1e-8, 1e-8], Some([1e-3, 1e-3]);
+        "at any scale": flat::triangle_scale, [1e-10, 1e-9], Some([1e-3, 1e-3]);
     }
     "box" {
-        "generic": solid::cuboid,
-        "in a slab plane": solid::in_slab,
-        "at an edge": solid::at_edge,
-        "offset by 1e6": solid::cuboid_offset,
+        "generic": solid::cuboid, [1e-15, 0.0], Some([1e-6, 0.0]);
+        "in a slab plane": solid::in_slab, [1e-15, 0.0], Some([1e-6, 0.0]);
+        "at an edge": solid::at_edge, [1e-15, 0.0], Some([1e-6, 0.0]);
+        "offset by 1e6": solid::cuboid_offset, [1e-15, 0.0], Some([1e-6, 0.0]);
     }
     "cylinder" {
-        "generic": solid::cylinder,
-        "along its axis": solid::along_axis,
-        "at a rim": solid::rim,
-        "touching": solid::touching,
+        "generic": solid::cylinder, [1e-11, 1e-11], Some([1e-4, 1e-4]);
+        "along its axis": solid::along_axis, [1e-12, 1e-14], Some([1e-4, 1e-5]);
+        "at a rim": solid::rim, [1e-11, 1e-11], Some([1e-4, 1e-4]);
+        "touching": solid::touching, [1e-9, 1e-9], Some([1e-3, 1e-3]);
     }
     "cone" {
-        "generic": solid::cone,
-        "along its side": solid::along_side,
-        "at its tip": solid::tip,
+        "generic": solid::cone, [1e-11, 1e-10], Some([1e-4, 1e-3]);
+        "along its side": solid::along_side, [1e-12, 1e-11], Some([1e-4, 1e-3]);
+        "at its tip": solid::tip, [1e-14, ANY], Some([1e-6, ANY]);
     }
     "reflect" {
-        "generic": light::reflect,
-        "grazing": light::reflect_grazing,
+        "generic": light::reflect, [0.0, 1e-14], Some([0.0, 1e-5]);
+        "grazing": light::reflect_grazing, [0.0, 1e-14], Some([0.0, 1e-5]);
     }
     "refract" {
-        "generic": light::refract,
-        "near critical": light::near_critical,
-        "grazing": light::refract_grazing,
-        "equal index": light::equal_index,
+        "generic": light::refract, [0.0, 1e-12], Some([0.0, 1e-4]);
+        "near critical": light::near_critical, [0.0, 1e-10], Some([0.0, 1e-3]);
+        "grazing": light::refract_grazing, [0.0, 1e-14], Some([0.0, 1e-5]);
+        "equal index": light::equal_index, [0.0, 1e-14], Some([0.0, 1e-5]);
     }
     "normal" {
-        "generic": light::normal,
-        "stretched": light::normal_stretched,
-        "mirrored": light::normal_mirrored,
-        "near singular": light::normal_near_singular,
+        "generic": light::normal, [0.0, 1e-14], Some([0.0, 1e-5]);
+        "stretched": light::normal_stretched, [0.0, 1e-14], Some([0.0, 1e-5]);
+        "mirrored": light::normal_mirrored, [0.0, 1e-14], Some([0.0, 1e-5]);
+        "near singular": light::normal_near_singular, [0.0, 1e-14], Some([0.0, 1e-5]);
     }
     "transformed sphere" {
-        "uniform": light::sphere_uniform,
-        "stretched": light::sphere_stretched,
-        "flattened": light::sphere_flattened,
+        "uniform": light::sphere_uniform, [1e-10, 1e-9], Some([0.1, 1.0]);
+        "stretched": light::sphere_stretched, [1e-9, 1e-7], NONE;
+        "flattened": light::sphere_flattened, [1e-3, 1e-1], NONE;
     }
 }
