@@ -32,7 +32,7 @@ pub fn markdown(course: &Course) -> String {
     for decision in DECISIONS {
         let _ = writeln!(page, "| `{}` | {} |", decision.key, values(decision));
     }
-    page + "\n`epsilon` and `bytes` say how the expected pictures are made; students may choose theirs freely within what [grading.md](grading.md) lists.\n"
+    page + "\n`bytes` says how the expected pictures are made, `epsilon` what the unit checks take for points that they bring themselves; students may choose theirs freely within what [grading.md](grading.md) lists.\n"
 }
 
 /// A value as it is written, and what it means.
