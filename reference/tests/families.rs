@@ -3,7 +3,10 @@
 //! The same at a million draws: `reference cost --functions --draws 1000000`.
 
 use reference::hard::families::Bound;
-use reference::hard::{FAMILIES, Family, Tally, survey};
+use reference::hard::oracle::right;
+use reference::hard::question::Line;
+use reference::hard::survey::{Comparison, compare};
+use reference::hard::{FAMILIES, Family, Question, Tally, evaluate, survey};
 use reference::real::Real;
 use reference::rules::{Lecture, PlaneFormula, Quadratic, Robustness, Rules, Snell, Style, TriangleFormula};
 
@@ -82,4 +85,21 @@ fn a_tally_is_the_same_each_time_and_other_seeds_ask_other_questions() {
     assert_eq!(of(1), of(1));
     assert_eq!(of(1).n, 2_500);
     assert_ne!(of(1).max_t, of(2).max_t);
+}
+
+/// Found by a million draws: area, depth and 1/d_z multiplied leave the range of single precision, though each of them and t are within it.
+#[test]
+fn a_huge_triangle_is_met_by_a_short_direction() {
+    let line = Line {
+        origin: [-122_906_255_360.0, -1_810_572_115_968.0, 106_111_336_448.0],
+        direction: [5.165_996_117_284_521_5e-5, 1.676_740_503_171_458_8e-4, -1.023_024_833_557_428_8e-5],
+    };
+    let corners = [
+        [359_960_838_144.0, 175_454_715_904.0, -30_798_911_488.0],
+        [520_371_437_568.0, -142_615_068_672.0, 140_272_189_440.0],
+        [454_219_431_936.0, -199_003_324_416.0, -62_933_307_392.0],
+    ];
+    let question = Question::Triangle { line, corners };
+    let comparison = compare::<f32>(&right(&question), &evaluate::<f32, _>(Lecture, &question));
+    assert!(matches!(comparison, Comparison::Same { t, .. } if t < 1e-6), "{comparison:?}");
 }

@@ -116,8 +116,9 @@ impl<T: Real> Triangle<T> {
         if doubt.is_safe() && is_inside && shear.scale.is_safe() {
             let along = u * a.2 + v * b.2 + w * c.2;
             let in_doubt = z * (T::of(4.0) * (doubt + T::ULP * sum.abs()));
-            let t = shear.scale * along / sum;
-            if along.abs() > in_doubt * T::MARGIN {
+            let scaled = shear.scale * along; // of five factors: it may leave the range where none of them does
+            let t = scaled / sum;
+            if along.abs() > in_doubt * T::MARGIN && scaled.is_safe() {
                 return Some((t, Vec3::new(u, v, w) * (T::ONE / sum)));
             }
             let is_behind = along.abs() > in_doubt && t < T::ZERO;
