@@ -2,10 +2,10 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`question`], [`evaluate`] | a question with its numbers; what the reference's functions say to it |
+//! | [`question`], [`mod@evaluate`] | a question with its numbers; what the reference's functions say to it |
 //! | [`exact`], [`oracle`] | arithmetic without rounding; the right answer |
 //! | [`draws`], [`families`] | kinds of hard questions, drawn at random but the same everywhere |
-//! | [`survey`] | many of them, and what came of it |
+//! | [`mod@survey`] | many of them, and what came of it |
 
 pub mod draws;
 pub mod evaluate;

@@ -1,6 +1,6 @@
 //! The right answer to a question: decisions by exact arithmetic on its numbers as they stand, values to some 190 bits.
 //!
-//! Borders belong to the shapes [D3]; a touching line meets a sphere once; exactly at the critical angle a ray is transmitted [D14]. What is
+//! Borders belong to the shapes (D3); a touching line meets a sphere once; exactly at the critical angle a ray is transmitted (D14). What is
 //! never met: a plane along the line, a triangle without area or edge on, the side of a cone by a line within it.
 
 use super::evaluate::Found;
