@@ -87,6 +87,12 @@ fn functions_are_measured_one_by_one_and_written_in_every_form() {
     well_formed(&at("f.svg"));
     assert!(at("f.html").contains("<figure><svg") && !at("f.html").contains("<script"));
     check(folder.path(), &["--functions", "scene.toml"], 2, "cannot be used with");
+    check(folder.path(), &["--functions", "--samples", "2"], 2, "cannot be used with");
+    let narrow =
+        ["--functions", "--draws", "5", "--rounds", "1", "--formulas", "robust", "--precisions", "f64", "--csv", "-"];
+    let csv = String::from_utf8(check(folder.path(), &narrow, 0, "").stdout).unwrap();
+    assert!(csv.contains("robust,f64"), "{csv}");
+    assert!(!csv.contains("f32") && !csv.contains("textbook"), "{csv}");
     check(folder.path(), &[], 2, "required");
 }
 

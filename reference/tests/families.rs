@@ -1,6 +1,6 @@
 //! The families of hard questions: no wrong decision, and errors within each family's bound, in both precisions.
 //!
-//! The same at a million draws: `reference cost --functions --draws 1000000`.
+//! The same at a million draws: `reference cost --functions --formulas robust --draws 1000000 --rounds 1`.
 
 use reference::hard::families::Bound;
 use reference::hard::oracle::right;

@@ -58,7 +58,8 @@ pub(super) fn of_scene(named: &str, args: &CostArgs, session: &Session) -> Resul
 
 /// Measures one function at a time.
 pub(super) fn of_functions(args: &CostArgs, session: &Session) -> Result<FunctionsReport, Stop> {
-    let (candidates, n_rounds) = (functions::candidates(), usize::from(args.rounds));
+    let (mut candidates, n_rounds) = (functions::candidates(), usize::from(args.rounds));
+    candidates.retain(|candidate| args.asks_for(candidate));
     let mut run = session.run(Bar::steps(functions::work(&candidates, n_rounds), session.talk));
     let measured = functions::measure(&candidates, args.draws, n_rounds, &mut run).ok_or_else(nothing)?;
     Ok(FunctionsReport::new(session.machine(), &measured, args.draws))

@@ -5,8 +5,10 @@ use std::path::PathBuf;
 use clap::Parser;
 
 use super::args::CourseArg;
+use crate::cost::functions::Candidate;
 use crate::cost::setting::Formula;
 use crate::cost::sweep::{Axes, finer};
+use crate::rules::Robustness;
 use crate::variations::Precision;
 
 /// Measures what accuracy costs: time against error over precision, formulas, samples, depth, threshold and effects
@@ -25,6 +27,7 @@ Examples:
   reference cost 03_reflection/hall_of_mirrors --depths 0,1,2,4,8,16 --precisions f64 --formulas robust --no-effects
   reference cost scene.toml --thresholds 0,1/256,1/64 --csv - > cost.csv
   reference cost --functions --draws 100000 --html functions.html
+  reference cost --functions --formulas robust --draws 1000000 --rounds 1
   reference cost --page docs/accuracy.md
   reference cost --store
 
@@ -48,26 +51,26 @@ pub(super) struct CostArgs {
     /// Scalars to measure [default: f32,f64]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = precision)]
     pub precisions: Option<Vec<Precision>>,
-    /// Formulas to measure [default: plain,stable,robust]
+    /// Formulas to measure; with --functions `robust` or others [default: plain,stable,robust]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = formula)]
     pub formulas: Option<Vec<Formula>>,
     /// N for N x N rays a pixel [default: 1,2,4]
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=64))]
+    #[arg(long, conflicts_with = "functions", value_name = "LIST", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=64))]
     pub samples: Option<Vec<u32>>,
     /// Rays a side of a pixel of the truth [default: twice the most of --samples]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=256))]
+    #[arg(long, conflicts_with = "functions", value_name = "N", value_parser = clap::value_parser!(u32).range(1..=256))]
     pub truth: Option<u32>,
     /// Depths of recursion [default: from 0 to a little beyond the scene's own]
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    #[arg(long, conflicts_with = "functions", value_name = "LIST", value_delimiter = ',')]
     pub depths: Option<Vec<u32>>,
     /// Weights below which paths end, 0 for never [default: 0, 1e-3, 1/256, 1/64, 1/16 and the scene's own]
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = threshold)]
+    #[arg(long, conflicts_with = "functions", value_name = "LIST", value_delimiter = ',', value_parser = threshold)]
     pub thresholds: Option<Vec<f64>>,
     /// Every setting with every other
-    #[arg(long)]
+    #[arg(long, conflicts_with = "functions")]
     pub full: bool,
     /// Leave out what effects cost
-    #[arg(long)]
+    #[arg(long, conflicts_with = "functions")]
     pub no_effects: bool,
     /// Times that each setting is timed
     #[arg(long, value_name = "N", default_value = "5", value_parser = clap::value_parser!(u16).range(1..=1000))]
@@ -76,7 +79,7 @@ pub(super) struct CostArgs {
     #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: u16,
     /// Pixels, such as 640x480, in the place of the scene's
-    #[arg(long, value_name = "WxH", value_parser = super::args::size)]
+    #[arg(long, conflicts_with = "functions", value_name = "WxH", value_parser = super::args::size)]
     pub size: Option<(u32, u32)>,
     /// All figures as JSON; `-` is the output stream, in the place of the table
     #[arg(long, value_name = "FILE")]
@@ -95,6 +98,15 @@ pub(super) struct CostArgs {
 }
 
 impl CostArgs {
+    /// Whether a function's formula is among those typed: `robust` is the reference's own, `plain` and `stable` are all others.
+    pub(super) fn asks_for(&self, candidate: &Candidate) -> bool {
+        let is_own = candidate.rules.style.robustness == Robustness::Certified;
+        let has_formula =
+            |formulas: &Vec<Formula>| formulas.iter().any(|formula| (*formula == Formula::Robust) == is_own);
+        let has_precision = |precisions: &Vec<Precision>| precisions.contains(&candidate.precision);
+        self.formulas.as_ref().is_none_or(has_formula) && self.precisions.as_ref().is_none_or(has_precision)
+    }
+
     /// The axes of a scene, narrowed to what was typed.
     pub(super) fn narrowed(&self, axes: Axes) -> Axes {
         let samples = self.samples.clone().unwrap_or(axes.samples);

@@ -25,7 +25,8 @@ pub struct Candidate {
     pub formula: &'static str,
     /// Its scalars.
     pub precision: Precision,
-    rules: Rules,
+    /// The lecture's, in the style of the formula.
+    pub rules: Rules,
 }
 
 /// What was measured of one.

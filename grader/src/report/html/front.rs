@@ -87,7 +87,7 @@ fn sentence(yours: &FrontPoint, points: &[FrontPoint], is_front: &[bool]) -> Str
     let best = best.min_by(|a, b| a.rmse_levels.total_cmp(&b.rmse_levels));
     let of_best = best.map_or(String::new(), |best| {
         format!(
-            "; the reference by its most exact setting ({}) {}, {}",
+            "; the reference at best ({}) {}, {}",
             shown(&best.setting),
             seconds(best.time_s),
             error(best.rmse_levels)

@@ -48,8 +48,8 @@ fn the_page_names_the_mistakes_with_their_rules_and_beside_what_they_explain() {
 fn a_picture_stands_among_the_settings_of_the_reference() {
     let page = page();
     has(&page, "<title>f32 &lt;plain&gt;: 2 ms, 0.50 levels off (RMSE)</title>");
-    has(&page, "without error; the reference by its most exact setting (f64) 4 ms, without error.");
-    has(&page, "measured on two &lt;cores&gt;, one thread");
+    has(&page, "without error; the reference at best (f64) 4 ms, without error.");
+    has(&page, "measured on two &lt;cores&gt;, rendering alone");
     // Three settings a case; the slow one is beaten, so two of three lie on the front. No plot where there is no picture.
     let (all, on_front) = (page.matches("<circle").count(), page.matches("<circle class=\"on\"").count());
     assert_eq!((all, on_front), (12, 8));
