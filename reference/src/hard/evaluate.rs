@@ -42,11 +42,36 @@ impl<S> Found<S> {
 /// An answer; a miss is `None`.
 pub type Reply = Option<Found<f64>>;
 
+/// A question with its matrix, if it has one, made ready once, as a scene does it for all rays.
+#[derive(Clone, Debug)]
+pub struct Prepared<T> {
+    question: Question,
+    frame: Option<Frame<T>>,
+}
+
+impl<T: Real> Prepared<T> {
+    /// The question made ready for the precision `T`.
+    pub fn new(question: &Question) -> Self {
+        let frame = match *question {
+            Question::TransformedSphere { rows, translation, .. } => Some(frame(rows, translation)),
+            Question::Normal { rows, .. } => Some(frame(rows, [0.0; 3])),
+            _ => None,
+        };
+        Self { question: *question, frame }
+    }
+}
+
 /// The answer of the function that the question is for, computed in the precision `T`. Numbers of the question that `T` does not have are
 /// rounded.
-#[inline]
 pub fn evaluate<T: Real, R: RuleSource>(rules: R, question: &Question) -> Reply {
-    match *question {
+    answer(rules, &Prepared::<T>::new(question))
+}
+
+/// The same of a question made ready.
+#[inline]
+pub fn answer<T: Real, R: RuleSource>(rules: R, prepared: &Prepared<T>) -> Reply {
+    let frame = prepared.frame.as_ref();
+    match prepared.question {
         Question::Sphere { line, center, radius } => {
             solid(rules, &line, Solid::<T>::Sphere(Sphere { center: v(center), radius: T::of(radius) }))
         }
@@ -62,9 +87,7 @@ pub fn evaluate<T: Real, R: RuleSource>(rules: R, question: &Question) -> Reply 
             solid(rules, &line, Solid::Round(Round { bottom_radius, top_radius, z_min, z_max, is_capped }))
         }
         Question::Triangle { line, corners } => triangle(rules, &line, Triangle { corners: corners.map(v::<T>) }),
-        Question::TransformedSphere { line, rows, translation } => {
-            transformed_sphere(rules, &line, &frame::<T>(rows, translation))
-        }
+        Question::TransformedSphere { line, .. } => transformed_sphere(rules, &line, frame?),
         Question::Reflect { direction, normal } => {
             Some(Found::direction(out(optics::reflect(rules, v::<T>(direction), v(normal)))))
         }
@@ -72,8 +95,8 @@ pub fn evaluate<T: Real, R: RuleSource>(rules: R, question: &Question) -> Reply 
             optics::refract(rules, v::<T>(direction), v(normal), T::of(eta_i), T::of(eta_t))
                 .map(|t| Found::direction(out(t)))
         }
-        Question::Normal { rows, normal } => {
-            let moved = frame::<T>(rows, [0.0; 3]).normal_to_world(rules, v(normal));
+        Question::Normal { normal, .. } => {
+            let moved = frame?.normal_to_world(rules, v(normal));
             let is_one = moved.dot(moved).is_finite(); // a matrix without inverse leaves none
             is_one.then(|| Found::direction(out(moved)))
         }
