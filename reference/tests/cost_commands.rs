@@ -47,6 +47,7 @@ fn the_command_prints_a_table_and_writes_every_form() {
     check(folder.path(), &["scene.toml", "--thresholds", "2"], 2, "from 0 to 1");
     check(folder.path(), &["none.toml"], 2, "there is no file");
     check(folder.path(), &[&short[..], &["--svg", "no/such/folder.svg"]].concat(), 3, "cannot write");
+    check(folder.path(), &[&short[..], &["--csv", "."]].concat(), 3, "it is a folder");
 }
 
 #[test]

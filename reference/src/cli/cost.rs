@@ -109,6 +109,7 @@ fn is_stream(path: &Path) -> bool {
 /// A measurement takes minutes: that there is nowhere to write is said before.
 fn has_folder(path: &Path) -> Result<(), Stop> {
     match path.parent() {
+        _ if path.is_dir() => Err(Stop::Machine(format!("cannot write {}: it is a folder", path.display()))),
         Some(folder) if folder != Path::new("") && !folder.is_dir() => {
             Err(Stop::Machine(format!("cannot write {}: there is no folder `{}`", path.display(), folder.display())))
         }
