@@ -94,3 +94,16 @@ fn a_float_map_keeps_what_is_no_number_for_the_judge_to_see() {
     assert!(read.x.is_nan());
     assert_eq!((read.y, read.z), (f64::INFINITY, -2.0));
 }
+
+#[test]
+fn threads_that_put_the_same_file_do_not_meet() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("picture.png");
+    let put = || (0..50).try_for_each(|_| cases::film::replace(&path, b"whole"));
+    std::thread::scope(|scope| {
+        let threads: Vec<_> = (0..8).map(|_| scope.spawn(put)).collect();
+        threads.into_iter().for_each(|thread| thread.join().unwrap().unwrap());
+    });
+    assert_eq!(std::fs::read(&path).unwrap(), b"whole");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "a neighbour stayed behind");
+}

@@ -3,6 +3,7 @@
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Cursor, Read, Write};
 use std::path::Path;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
 use image::{ColorType, DynamicImage, ImageDecoder, ImageEncoder, codecs::png};
@@ -84,13 +85,16 @@ pub fn encode_by(quantiser: Quantiser, kind: Kind, image: &Image) -> Result<Vec<
     }
 }
 
+/// Neighbours made so far: two threads that put the same file must not share one.
+static PARTS: AtomicU64 = AtomicU64::new(0);
+
 /// Puts `bytes` at `path` by way of a neighbour, so that a reader sees the old file or the new one, never a part.
 ///
 /// # Errors
 /// What the file system says; `path` is then as it was.
 pub fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(format!(".{}.part", std::process::id()));
+    name.push(format!(".{}-{}.part", std::process::id(), PARTS.fetch_add(1, Ordering::Relaxed)));
     let part = path.with_file_name(name);
     let written = File::create(&part).and_then(|mut file| {
         file.write_all(bytes)?;
