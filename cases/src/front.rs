@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use serde::de::Error;
 use serde::{Deserialize, Serialize};
 
 use crate::film::{Image, byte};
@@ -46,9 +47,18 @@ pub fn fronts_to_string(fronts: &Fronts) -> Result<String, serde_json::Error> {
 /// What `text` holds.
 ///
 /// # Errors
-/// What is missing or of the wrong kind, with line and column.
+/// What is missing or of the wrong kind, with line and column; a point that no measurement gives.
 pub fn fronts_from_str(text: &str) -> Result<Fronts, serde_json::Error> {
-    serde_json::from_str(text)
+    let fronts: Fronts = serde_json::from_str(text)?;
+    let is_measured = |point: &FrontPoint| {
+        point.time_s.is_normal() && point.time_s > 0.0 && (0.0..=255.0).contains(&point.rmse_levels)
+    };
+    match fronts.cases.iter().find_map(|(id, points)| Some((id, points.iter().find(|point| !is_measured(point))?))) {
+        Some((id, FrontPoint { setting, time_s, rmse_levels })) => Err(serde_json::Error::custom(format!(
+            "{id}, {setting}: {time_s} s and {rmse_levels} levels cannot have been measured"
+        ))),
+        None => Ok(fronts),
+    }
 }
 
 /// Which points no other one beats: none is as fast and as exact, and better in one of the two. Of equals all count.
@@ -105,5 +115,11 @@ mod tests {
         let fronts = Fronts { machine: "two cores".to_owned(), cases };
         assert_eq!(fronts_from_str(&fronts_to_string(&fronts).unwrap()).unwrap(), fronts);
         assert!(fronts_from_str("{}").is_err());
+        for (time_s, rmse_levels) in [(0.0, 0.5), (-1.0, 0.5), (5e-324, 0.5), (1.0, -0.5), (1.0, 256.0)] {
+            let cases = BTreeMap::from([("a/b".to_owned(), vec![point(time_s, rmse_levels)])]);
+            let text = fronts_to_string(&Fronts { machine: String::new(), cases }).unwrap();
+            let why = fronts_from_str(&text).unwrap_err().to_string();
+            assert!(why.contains("a/b") && why.contains("cannot have been measured"), "{why}");
+        }
     }
 }

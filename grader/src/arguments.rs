@@ -240,7 +240,7 @@ pub(crate) struct Compare {
     #[arg(required_unless_present = "answer", conflicts_with = "answer")]
     pub(crate) b: Option<PathBuf>,
     /// 8-bit levels by which a channel may differ [default: 0, or what the answer says]
-    #[arg(long, value_name = "LEVELS")]
+    #[arg(long, value_name = "LEVELS", value_parser = levels)]
     pub(crate) tolerance: Option<f64>,
     /// A stored answer, .answer.exr, in place of the second picture
     #[arg(long, value_name = "FILE")]
@@ -305,4 +305,10 @@ pub(crate) struct Completions {
 pub(crate) struct Man {
     /// Folder to write them to
     pub(crate) folder: PathBuf,
+}
+
+/// A number of 8-bit levels.
+fn levels(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|levels| (0.0..=255.0).contains(levels));
+    number.ok_or_else(|| "a number from 0 to 255".to_owned())
 }

@@ -35,6 +35,8 @@ fn pictures_are_compared() {
     check(&["compare", "a.png", "a.pfm", "--tolerance", "1"], home.path(), 0, "they agree");
     check(&["compare", "a.png", "b.png"], home.path(), 1, "12 pixels of 12 differ");
     check(&["compare", "a.png", "b.png", "--tolerance", "3.01"], home.path(), 0, "they agree");
+    check(&["compare", "a.png", "b.png", "--tolerance", "nan"], home.path(), 2, "from 0 to 255");
+    check(&["compare", "a.png", "b.png", "--tolerance", "-1"], home.path(), 2, "");
     check(&["compare", "a.png", "wide.png"], home.path(), 2, "nothing to compare");
     check(&["compare", "a.png", "text.png"], home.path(), 2, "not a PNG or PFM image");
     check(&["compare", "a.png", "missing.png"], home.path(), 2, "missing.png");
