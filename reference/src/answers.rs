@@ -105,10 +105,12 @@ fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
             let ray = Lens::<T>::new(rules, camera, *width, *height).eye_ray(rules, (*i, *j), (T::of(0.5), T::of(0.5)));
             Answer::Ray { origin: ray.origin.f64(), direction: ray.direction.f64() }
         }
-        Ask::Nearest { scene, ray } => match World::<T>::with_search(scene, Search::Scan).first(rules, &Ray::of(ray)) {
-            Some((object, met)) => Answer::Found { t: met.t.f64(), object },
-            None => Answer::Miss(true),
-        },
+        Ask::Nearest { scene, ray } => {
+            match World::<T>::with_search(scene, Search::Scan).first(rules, &Ray::of(ray), &mut ()) {
+                Some((object, met)) => Answer::Found { t: met.t.f64(), object },
+                None => Answer::Miss(true),
+            }
+        }
         Ask::Shade { scene, object, point, normal, to_viewer, inside } => {
             let Some(object) = scene.objects.get(*object) else { return no_such("object") };
             let [point, normal, to_viewer] = [*point, *normal, *to_viewer].map(v::<T>);

@@ -4,6 +4,22 @@ use crate::bounds::{Bounds, BoxRay};
 use crate::ray::Ray;
 use crate::real::Real;
 
+/// Is told of the work that a search does; `()` counts nothing.
+pub trait Tally {
+    /// A node of a tree is visited.
+    fn node(&mut self);
+    /// A thing is asked where the ray meets it: an object, or a triangle of a mesh.
+    fn thing(&mut self);
+}
+
+impl Tally for () {
+    #[inline(always)]
+    fn node(&mut self) {}
+
+    #[inline(always)]
+    fn thing(&mut self) {}
+}
+
 /// At most this many things a leaf, unless they cannot be told apart.
 const LEAF: usize = 4;
 /// Places at which a split is tried.
@@ -67,10 +83,10 @@ impl<T: Real> Bvh<T> {
         self.grow(bounds, right, depth + 1);
     }
 
-    /// Calls `visit` for every thing whose box the ray enters before the limit, nearer boxes first. `visit` gets the limit and returns
+    /// Calls `visit` for every thing whose box the ray enters before the limit, nearer boxes first. `visit` gets the tally and the limit, and returns
     /// the new one: a lower one where it has met something, −∞ to end the walk.
     #[inline]
-    pub fn walk(&self, ray: &Ray<T>, mut visit: impl FnMut(u32, T) -> T) {
+    pub fn walk<Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, mut visit: impl FnMut(&mut Y, u32, T) -> T) {
         let Some(root) = self.nodes.first() else { return };
         let boxed = BoxRay::new(ray, root.bounds, self.loss);
         let mut limit = ray.t_max;
@@ -78,10 +94,12 @@ impl<T: Real> Bvh<T> {
         let mut n_open = 0;
         let mut next = boxed.enter(&root.bounds, limit).map(|_| 0);
         while let Some(at) = next {
+            tally.node();
             match self.nodes[at as usize].kind {
                 Kind::Leaf { first, count } => {
                     for item in &self.order[first as usize..(first + count) as usize] {
-                        limit = visit(*item, limit);
+                        tally.thing();
+                        limit = visit(tally, *item, limit);
                     }
                     next = None;
                 }

@@ -1,7 +1,7 @@
 //! Triangles over shared vertices, with a tree over them. [rule 16] [rule 18]
 
 use crate::bounds::Bounds;
-use crate::bvh::Bvh;
+use crate::bvh::{Bvh, Tally};
 use crate::ray::{Ray, Spot};
 use crate::real::Real;
 use crate::rules::{Interpolation, RuleSource, Weights};
@@ -39,10 +39,10 @@ impl<T: Real> Mesh<T> {
     }
 
     /// The first meeting in the ray's interval; at one t the lower index wins.
-    pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
+    pub fn meet<R: RuleSource, Y: Tally>(&self, rules: R, ray: &Ray<T>, tally: &mut Y) -> Option<Meeting<T>> {
         let shear = Shear::of(ray).within(ray, self.bounds);
         let mut best: Option<Meeting<T>> = None;
-        let mut visit = |n: u32, limit: T| {
+        let mut visit = |_: &mut Y, n: u32, limit: T| {
             let i = self.solid[n as usize];
             match self.triangles[i as usize].meet(rules, ray, &shear, i) {
                 Some(met) if best.is_none_or(|b| met.t < b.t || (met.t == b.t && i < b.part)) => {
@@ -53,9 +53,10 @@ impl<T: Real> Mesh<T> {
             }
         };
         match &self.tree {
-            Some(tree) => tree.walk(ray, &mut visit),
+            Some(tree) => tree.walk(ray, tally, visit),
             None => (0..self.solid.len() as u32).for_each(|n| {
-                visit(n, ray.t_max);
+                tally.thing();
+                visit(tally, n, ray.t_max);
             }),
         }
         best

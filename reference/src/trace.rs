@@ -123,7 +123,7 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
     /// The light that `ray` brings back: shade + kr · trace(R) + kt · trace(T). [rule 7] [rule 8]
     pub fn trace(&self, ray: &Ray<T>, path: Path<T>, watch: &mut impl Watch) -> Vec3<T> {
         watch.enter(path.kind, path.depth, ray);
-        let colour = match self.world.nearest(self.rules, ray) {
+        let colour = match self.world.nearest(self.rules, ray, &mut ()) {
             Some(hit) => self.light_at(ray, path, hit, watch),
             None => self.world.background,
         };
@@ -267,7 +267,7 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         if self.does.tinted_shadows && self.rules.get().tint != Tint::Opaque {
             return self.tint(&ray);
         }
-        if self.world.occluded(self.rules, &ray) { Vec3::ZERO } else { Vec3::ONE }
+        if self.world.occluded(self.rules, &ray, &mut ()) { Vec3::ZERO } else { Vec3::ONE }
     }
 
     /// The product of kt over all crossings of the ray, in order of t. [rule 6]
@@ -275,7 +275,7 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         let tint = self.rules.get().tint;
         let kt = |object: usize| self.world.materials[self.world.objects[object].material].kt;
         let blocks = |object| tint != Tint::FirstCrossing && kt(object) == Vec3::ZERO;
-        let Some(crossings) = self.world.crossings(self.rules, ray, blocks) else { return Vec3::ZERO };
+        let Some(crossings) = self.world.crossings(self.rules, ray, blocks, &mut ()) else { return Vec3::ZERO };
         let counts = |n: usize| match tint {
             Tint::PerObject => crossings[..n].iter().all(|before| before.1 != crossings[n].1),
             Tint::FirstCrossing => n == 0,

@@ -3,7 +3,7 @@
 use cases::{Effects, Scene, Shape};
 
 use crate::bounds::Bounds;
-use crate::bvh::Bvh;
+use crate::bvh::{Bvh, Tally};
 pub use crate::frame::Frame;
 use crate::lights::Light;
 use crate::mesh::Mesh;
@@ -175,14 +175,14 @@ impl<T: Real> World<T> {
     }
 
     /// The nearest hit in the ray's interval; at one t the earlier object wins. [rule 2]
-    pub fn nearest<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Hit<T>> {
-        let (object, met) = self.first(rules, ray)?;
+    pub fn nearest<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> Option<Hit<T>> {
+        let (object, met) = self.first(rules, ray, tally)?;
         Some(self.hit(rules, ray, object, met))
     }
 
     /// The object of the nearest hit, and where; without the normals.
     #[inline]
-    pub fn first<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<(usize, Meeting<T>)> {
+    pub fn first<R: RuleSource, Y: Tally>(&self, rules: R, ray: &Ray<T>, tally: &mut Y) -> Option<(usize, Meeting<T>)> {
         let mut best: Option<(usize, Meeting<T>)> = None;
         let wins = |i: usize, t: T, best: &Option<(usize, Meeting<T>)>| match best {
             None => true,
@@ -192,23 +192,23 @@ impl<T: Real> World<T> {
                 Nearest::LastListed => i > *j,
             },
         };
-        let mut visit = |i: u32, limit: T| match self.meet(rules, ray, i as usize) {
+        let mut visit = |tally: &mut Y, i: u32, limit: T| match self.meet(rules, ray, i as usize, tally) {
             Some(met) if wins(i as usize, met.t, &best) => {
                 best = Some((i as usize, met));
                 if rules.get().nearest == Nearest::LeastT { met.t } else { limit }
             }
             _ => limit,
         };
-        self.each(ray, &mut visit);
+        self.each(ray, tally, &mut visit);
         best
     }
 
     /// Whether anything lies in the ray's interval; the first thing found ends the search. [rule 5]
     #[inline]
-    pub fn occluded<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> bool {
+    pub fn occluded<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> bool {
         let mut found = false;
-        self.each(ray, &mut |i, limit| {
-            found = found || self.meet(rules, ray, i as usize).is_some();
+        self.each(ray, tally, &mut |tally, i, limit| {
+            found = found || self.meet(rules, ray, i as usize, tally).is_some();
             if found { -T::INFINITY } else { limit }
         });
         found
@@ -221,12 +221,13 @@ impl<T: Real> World<T> {
         rules: R,
         ray: &Ray<T>,
         blocks: impl Fn(usize) -> bool,
+        tally: &mut impl Tally,
     ) -> Option<Vec<(T, usize)>> {
         let mut crossings = Vec::new();
         let mut is_blocked = false;
-        self.each(ray, &mut |i, limit| {
+        self.each(ray, tally, &mut |tally, i, limit| {
             let (object, mut rest) = (i as usize, *ray);
-            while !is_blocked && let Some(met) = self.meet(rules, &rest, object) {
+            while !is_blocked && let Some(met) = self.meet(rules, &rest, object, tally) {
                 is_blocked = blocks(object);
                 crossings.push((met.t, object));
                 rest = rest.beyond(rules, met.t);
@@ -239,15 +240,19 @@ impl<T: Real> World<T> {
 
     /// Calls `visit` for every object that the ray may meet before the limit; `visit` returns the new limit.
     #[inline(always)]
-    fn each(&self, ray: &Ray<T>, visit: &mut impl FnMut(u32, T) -> T) {
+    fn each<Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, visit: &mut impl FnMut(&mut Y, u32, T) -> T) {
+        let mut ask = |tally: &mut Y, i: u32, limit: T| {
+            tally.thing();
+            visit(tally, i, limit)
+        };
         match &self.tree {
             None => {
-                (0..self.objects.len() as u32).fold(ray.t_max, |limit, i| visit(i, limit));
+                (0..self.objects.len() as u32).fold(ray.t_max, |limit, i| ask(tally, i, limit));
             }
             Some((inside, tree)) => {
-                let limit = self.endless.iter().fold(ray.t_max, |limit, i| visit(*i, limit));
+                let limit = self.endless.iter().fold(ray.t_max, |limit, i| ask(tally, *i, limit));
                 let rest = Ray { t_max: limit, ..*ray };
-                tree.walk(&rest, |n, limit| visit(inside[n as usize], limit));
+                tree.walk(&rest, tally, |tally, n, limit| visit(tally, inside[n as usize], limit));
             }
         }
     }
@@ -261,13 +266,13 @@ impl<T: Real> World<T> {
 
     /// The first meeting of the ray with one object.
     #[inline(always)]
-    fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>, object: usize) -> Option<Meeting<T>> {
+    fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>, object: usize, tally: &mut impl Tally) -> Option<Meeting<T>> {
         let object = &self.objects[object];
         let moved = object.frame.as_ref().map(|f| Frame::ray_to_object(rules, &f.object_from_world, ray));
         let ray = moved.as_ref().unwrap_or(ray);
         match &object.shape {
             Form::Solid(solid) => solid.meet(rules, ray),
-            Form::Mesh(mesh) => self.meshes[*mesh].meet(rules, ray),
+            Form::Mesh(mesh) => self.meshes[*mesh].meet(rules, ray, tally),
         }
     }
 

@@ -112,7 +112,7 @@ fn leave<T: Real, R: RuleSource>(rules: R, kind: Kind, frame: bool, scale: f64, 
             let inside = map.transform_point3(DVec3::new(random.signed(), random.signed(), random.signed()) * of_shape);
             let from = inside + random.unit() * scale * maths::pow(10.0, 2.0 * random.share());
             let aimed = Ray::leaving(rules, Vec3::of(from), Vec3::of((inside - from).normalize()));
-            let Some(hit) = world.nearest(rules, &aimed) else { continue };
+            let Some(hit) = world.nearest(rules, &aimed, &mut ()) else { continue };
             tally.n += 1;
             both_sides(rules, (&world, &sharp), kind, &hit, scale, most, &mut random, &mut tally);
         }
@@ -137,15 +137,15 @@ fn both_sides<T: Real, R: RuleSource>(
     for way in [outwards, -outwards] {
         let ray = Ray::spawned(rules, &hit.spot(hit.n_geom), Vec3::of(way));
         tally.skipped = tally.skipped.max((ray.origin - hit.point).f64().length() / size);
-        let met = world.nearest(rules, &ray);
+        let met = world.nearest(rules, &ray, &mut ());
         let goes_in = kind.is_closed() && way.dot(hit.n_geom.f64()) < 0.0;
         if !goes_in {
             tally.re_hits += usize::from(met.is_some());
         } else if met.is_none() {
             let true_ray = Ray::leaving(Lecture, Vec3::of(hit.point.f64()), Vec3::of(way));
-            let far = sharp.nearest(Lecture, &true_ray).map_or(0.0, |far| far.t / scale);
+            let far = sharp.nearest(Lecture, &true_ray, &mut ()).map_or(0.0, |far| far.t / scale);
             let as_started = Ray::leaving(Lecture, Vec3::of(ray.origin.f64()), Vec3::of(ray.direction.f64()));
-            let is_right = sharp.nearest(Lecture, &as_started).is_none();
+            let is_right = sharp.nearest(Lecture, &as_started, &mut ()).is_none();
             tally.leaks += usize::from(far > most && !is_right);
             tally.at_edges += usize::from(far > most && is_right);
         }
@@ -197,13 +197,13 @@ fn through_matrices_that_are_nearly_singular_no_ray_is_caught() {
                 let to = map.transform_point3(random.unit() * 0.7);
                 let from = to + random.unit() * 3.0;
                 let aimed = Ray::leaving(Lecture, Vec3::of(from), Vec3::of((to - from).normalize()));
-                let Some(hit) = world.nearest(Lecture, &aimed) else { continue };
+                let Some(hit) = world.nearest(Lecture, &aimed, &mut ()) else { continue };
                 let cosine = 0.01 + 0.99 * random.share();
                 let n = hit.n_geom.f64();
                 let way = n * cosine + random.unit().cross(n).normalize() * (1.0 - cosine * cosine).sqrt();
                 let ray = Ray::spawned(Lecture, &hit.spot(hit.n_geom), Vec3::of(way));
                 tally.n += 1;
-                tally.re_hits += usize::from(world.nearest(Lecture, &ray).is_some());
+                tally.re_hits += usize::from(world.nearest(Lecture, &ray, &mut ()).is_some());
             }
         }
         println!("squashed to {least:e}: {tally:?}");

@@ -84,10 +84,10 @@ fn trees_find_what_lists_find_among_flat_things<T: Real>() {
     for direction in three(&steps).into_iter().filter(|d| *d != DVec3::ZERO) {
         for origin in three(&places) {
             let ray = Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(direction));
-            let describe = |world: &World<T>| format!("{:?}", world.nearest(Lecture, &ray));
+            let describe = |world: &World<T>| format!("{:?}", world.nearest(Lecture, &ray, &mut ()));
             assert_eq!(describe(&tree), describe(&scan), "from {origin} along {direction}");
-            assert_eq!(tree.occluded(Lecture, &ray), scan.occluded(Lecture, &ray));
-            n_hits += usize::from(tree.occluded(Lecture, &ray));
+            assert_eq!(tree.occluded(Lecture, &ray, &mut ()), scan.occluded(Lecture, &ray, &mut ()));
+            n_hits += usize::from(tree.occluded(Lecture, &ray, &mut ()));
         }
     }
     assert!(n_hits > 5000, "only {n_hits} rays hit anything: the scene tests nothing");
@@ -113,10 +113,10 @@ fn trees_find_what_lists_find<T: Real>() {
             let direction =
                 if n % 2 == 0 { random.unit() } else { (vertices[n % vertices.len()] - origin).normalize() };
             let ray = Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(direction));
-            let describe = |world: &World<T>| format!("{:?}", world.nearest(Lecture, &ray));
+            let describe = |world: &World<T>| format!("{:?}", world.nearest(Lecture, &ray, &mut ()));
             assert_eq!(describe(&tree), describe(&scan), "from {origin} along {direction}");
-            assert_eq!(tree.occluded(Lecture, &ray), scan.occluded(Lecture, &ray));
-            n_hits += usize::from(tree.occluded(Lecture, &ray));
+            assert_eq!(tree.occluded(Lecture, &ray, &mut ()), scan.occluded(Lecture, &ray, &mut ()));
+            n_hits += usize::from(tree.occluded(Lecture, &ray, &mut ()));
         }
     }
     assert!(n_hits > 3000, "only {n_hits} rays hit anything: the scenes test nothing");
@@ -159,10 +159,14 @@ fn trees_find_what_lists_find_in_far_and_flat_worlds<T: Real>() {
             let object = &scene.objects[n % scene.objects.len()];
             let to = object.world_from_object.transform_point3(random.unit() * 0.4);
             let ray = Ray::leaving(Lecture, Vec3::of(from), Vec3::of((to - from).normalize()));
-            let describe = |world: &World<T>| format!("{:?}", world.nearest(Lecture, &ray));
+            let describe = |world: &World<T>| format!("{:?}", world.nearest(Lecture, &ray, &mut ()));
             assert_eq!(describe(&tree), describe(&scan), "from {from} to {to} by {map:?}");
-            assert_eq!(tree.occluded(Lecture, &ray), scan.occluded(Lecture, &ray), "from {from} to {to} by {map:?}");
-            n_hits += usize::from(tree.occluded(Lecture, &ray));
+            assert_eq!(
+                tree.occluded(Lecture, &ray, &mut ()),
+                scan.occluded(Lecture, &ray, &mut ()),
+                "from {from} to {to} by {map:?}"
+            );
+            n_hits += usize::from(tree.occluded(Lecture, &ray, &mut ()));
         }
         assert!(n_hits > 100, "only {n_hits} rays hit anything by {map:?}: it tests nothing");
     }

@@ -224,7 +224,9 @@ fn a_smooth_mesh_is_dark_exactly_where_its_triangles_face_away() {
         for (i, j) in (0..64).flat_map(|i| (0..48).map(move |j| (i, j))) {
             let colour = kernel.eye((i, j), (0.5, 0.5), &mut Counts::default());
             let lens = reference::camera::Lens::new(Lecture, &scene.camera, 64, 48);
-            let Some(hit) = world.nearest(Lecture, &lens.eye_ray(Lecture, (i, j), (0.5, 0.5))) else { continue };
+            let Some(hit) = world.nearest(Lecture, &lens.eye_ray(Lecture, (i, j), (0.5, 0.5)), &mut ()) else {
+                continue;
+            };
             let shades = |n: Vec3<f64>| n.f64().dot(-direction);
             if shades(hit.n_shading) > 0.0 {
                 assert_eq!(colour == Vec3::ZERO, shades(hit.n_geom) < 0.0, "pixel ({i}, {j}) at scale {scale:e}");
@@ -272,7 +274,7 @@ fn glass_in_glass_has_all_its_surfaces() {
             assert!(places.len() == 4 && is_right, "scale {scale:e}, {thickness:e} thick: {places:?}");
             let world = World::<f64>::new(&scene);
             let ray = Ray::leaving(Lecture, Vec3::of(-direction * 4.0 * scale), Vec3::of(direction));
-            let crossings = world.crossings(Lecture, &ray, |_| false).map(|all| all.len());
+            let crossings = world.crossings(Lecture, &ray, |_| false, &mut ()).map(|all| all.len());
             assert_eq!(crossings, Some(4), "scale {scale:e}, {thickness:e} thick");
         }
     }
@@ -322,7 +324,7 @@ fn n_hits(scene: &Scene) -> usize {
     let world = World::<f64>::new(scene);
     let lens = reference::camera::Lens::new(Lecture, &scene.camera, scene.render.width, scene.render.height);
     let pixels = (0..scene.render.width).flat_map(|i| (0..scene.render.height).map(move |j| (i, j)));
-    pixels.filter(|at| world.first(Lecture, &lens.eye_ray(Lecture, *at, (0.5, 0.5))).is_some()).count()
+    pixels.filter(|at| world.first(Lecture, &lens.eye_ray(Lecture, *at, (0.5, 0.5)), &mut ()).is_some()).count()
 }
 
 /// A light that touches what could hide it is not hidden; one behind it is.

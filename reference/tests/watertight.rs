@@ -60,8 +60,8 @@ fn n_lost<T: Real, R: RuleSource>(rules: R, center: DVec3, in_frame: bool, at: A
             let from = center + random.unit() * 0.5;
             let to = aim::<T>(at, &mesh, &mut random) + if in_frame { center } else { DVec3::ZERO };
             let ray = Ray::<T>::leaving(rules, Vec3::of(from), Vec3::of((to - from).normalize()));
-            let is_met = world.nearest(rules, &ray).is_some_and(|hit| hit.object == 0);
-            lost += usize::from(!is_met || !world.occluded(rules, &ray));
+            let is_met = world.nearest(rules, &ray, &mut ()).is_some_and(|hit| hit.object == 0);
+            lost += usize::from(!is_met || !world.occluded(rules, &ray, &mut ()));
         }
     }
     lost
