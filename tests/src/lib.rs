@@ -4,6 +4,7 @@ pub mod bars;
 pub mod lab;
 pub mod page;
 pub mod peers;
+pub mod performance;
 pub mod rules;
 pub mod variants;
 
