@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::scene::{Attenuation, Light, Object, Scene, Shape};
@@ -156,6 +156,24 @@ pub fn reasons(scene: &Scene) -> Vec<Reason> {
             Err(because) => Reason { effect, called_for: false, because },
         })
         .collect()
+}
+
+/// Makes `scene` ask for `effects` and no others. Two of them no tracer can leave out by itself, since they belong to objects and lights: without
+/// transforms every object stays in its own space, without attenuation every light is as strong at any distance.
+pub fn simulate_only(scene: &mut Scene, effects: Effects) {
+    scene.effects = effects;
+    if !effects.has(Effect::Transforms) {
+        for object in &mut scene.objects {
+            (object.world_from_object, object.object_from_world) = (DAffine3::IDENTITY, DAffine3::IDENTITY);
+        }
+    }
+    if !effects.has(Effect::Attenuation) {
+        for light in &mut scene.lights {
+            if let Light::Point { attenuation, .. } = light {
+                *attenuation = Attenuation::NONE;
+            }
+        }
+    }
 }
 
 /// `Ok(why)` where `scene` calls for `effect`, else `Err(why not)`.

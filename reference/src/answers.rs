@@ -60,7 +60,9 @@ pub fn answer_in<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
 /// Questions to the formulas of light.
 fn formula<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
     match ask {
-        Ask::Attenuation { light, r } => Answer::Value(Light::<T>::of(light).attenuation(rules, T::of(*r)).f64()),
+        Ask::Attenuation { light, r } => {
+            Answer::Value(Light::<T>::of(light).attenuation(rules, T::of(*r), &mut ()).f64())
+        }
         Ask::FacingNormal { direction, normal } => {
             let (normal, inside) = shade::facing_normal(rules, v::<T>(*direction), v(*normal));
             Answer::Facing { normal: normal.f64(), inside }
@@ -70,7 +72,7 @@ fn formula<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
         }
         Ask::LightTerm { material, arriving, normal, to_viewer, to_light } => {
             let [arriving, normal, to_viewer, to_light] = [*arriving, *normal, *to_viewer, *to_light].map(v::<T>);
-            colour(shade::light_term(rules, &Material::of(material), arriving, normal, to_viewer, to_light))
+            colour(shade::light_term(rules, &Material::of(material), arriving, normal, to_viewer, to_light, &mut ()))
         }
         Ask::ToLight { light, point } => match Light::<T>::of(light).seen_from(rules, v(*point)) {
             Some((direction, t)) => Answer::ToLight { direction: direction.f64(), t: t.f64() },

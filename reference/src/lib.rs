@@ -9,7 +9,7 @@
 //! | [`shapes`], [`mesh`] | where a ray meets a shape; no materials |
 //! | [`frame`], [`bounds`], [`bvh`], [`world`] | the nearest hit |
 //! | [`camera`], [`lights`], [`shade`], [`optics`], [`snell`] | formulas; they cast no ray |
-//! | [`trace`], [`render`], [`watch`] | the kernel, pictures, and who looks on |
+//! | [`trace`], [`render`], [`watch`], [`work`] | the kernel, pictures, and who looks on |
 //! | [`cutoff`] | how far a ray that is not cast can matter |
 //! | [`variations`] | other ways of computing the same pictures |
 //! | [`cost`] | what accuracy costs in time |
@@ -47,4 +47,5 @@ pub mod variations;
 pub mod vary;
 pub mod vec3;
 pub mod watch;
+pub mod work;
 pub mod world;

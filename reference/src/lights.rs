@@ -3,6 +3,7 @@
 use crate::real::Real;
 use crate::rules::{Attenuation, RuleSource};
 use crate::vec3::Vec3;
+use crate::work::{Tally, Work};
 
 /// A source of light.
 #[derive(Clone, Copy, Debug)]
@@ -21,11 +22,11 @@ enum Place<T> {
         quadratic: T,
         linear: T,
         constant: T,
+        /// Whether the three are (0, 0, 1).
+        is_steady: bool,
     },
     /// The direction in which the light travels.
-    Far {
-        direction: Vec3<T>,
-    },
+    Far { direction: Vec3<T> },
 }
 
 impl<T: Real> Light<T> {
@@ -37,6 +38,7 @@ impl<T: Real> Light<T> {
                 quadratic: T::of(attenuation.quadratic),
                 linear: T::of(attenuation.linear),
                 constant: T::of(attenuation.constant),
+                is_steady: *attenuation == cases::scene::Attenuation::NONE,
             },
             cases::Light::Directional { direction, .. } => Place::Far { direction: Vec3::of(*direction) },
         };
@@ -57,10 +59,14 @@ impl<T: Real> Light<T> {
         }
     }
 
-    /// A_j = min(1, 1/(a r² + b r + c)); 1 for a directional light. [rule 4]
+    /// A_j = min(1, 1/(a r² + b r + c)); 1 for a directional light, and at every distance for (0, 0, 1). [rule 4]
     #[inline(always)]
-    pub fn attenuation<R: RuleSource>(&self, rules: R, r: T) -> T {
-        let Place::Point { quadratic, linear, constant, .. } = self.place else { return T::ONE };
+    pub fn attenuation<R: RuleSource>(&self, rules: R, r: T, tally: &mut impl Tally) -> T {
+        let Place::Point { quadratic, linear, constant, is_steady, .. } = self.place else { return T::ONE };
+        if is_steady && rules.get().attenuation != Attenuation::Swapped {
+            return T::ONE;
+        }
+        tally.did(Work::Attenuation);
         let weakened = |a: T, r_squared: T, c: T| T::ONE / (a * r_squared + linear * r + c);
         match rules.get().attenuation {
             Attenuation::Clamped => weakened(quadratic, r * r, constant).least(T::ONE),

@@ -68,10 +68,10 @@ impl<T: Real> Mesh<T> {
         on_triangle(&triangle.corners, met.weights, triangle.normal(rules))
     }
 
-    /// The interpolated normal at a meeting; `None` on a flat mesh, or where the vertex normals cancel. [rule 18]
-    pub fn interpolated<R: RuleSource>(&self, rules: R, met: &Meeting<T>) -> Option<Vec3<T>> {
-        let normals = self.normals.as_ref()?[met.part as usize];
-        interpolate(rules, met.weights, normals)
+    /// The normals at the corners of the triangle that was met; `None` on a flat mesh.
+    #[inline(always)]
+    pub fn corner_normals(&self, met: &Meeting<T>) -> Option<[Vec3<T>; 3]> {
+        self.normals.as_ref().map(|normals| normals[met.part as usize])
     }
 
     /// Bytes it takes, its tree included.

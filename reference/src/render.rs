@@ -10,7 +10,8 @@ use crate::real::Real;
 use crate::rules::{Lecture, RuleSource, Rules};
 use crate::trace::Kernel;
 use crate::vec3::Vec3;
-use crate::watch::{Counts, Notes};
+use crate::watch::{Book, Counts, Ledger, Notes};
+use crate::work::Amounts;
 use crate::world::World;
 
 /// Side of a tile in pixels.
@@ -42,6 +43,12 @@ pub struct Stats {
     pub left_out: [f64; 3],
 }
 
+impl Stats {
+    fn of(notes: &Notes) -> Self {
+        Self { rays: notes.rays, left_out: notes.left_out.to_array() }
+    }
+}
+
 /// [`render`] by rules known only now: those of the lecture by the kernel that is made for them.
 pub fn render_by<T: Real>(
     world: &World<T>,
@@ -56,6 +63,21 @@ pub fn render_by<T: Real>(
     }
 }
 
+/// [`render_by`], counting also the work that rays make: the same picture, a little slower.
+pub fn count_by<T: Real>(
+    world: &World<T>,
+    rules: &Rules,
+    options: &Options,
+    progress: impl Fn(u64) + Sync,
+) -> (Image, Stats, Amounts) {
+    let (image, Ledger { notes, work }) = if *rules == Rules::LECTURE {
+        render_under(world, Lecture, options, progress)
+    } else {
+        render_under(world, rules, options, progress)
+    };
+    (image, Stats::of(&notes), work)
+}
+
 /// The picture, and what it cost. Runs in the current `rayon` pool; `progress` is told the pixels of each tile that is done.
 ///
 /// Tiles and the order of every sum are fixed, so that the number of threads changes nothing.
@@ -65,10 +87,21 @@ pub fn render<T: Real, R: RuleSource>(
     options: &Options,
     progress: impl Fn(u64) + Sync,
 ) -> (Image, Stats) {
+    let (image, notes) = render_under::<T, R, Notes>(world, rules, options, progress);
+    (image, Stats::of(&notes))
+}
+
+/// The picture, under a watch of that kind.
+fn render_under<T: Real, R: RuleSource, B: Book>(
+    world: &World<T>,
+    rules: R,
+    options: &Options,
+    progress: impl Fn(u64) + Sync,
+) -> (Image, B) {
     let kernel = Kernel::new(world, rules, options.effects);
     let (width, height) = (world.render.width, world.render.height);
     let n_columns = width.div_ceil(TILE);
-    let tiles: Vec<(Vec<Vec3<T>>, Notes)> = (0..n_columns * height.div_ceil(TILE))
+    let tiles: Vec<(Vec<Vec3<T>>, B)> = (0..n_columns * height.div_ceil(TILE))
         .into_par_iter()
         .map(|n| {
             let (columns, rows) = (span(n % n_columns, width), span(n / n_columns, height));
@@ -82,8 +115,7 @@ pub fn render<T: Real, R: RuleSource>(
         let tile_width = span(column, width).len();
         tiles[(row * n_columns + column) as usize].0[(j % TILE) as usize * tile_width + (i % TILE) as usize].f64()
     });
-    let notes = tiles.iter().fold(Notes::default(), |all, (_, notes)| all.plus(*notes));
-    (image, Stats { rays: notes.rays, left_out: notes.left_out.to_array() })
+    (image, tiles.into_iter().fold(B::default(), |all, (_, book)| all.plus(book)))
 }
 
 /// The pixels of tile `n` along a side of `size` pixels.
@@ -91,18 +123,18 @@ fn span(n: u32, size: u32) -> Range<u32> {
     n * TILE..((n + 1) * TILE).min(size)
 }
 
-fn render_tile<T: Real, R: RuleSource>(
+fn render_tile<T: Real, R: RuleSource, B: Book>(
     kernel: &Kernel<'_, T, R>,
     samples: u32,
     columns: Range<u32>,
     rows: Range<u32>,
-) -> (Vec<Vec3<T>>, Notes) {
-    let mut notes = Notes::default();
+) -> (Vec<Vec3<T>>, B) {
+    let mut book = B::default();
     let pixels = rows
         .flat_map(|j| columns.clone().map(move |i| (i, j)))
-        .map(|pixel| render_pixel(kernel, samples, pixel, &mut notes))
+        .map(|pixel| render_pixel(kernel, samples, pixel, &mut book))
         .collect();
-    (pixels, notes)
+    (pixels, book)
 }
 
 /// The mean over a regular grid of `samples` × `samples` points; the centre alone for 1.
@@ -110,15 +142,15 @@ fn render_pixel<T: Real, R: RuleSource>(
     kernel: &Kernel<'_, T, R>,
     samples: u32,
     pixel: (u32, u32),
-    notes: &mut Notes,
+    book: &mut impl Book,
 ) -> Vec3<T> {
     let at = |n: u32| T::of((f64::from(n) + 0.5) / f64::from(samples));
     let mut sum = Vec3::ZERO;
     for y in 0..samples {
         for x in 0..samples {
-            sum += kernel.eye(pixel, (at(x), at(y)), notes);
+            sum += kernel.eye(pixel, (at(x), at(y)), book);
         }
     }
-    notes.end_pixel(f64::from(samples) * f64::from(samples));
+    book.notes().end_pixel(f64::from(samples) * f64::from(samples));
     if samples == 1 { sum } else { sum * T::of(1.0 / (f64::from(samples) * f64::from(samples))) }
 }

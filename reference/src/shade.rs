@@ -4,6 +4,7 @@ use crate::lights::Light;
 use crate::real::Real;
 use crate::rules::{Ambient, Diffuse, Emission, Facing, Highlight, InsideBy, Power, RuleSource, Turning};
 use crate::vec3::Vec3;
+use crate::work::{Tally, Work};
 use crate::world::Material;
 
 /// The outward normal turned against the ray, and whether the ray is inside the object. [rule 11]
@@ -78,6 +79,7 @@ pub fn light_term<T: Real, R: RuleSource>(
     normal: Vec3<T>,
     to_viewer: Vec3<T>,
     to_light: Vec3<T>,
+    tally: &mut impl Tally,
 ) -> Vec3<T> {
     if !is_lit(rules, material, normal, to_light) {
         return Vec3::ZERO;
@@ -89,31 +91,41 @@ pub fn light_term<T: Real, R: RuleSource>(
         (Facing::SpecularFromBehind, Diffuse::Cosine) => cosine.greatest(T::ZERO),
         (Facing::BothSides | Facing::BothSidesOfTransmissive, Diffuse::Cosine) => cosine.abs(),
     };
-    arriving * (material.kd * spread + material.ks * highlight(rules, material.ns, normal, to_viewer, to_light))
+    let shine = if rules.get().highlight == Highlight::Blinn && material.ks == Vec3::ZERO {
+        T::ZERO
+    } else {
+        highlight(rules, material.ns, normal, to_viewer, to_light, tally)
+    };
+    arriving * (material.kd * spread + material.ks * shine)
 }
 
 /// (N·H)₊^ns. [rule 3]
 #[inline(always)]
-fn highlight<T: Real, R: RuleSource>(rules: R, ns: T, n: Vec3<T>, v: Vec3<T>, l: Vec3<T>) -> T {
+fn highlight<T: Real, R: RuleSource>(rules: R, ns: T, n: Vec3<T>, v: Vec3<T>, l: Vec3<T>, tally: &mut impl Tally) -> T {
     let sum = l + v;
     if sum == Vec3::ZERO {
         return T::ZERO;
     }
     let cosine = n.dot(sum.normalised());
+    let mut power = |x: T| power(rules, x, ns, tally);
     match rules.get().highlight {
-        Highlight::Blinn => power(rules, cosine.greatest(T::ZERO), ns),
-        Highlight::Phong => power(rules, (n * (T::TWO * n.dot(l)) - l).dot(v).greatest(T::ZERO), ns),
-        Highlight::Unclamped => power(rules, cosine, ns),
-        Highlight::HalfNotUnit => power(rules, n.dot(sum).greatest(T::ZERO), ns),
+        Highlight::Blinn => power(cosine.greatest(T::ZERO)),
+        Highlight::Phong => power((n * (T::TWO * n.dot(l)) - l).dot(v).greatest(T::ZERO)),
+        Highlight::Unclamped => power(cosine),
+        Highlight::HalfNotUnit => power(n.dot(sum).greatest(T::ZERO)),
         Highlight::NoExponent => cosine.greatest(T::ZERO),
-        Highlight::TimesCosine => n.dot(l) * power(rules, cosine.greatest(T::ZERO), ns),
+        Highlight::TimesCosine => n.dot(l) * power(cosine.greatest(T::ZERO)),
         Highlight::Absent => T::ZERO,
     }
 }
 
-/// x^ns. The logarithm serves above 0 only: 0^0 is 1. [rule 3]
+/// x^ns. Of 0 it is known without a function: 0, and 1 for 0^0; the logarithm serves above 0 only. [rule 3]
 #[inline(always)]
-fn power<T: Real, R: RuleSource>(rules: R, x: T, ns: T) -> T {
+fn power<T: Real, R: RuleSource>(rules: R, x: T, ns: T, tally: &mut impl Tally) -> T {
+    if x == T::ZERO && ns >= T::ZERO {
+        return if ns == T::ZERO { T::ONE } else { T::ZERO };
+    }
+    tally.did(Work::Power);
     match rules.get().style.power {
         Power::ExpLog if x > T::ZERO => (ns * x.ln()).exp(),
         Power::ExpLog | Power::Pow => x.pow(ns),

@@ -14,6 +14,7 @@ use crate::rules::{
 use crate::shade;
 use crate::vec3::Vec3;
 use crate::watch::{Met, Watch};
+use crate::work::{Tally, Work};
 use crate::world::{Hit, Material, World};
 
 /// A world, the rules it is rendered by, and which effects are simulated: chosen once for a picture.
@@ -74,12 +75,17 @@ pub struct Seen<T> {
 /// Whether a ray of this depth and weight spawns more; a threshold of 0 switches the second test off. [rule 13]
 #[inline(always)]
 pub fn goes_on<T: Real, R: RuleSource>(rules: R, depth: u32, max_depth: u32, weight: Vec3<T>, threshold: T) -> bool {
-    let is_shallow = match rules.get().depth {
+    is_shallow(rules, depth, max_depth) && !is_faint(rules, weight, threshold)
+}
+
+/// Whether a ray of this depth spawns more. [rule 13]
+#[inline(always)]
+fn is_shallow<R: RuleSource>(rules: R, depth: u32, max_depth: u32) -> bool {
+    match rules.get().depth {
         Depth::Less => depth < max_depth,
         Depth::LessOrEqual => depth <= max_depth,
         Depth::OneLess => depth + 1 < max_depth,
-    };
-    is_shallow && !is_faint(rules, weight, threshold)
+    }
 }
 
 /// Whether a path of this weight has fallen below the threshold. [rule 13]
@@ -123,8 +129,11 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
     /// The light that `ray` brings back: shade + kr · trace(R) + kt · trace(T). [rule 7] [rule 8]
     pub fn trace(&self, ray: &Ray<T>, path: Path<T>, watch: &mut impl Watch) -> Vec3<T> {
         watch.enter(path.kind, path.depth, ray);
-        let colour = match self.world.nearest(self.rules, ray, &mut ()) {
-            Some(hit) => self.light_at(ray, path, hit, watch),
+        let colour = match self.world.first(self.rules, ray, watch) {
+            Some(found) => {
+                let hit = self.world.hit(self.rules, ray, found, self.does.smooth_normals, watch);
+                self.light_at(ray, path, hit, watch)
+            }
             None => self.world.background,
         };
         watch.leave(colour);
@@ -144,7 +153,11 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         watch.met(|| Met { object: &object.name, t: hit.t, point: hit.point, normal, is_inside, direct: colour });
         if !self.goes_on(path) {
             if self.does.reflection || self.does.refraction {
-                watch.left_out(|| path.weight * self.weight_sent_on(material, is_inside));
+                let sent_on = || self.weight_sent_on(material, is_inside);
+                if is_shallow(self.rules, path.depth, self.world.render.max_depth) && sent_on() != Vec3::ZERO {
+                    watch.did(Work::FaintPath);
+                }
+                watch.left_out(|| path.weight * sent_on());
             }
             return colour;
         }
@@ -173,7 +186,7 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
     /// The shading normal as it is stored; both normals turned against the ray; whether the ray is inside. [rule 11] [rule 19]
     #[inline(always)]
     fn turned(&self, d: Vec3<T>, hit: &Hit<T>) -> (Vec3<T>, (Vec3<T>, Vec3<T>), bool) {
-        let n_shading = if self.does.smooth_normals { hit.n_shading } else { hit.n_geom };
+        let n_shading = hit.n_shading;
         let decides = if self.rules.get().inside_by == InsideBy::Interpolated { n_shading } else { hit.n_geom };
         let is_inside = shade::is_inside(self.rules, d, decides);
         let turns = shade::turns(self.rules, is_inside);
@@ -222,6 +235,7 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
     fn spawn(&self, kind: RayKind, ray: &Ray<T>, parent: Path<T>, weight: Vec3<T>, watch: &mut impl Watch) -> Vec3<T> {
         let weight = if self.rules.get().cutoff == Cutoff::LastOnly { weight } else { parent.weight * weight };
         if !self.rules.get().casts_faint_rays && is_faint(self.rules, weight, self.threshold()) {
+            watch.did(Work::FaintPath);
             watch.left_out(|| weight);
             return Vec3::ZERO;
         }
@@ -246,12 +260,12 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
             if !shadowed && !shade::is_lit(self.rules, material, seen.normal, to_light) {
                 continue;
             }
-            let reaching = self.shadow(&seen.spot, to_light, r, watch) * light.attenuation(self.rules, r);
+            let reaching = self.shadow(&seen.spot, to_light, r, watch) * light.attenuation(self.rules, r, watch);
             if shadowed {
                 colour += ambient * reaching;
             }
             let arriving = reaching * light.colour;
-            colour += shade::light_term(self.rules, material, arriving, seen.normal, seen.to_viewer, to_light);
+            colour += shade::light_term(self.rules, material, arriving, seen.normal, seen.to_viewer, to_light, watch);
         }
         colour
     }
@@ -265,17 +279,17 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         let reach = if self.rules.get().shadow_reach == ShadowReach::Unbounded { T::INFINITY } else { r };
         let ray = Ray::to_light(self.rules, spot, to_light, reach);
         if self.does.tinted_shadows && self.rules.get().tint != Tint::Opaque {
-            return self.tint(&ray);
+            return self.tint(&ray, watch);
         }
-        if self.world.occluded(self.rules, &ray, &mut ()) { Vec3::ZERO } else { Vec3::ONE }
+        if self.world.occluded(self.rules, &ray, watch) { Vec3::ZERO } else { Vec3::ONE }
     }
 
     /// The product of kt over all crossings of the ray, in order of t. [rule 6]
-    fn tint(&self, ray: &Ray<T>) -> Vec3<T> {
+    fn tint(&self, ray: &Ray<T>, tally: &mut impl Tally) -> Vec3<T> {
         let tint = self.rules.get().tint;
         let kt = |object: usize| self.world.materials[self.world.objects[object].material].kt;
         let blocks = |object| tint != Tint::FirstCrossing && kt(object) == Vec3::ZERO;
-        let Some(crossings) = self.world.crossings(self.rules, ray, blocks, &mut ()) else { return Vec3::ZERO };
+        let Some(crossings) = self.world.crossings(self.rules, ray, blocks, tally) else { return Vec3::ZERO };
         let counts = |n: usize| match tint {
             Tint::PerObject => crossings[..n].iter().all(|before| before.1 != crossings[n].1),
             Tint::FirstCrossing => n == 0,

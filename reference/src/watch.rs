@@ -1,5 +1,6 @@
 //! Who looks on while rays are traced: counters for `--stats`, a recorder for `explain`.
 
+use cases::Effect;
 use cases::glam::DVec3;
 use cases::ray_tree::{self, RayKind};
 use serde::Serialize;
@@ -7,6 +8,7 @@ use serde::Serialize;
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::vec3::Vec3;
+use crate::work::{Amounts, Tally, Work};
 
 /// What a ray met.
 #[derive(Clone, Copy, Debug)]
@@ -20,8 +22,8 @@ pub struct Met<'a, T> {
     pub direct: Vec3<T>,
 }
 
-/// Is told of every ray.
-pub trait Watch {
+/// Is told of every ray, and of the work that rays make.
+pub trait Watch: Tally {
     /// A ray is about to be traced.
     fn enter<T: Real>(&mut self, kind: RayKind, depth: u32, ray: &Ray<T>);
     /// It met something; `met` is called by those who want to know what.
@@ -65,6 +67,8 @@ impl Counts {
         self.eye + self.shadow + self.reflected + self.refracted
     }
 }
+
+impl Tally for Counts {}
 
 impl Watch for Counts {
     #[inline(always)]
@@ -116,6 +120,8 @@ impl Notes {
     }
 }
 
+impl Tally for Notes {}
+
 impl Watch for Notes {
     #[inline(always)]
     fn enter<T: Real>(&mut self, kind: RayKind, depth: u32, ray: &Ray<T>) {
@@ -139,9 +145,95 @@ impl Watch for Notes {
     }
 }
 
+/// A watch over a part of a picture.
+pub trait Book: Watch + Default + Send {
+    /// The notes.
+    fn notes(&mut self) -> &mut Notes;
+    /// The book of both parts.
+    #[must_use]
+    fn plus(self, other: Self) -> Self;
+}
+
+impl Book for Notes {
+    #[inline(always)]
+    fn notes(&mut self) -> &mut Notes {
+        self
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self::plus(self, other)
+    }
+}
+
+/// The notes, and all the work besides: what `--stats` shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Ledger {
+    /// As of any picture.
+    pub notes: Notes,
+    /// How often each piece of work was done.
+    pub work: Amounts,
+}
+
+/// What `effect` has made: how many rays or pieces of work, and what they are called.
+pub fn made_by(effect: Effect, rays: &Counts, work: &Amounts) -> (u64, &'static str) {
+    match effect {
+        Effect::Shadows => (rays.shadow, "shadow rays"),
+        Effect::Reflection => (rays.reflected, "reflected rays"),
+        Effect::Refraction => (rays.refracted, "refracted rays"),
+        Effect::TintedShadows => (work.tinted_crossings, Work::TintedCrossing.name()),
+        Effect::SmoothNormals => (work.smooth_normals, Work::SmoothNormal.name()),
+        Effect::Transforms => (work.moved_rays, Work::MovedRay.name()),
+        Effect::Attenuation => (work.attenuations, Work::Attenuation.name()),
+        Effect::AdaptiveDepth => (work.faint_paths, Work::FaintPath.name()),
+    }
+}
+
+impl Book for Ledger {
+    #[inline(always)]
+    fn notes(&mut self) -> &mut Notes {
+        &mut self.notes
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self { notes: self.notes.plus(other.notes), work: self.work.plus(other.work) }
+    }
+}
+
+impl Tally for Ledger {
+    #[inline(always)]
+    fn did(&mut self, work: Work) {
+        self.work.did(work);
+    }
+}
+
+impl Watch for Ledger {
+    #[inline(always)]
+    fn enter<T: Real>(&mut self, kind: RayKind, depth: u32, ray: &Ray<T>) {
+        self.notes.enter(kind, depth, ray);
+    }
+
+    #[inline(always)]
+    fn met<'a, T: Real>(&mut self, _met: impl FnOnce() -> Met<'a, T>) {}
+
+    #[inline(always)]
+    fn leave<T: Real>(&mut self, _colour: Vec3<T>) {}
+
+    #[inline(always)]
+    fn shadow_ray(&mut self) {
+        self.notes.shadow_ray();
+    }
+
+    #[inline(always)]
+    fn left_out<T: Real>(&mut self, weight: impl FnOnce() -> Vec3<T>) {
+        self.notes.left_out(weight);
+    }
+}
+
 /// Hands everything to [`cases::ray_tree`], within [`ray_tree::record`].
 #[derive(Clone, Copy, Debug)]
 pub struct Recorder;
+
+impl Tally for Recorder {}
 
 impl Watch for Recorder {
     fn enter<T: Real>(&mut self, kind: RayKind, depth: u32, ray: &Ray<T>) {

@@ -3,15 +3,16 @@
 use cases::{Effects, Scene, Shape};
 
 use crate::bounds::Bounds;
-use crate::bvh::{Bvh, Tally};
+use crate::bvh::Bvh;
 pub use crate::frame::Frame;
 use crate::lights::Light;
-use crate::mesh::Mesh;
+use crate::mesh::{self, Mesh};
 use crate::ray::{Ray, Spot};
 use crate::real::Real;
 use crate::rules::{Nearest, RuleSource};
 use crate::shapes::{Cuboid, Meeting, Plane, Round, Solid, Sphere, Square};
 use crate::vec3::Vec3;
+use crate::work::{OfObjects, OfTriangles, Tally, Work};
 
 /// With more objects than this a tree finds the nearest.
 const MANY: usize = 8;
@@ -177,7 +178,7 @@ impl<T: Real> World<T> {
     /// The nearest hit in the ray's interval; at one t the earlier object wins. [rule 2]
     pub fn nearest<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> Option<Hit<T>> {
         let (object, met) = self.first(rules, ray, tally)?;
-        Some(self.hit(rules, ray, object, met))
+        Some(self.hit(rules, ray, (object, met), true, tally))
     }
 
     /// The object of the nearest hit, and where; without the normals.
@@ -229,6 +230,9 @@ impl<T: Real> World<T> {
             let (object, mut rest) = (i as usize, *ray);
             while !is_blocked && let Some(met) = self.meet(rules, &rest, object, tally) {
                 is_blocked = blocks(object);
+                if !is_blocked {
+                    tally.did(Work::TintedCrossing);
+                }
                 crossings.push((met.t, object));
                 rest = rest.beyond(rules, met.t);
             }
@@ -242,7 +246,7 @@ impl<T: Real> World<T> {
     #[inline(always)]
     fn each<Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, visit: &mut impl FnMut(&mut Y, u32, T) -> T) {
         let mut ask = |tally: &mut Y, i: u32, limit: T| {
-            tally.thing();
+            tally.did(Work::Object);
             visit(tally, i, limit)
         };
         match &self.tree {
@@ -252,7 +256,7 @@ impl<T: Real> World<T> {
             Some((inside, tree)) => {
                 let limit = self.endless.iter().fold(ray.t_max, |limit, i| ask(tally, *i, limit));
                 let rest = Ray { t_max: limit, ..*ray };
-                tree.walk(&rest, tally, |tally, n, limit| visit(tally, inside[n as usize], limit));
+                tree.walk(&rest, &mut OfObjects(tally), |of, n, limit| visit(of.0, inside[n as usize], limit));
             }
         }
     }
@@ -268,19 +272,34 @@ impl<T: Real> World<T> {
     #[inline(always)]
     fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>, object: usize, tally: &mut impl Tally) -> Option<Meeting<T>> {
         let object = &self.objects[object];
-        let moved = object.frame.as_ref().map(|f| Frame::ray_to_object(rules, &f.object_from_world, ray));
+        let moved = object.frame.as_ref().map(|f| {
+            tally.did(Work::MovedRay);
+            Frame::ray_to_object(rules, &f.object_from_world, ray)
+        });
         let ray = moved.as_ref().unwrap_or(ray);
         match &object.shape {
             Form::Solid(solid) => solid.meet(rules, ray),
-            Form::Mesh(mesh) => self.meshes[*mesh].meet(rules, ray, tally),
+            Form::Mesh(mesh) => self.meshes[*mesh].meet(rules, ray, &mut OfTriangles(tally)),
         }
     }
 
-    /// A meeting with an object, its place and normals worked out.
-    fn hit<R: RuleSource>(&self, rules: R, ray: &Ray<T>, index: usize, met: Meeting<T>) -> Hit<T> {
+    /// A meeting with an object, its place and normals worked out; the interpolated normal where `is_smooth`, else the geometric one.
+    pub fn hit<R: RuleSource>(
+        &self,
+        rules: R,
+        ray: &Ray<T>,
+        (index, met): (usize, Meeting<T>),
+        is_smooth: bool,
+        tally: &mut impl Tally,
+    ) -> Hit<T> {
         let object = &self.objects[index];
         let frame = object.frame.as_ref();
-        let moved = || frame.map_or(*ray, |f| Frame::ray_to_object(rules, &f.object_from_world, ray));
+        let mut moved = || {
+            frame.map_or(*ray, |f| {
+                tally.did(Work::MovedRay);
+                Frame::ray_to_object(rules, &f.object_from_world, ray)
+            })
+        };
         let places_hits = rules.get().places_hits();
         let (place, n_shading) = match &object.shape {
             Form::Solid(solid) if places_hits => (solid.place(rules, &moved(), &met), None),
@@ -290,7 +309,12 @@ impl<T: Real> World<T> {
             }
             Form::Mesh(mesh) => {
                 let mesh = &self.meshes[*mesh];
-                (mesh.place(rules, &met), mesh.interpolated(rules, &met))
+                let normals = if is_smooth { mesh.corner_normals(&met) } else { None };
+                let n_shading = normals.and_then(|normals| {
+                    tally.did(Work::SmoothNormal);
+                    mesh::interpolate(rules, met.weights, normals)
+                });
+                (mesh.place(rules, &met), n_shading)
             }
         };
         let spot = match frame {

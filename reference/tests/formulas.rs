@@ -190,12 +190,12 @@ fn transmitted_directions_and_highlights() {
         }
         let material = gloss((random.share() * 200.0).floor());
         let [normal, to_viewer, to_light] = [random.unit(), random.unit(), random.unit()].map(vec);
-        let ours = light_term(Lecture, &material, Vec3::ONE, normal, to_viewer, to_light);
-        let theirs = light_term(&power, &material, Vec3::ONE, normal, to_viewer, to_light);
+        let ours = light_term(Lecture, &material, Vec3::ONE, normal, to_viewer, to_light, &mut ());
+        let theirs = light_term(&power, &material, Vec3::ONE, normal, to_viewer, to_light, &mut ());
         assert!((ours - theirs).length() <= CLOSE * ours.length(), "ns = {}", material.ns);
     }
     let [side, up] = [Vec3::axis(0), Vec3::axis(1)];
-    let term = |ns| light_term(&power, &gloss(ns), Vec3::ONE, up, side - up, up);
+    let term = |ns| light_term(&power, &gloss(ns), Vec3::ONE, up, side - up, up, &mut ());
     assert_eq!(term(0.0), Vec3::ONE, "0 to the power 0 is 1");
     assert_eq!(term(1.0), Vec3::new(0.5, 0.5, 0.5));
 }

@@ -132,7 +132,8 @@ pub(super) struct RenderArgs {
     /// Numbers to compute with
     #[arg(long, default_value = "f64")]
     pub precision: Precision,
-    /// Effects to simulate: `auto` (those the scene lists), `all`, `none`, or names such as `shadows,reflection`
+    /// Effects to simulate: `auto` (those the scene lists), `all`, `none`, or names such as `shadows,reflection`. What is not named is left out:
+    /// without `transforms` objects stay in their own space, without `attenuation` lights are as strong at any distance
     #[arg(long, value_name = "EFFECTS", default_value = "auto")]
     pub effects: String,
     /// N x N rays a pixel, on a regular grid; the pixel is their mean
@@ -141,8 +142,8 @@ pub(super) struct RenderArgs {
     /// Threads; the picture is the same with any number [default: one a core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Says how many rays of each kind were cast, how much those left out for depth or threshold can matter, and the time of each step; on
-    /// the error stream where the picture goes to the output
+    /// Says how many rays of each kind were cast, what work they made, which effects were simulated and why, how much rays left out for depth
+    /// or threshold can matter, and the time of each step; on the error stream where the picture goes to the output
     #[arg(long, value_name = "FORM", num_args = 0..=1, default_missing_value = "text")]
     pub stats: Option<Form>,
     #[command(flatten)]

@@ -15,6 +15,7 @@ mod probe;
 mod progress;
 mod render;
 mod schema;
+mod stats;
 mod survey;
 mod vary;
 

@@ -6,36 +6,17 @@ use std::time::Instant;
 use cases::film::exr::{Depth, Part, rgb};
 use cases::film::{self, Image, PictureError, Quantiser};
 use cases::{Effect, Effects, Scene, effects};
-use serde::Serialize;
 
-use super::args::{Bits, Form, Precision, RenderArgs};
+use super::args::{Bits, Precision, RenderArgs};
 use super::progress::Bar;
+use super::stats::{Report, Row};
 use super::{Stop, Talk, find, print};
-use crate::cost::table::{figure, levels};
 use crate::cutoff::Limits;
 use crate::real::Real;
 use crate::render::{self, Options, Stats};
 use crate::rules::Rules;
-use crate::watch::Counts;
+use crate::work::Amounts;
 use crate::world::World;
-
-/// What `--stats` says; times in seconds of wall clock.
-#[derive(Debug, Serialize)]
-struct Report {
-    width: u32,
-    height: u32,
-    precision: &'static str,
-    samples: u32,
-    threads: usize,
-    effects: Effects,
-    rays: Counts,
-    /// Greatest amount of linear light by which rays left out for depth or threshold darken a pixel; none where nothing bounds it.
-    left_out_at_most: Option<f64>,
-    load_s: f64,
-    prepare_s: f64,
-    render_s: f64,
-    write_s: f64,
-}
 
 /// Carries out the command.
 pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
@@ -50,16 +31,28 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     if let Some(threshold) = args.threshold {
         cut(&mut scene, threshold, allowed.has(Effect::AdaptiveDepth) || args.effects != "auto")?;
     }
+    let reasons = effects::reasons(&scene);
+    if args.effects != "auto" {
+        let asked = scene.effects;
+        effects::simulate_only(&mut scene, asked);
+    }
     let load_s = clock.lap();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads.map_or(0, usize::from)).build();
     let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
     let samples = args.samples;
-    let (image, stats, prepare_s) = pool.install(|| match args.precision {
-        Precision::F32 => picture::<f32>(&scene, &rules, samples, talk),
-        Precision::F64 => picture::<f64>(&scene, &rules, samples, talk),
+    let counts = args.stats.is_some();
+    let ((image, stats, work), prepare_s) = pool.install(|| match args.precision {
+        Precision::F32 => picture::<f32>(&scene, &rules, samples, counts, talk),
+        Precision::F64 => picture::<f64>(&scene, &rules, samples, counts, talk),
     });
     let render_s = clock.lap() - prepare_s;
     kind.write(out, &image, rules.quantiser)?;
+    let write_s = clock.lap();
+    let is_stream = matches!(kind, Kind::Stream(_));
+    if talk >= Talk::Verbose && !is_stream {
+        anstream::eprintln!("wrote {}", out.display());
+    }
+    let (Some(form), Some(work)) = (args.stats, work) else { return Ok(()) };
     let report = Report {
         width: image.width(),
         height: image.height(),
@@ -68,20 +61,15 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
         threads: pool.current_num_threads(),
         effects: scene.effects,
         rays: stats.rays,
+        work,
+        by_effect: Row::all(reasons, scene.effects, &stats.rays, &work),
         left_out_at_most: left_out(&scene, &rules, &stats),
         load_s,
         prepare_s,
         render_s,
-        write_s: clock.lap(),
+        write_s,
     };
-    let is_stream = matches!(kind, Kind::Stream(_));
-    if talk >= Talk::Verbose && !is_stream {
-        anstream::eprintln!("wrote {}", out.display());
-    }
-    match args.stats {
-        Some(form) => say(&report, form, is_stream),
-        None => Ok(()),
-    }
+    report.say(form, is_stream)
 }
 
 /// A greater depth may call for effects that the file's own does not.
@@ -136,16 +124,26 @@ fn asked_for(scene: &Scene, asked: &str) -> Result<Effects, Stop> {
     }
 }
 
-/// The picture, what it cost, and the seconds it took to make the world ready.
-fn picture<T: Real>(scene: &Scene, rules: &Rules, samples: u32, talk: Talk) -> (Image, Stats, f64) {
+/// A picture, what it cost, and the work where it was counted.
+type Picture = (Image, Stats, Option<Amounts>);
+
+/// The picture, and the seconds it took to make the world ready.
+fn picture<T: Real>(scene: &Scene, rules: &Rules, samples: u32, counts: bool, talk: Talk) -> (Picture, f64) {
     let start = Instant::now();
     let world = World::<T>::new(scene);
     let prepare_s = start.elapsed().as_secs_f64();
     let n_pixels = u64::from(scene.render.width) * u64::from(scene.render.height);
     let bar = Bar::rendering(n_pixels, u64::from(samples) * u64::from(samples), talk);
     let options = Options { samples, ..Options::of(&world) };
-    let (image, stats) = render::render_by(&world, rules, &options, |n| bar.add(n));
-    (image, stats, prepare_s)
+    let progress = |n| bar.add(n);
+    let picture = if counts {
+        let (image, stats, work) = render::count_by(&world, rules, &options, progress);
+        (image, stats, Some(work))
+    } else {
+        let (image, stats) = render::render_by(&world, rules, &options, progress);
+        (image, stats, None)
+    };
+    (picture, prepare_s)
 }
 
 /// Seconds since the last lap.
@@ -157,43 +155,6 @@ impl Clock {
         self.0 = Instant::now();
         seconds
     }
-}
-
-fn say(report: &Report, form: Form, to_errors: bool) -> Result<(), Stop> {
-    let text = match form {
-        Form::Json => serde_json::to_string_pretty(report).map_err(|why| Stop::Machine(why.to_string()))? + "\n",
-        Form::Text => table(report),
-    };
-    if to_errors {
-        anstream::eprint!("{text}");
-        return Ok(());
-    }
-    print(text.as_bytes())
-}
-
-fn table(report: &Report) -> String {
-    let Counts { eye, shadow, reflected, refracted } = report.rays;
-    let effects: Vec<_> = report.effects.iter().map(Effect::name).collect();
-    let left_out = match report.left_out_at_most {
-        Some(0.0) => "no ray, for depth or threshold".to_owned(),
-        Some(most) => format!("rays that darken no pixel by more than {} levels (proven)", figure(levels(most))),
-        None => "rays that nothing bounds: some material has kr + kt of 1 or more".to_owned(),
-    };
-    let effects = if effects.is_empty() { "none".to_owned() } else { effects.join(", ") };
-    format!(
-        "picture    {}x{}, {} a pixel, {}, {} threads\neffects    {effects}\n\
-         rays       {eye} eye, {shadow} shadow, {reflected} reflected, {refracted} refracted\n\
-         left out   {left_out}\nseconds    load {:.4}, prepare {:.4}, render {:.4}, write {:.4}\n",
-        report.width,
-        report.height,
-        report.samples * report.samples,
-        report.precision,
-        report.threads,
-        report.load_s,
-        report.prepare_s,
-        report.render_s,
-        report.write_s,
-    )
 }
 
 /// Where a picture goes.

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use cases::answer::{ImageAnswer, Wrong, largest_cluster};
 use cases::film::{Image, byte};
-use cases::glam::{DAffine3, DVec3};
+use cases::glam::DVec3;
 use cases::stage::{Case, Stage};
-use cases::{Effect, Effects, Scene};
+use cases::{Effect, Effects, Scene, effects};
 use rayon::prelude::*;
 
 use super::{envelope, weight};
@@ -75,13 +75,8 @@ impl Set {
         }
         let added = self.added(n);
         let effects = added.iter().fold(case.scene.effects, |effects, effect| effects.without(effect));
-        if !added.has(Effect::Transforms) {
-            return picture(&case.scene, &self.rules, effects);
-        }
         let mut scene = case.scene.clone();
-        for object in &mut scene.objects {
-            (object.world_from_object, object.object_from_world) = (DAffine3::IDENTITY, DAffine3::IDENTITY);
-        }
+        effects::simulate_only(&mut scene, effects);
         picture(&scene, &self.rules, effects)
     }
 

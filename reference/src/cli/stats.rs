@@ -1,0 +1,111 @@
+//! What `reference render --stats` says: what was simulated and why, and what it took.
+
+use std::fmt::Write;
+
+use cases::Effects;
+use cases::effects::Reason;
+use serde::Serialize;
+
+use super::args::Form;
+use super::{Stop, print};
+use crate::cost::table::{figure, levels};
+use crate::watch::{Counts, made_by};
+use crate::work::{Amounts, Work};
+
+/// The figures of a picture; times in seconds of wall clock, those of `render` with the counting in them.
+#[derive(Debug, Serialize)]
+pub(super) struct Report {
+    pub(super) width: u32,
+    pub(super) height: u32,
+    pub(super) precision: &'static str,
+    pub(super) samples: u32,
+    pub(super) threads: usize,
+    pub(super) effects: Effects,
+    pub(super) rays: Counts,
+    pub(super) work: Amounts,
+    pub(super) by_effect: Vec<Row>,
+    /// Greatest amount of linear light by which rays left out for depth or threshold darken a pixel; none where nothing bounds it.
+    pub(super) left_out_at_most: Option<f64>,
+    pub(super) load_s: f64,
+    pub(super) prepare_s: f64,
+    pub(super) render_s: f64,
+    pub(super) write_s: f64,
+}
+
+/// What became of an effect.
+#[derive(Debug, Serialize)]
+pub(super) struct Row {
+    effect: &'static str,
+    called_for: bool,
+    simulated: bool,
+    because: String,
+    /// How many rays or pieces of work it has made.
+    made: u64,
+    /// What those are.
+    of: &'static str,
+}
+
+impl Row {
+    /// A row for every effect there is, of which `simulated` were.
+    pub(super) fn all(reasons: Vec<Reason>, simulated: Effects, rays: &Counts, work: &Amounts) -> Vec<Self> {
+        let row = |Reason { effect, called_for, because }| {
+            let (made, of) = made_by(effect, rays, work);
+            Self { effect: effect.name(), called_for, simulated: simulated.has(effect), because, made, of }
+        };
+        reasons.into_iter().map(row).collect()
+    }
+
+    fn line(&self) -> String {
+        let Self { effect, because, made, of, .. } = self;
+        match (self.simulated, self.called_for) {
+            (true, true) => format!("  {effect:<15} {made} {of}: {because}\n"),
+            (true, false) => format!("  {effect:<15} {made} {of}, though not called for: {because}\n"),
+            (false, true) => format!("  {effect:<15} left out, though called for: {because}\n"),
+            (false, false) => format!("  {effect:<15} not called for: {because}\n"),
+        }
+    }
+}
+
+impl Report {
+    /// Prints it, to the error stream where the picture went to the other one.
+    pub(super) fn say(&self, form: Form, to_errors: bool) -> Result<(), Stop> {
+        let text = match form {
+            Form::Json => serde_json::to_string_pretty(self).map_err(|why| Stop::Machine(why.to_string()))? + "\n",
+            Form::Text => self.text(),
+        };
+        if to_errors {
+            anstream::eprint!("{text}");
+            return Ok(());
+        }
+        print(text.as_bytes())
+    }
+
+    fn text(&self) -> String {
+        let Counts { eye, shadow, reflected, refracted } = self.rays;
+        let left_out = match self.left_out_at_most {
+            Some(0.0) => "no ray, for depth or threshold".to_owned(),
+            Some(most) => format!("rays that darken no pixel by more than {} levels (proven)", figure(levels(most))),
+            None => "rays that nothing bounds: some material has kr + kt of 1 or more".to_owned(),
+        };
+        let search = [Work::ObjectNode, Work::Object, Work::MeshNode, Work::Triangle];
+        let amount = |work: &Work| format!("{} {}", self.work.of(*work), work.name());
+        let search: Vec<_> = search.iter().filter(|work| self.work.of(**work) > 0).map(amount).collect();
+        let mut text = format!(
+            "picture    {}x{}, {} a pixel, {}, {} threads\nrays       {eye} eye, {shadow} shadow, {reflected} reflected, {refracted} refracted\n",
+            self.width,
+            self.height,
+            self.samples * self.samples,
+            self.precision,
+            self.threads,
+        );
+        let _ = writeln!(text, "search     {}", search.join(", "));
+        let _ = writeln!(text, "shading    {}\neffects", amount(&Work::Power));
+        text.extend(self.by_effect.iter().map(Row::line));
+        let _ = writeln!(
+            text,
+            "left out   {left_out}\nseconds    load {:.4}, prepare {:.4}, render {:.4} (counting in it), write {:.4}",
+            self.load_s, self.prepare_s, self.render_s, self.write_s,
+        );
+        text
+    }
+}

@@ -1,0 +1,82 @@
+//! What a scene does not call for is not done, by count; what is counted shows up where it is called for.
+
+use std::path::Path;
+
+use cases::effects::simulate_only;
+use cases::stage::{self, Case};
+use cases::{Effect, Effects, Scene};
+use rayon::prelude::*;
+use reference::render::{Options, count_by, render};
+use reference::rules::{Lecture, Rules};
+use reference::watch::{Counts, made_by};
+use reference::work::Amounts;
+use reference::world::World;
+
+/// The public cases, small.
+fn cases() -> Vec<Case> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
+    let stages = stage::load_all(&folder).unwrap_or_else(|problems| panic!("{}", problems.render(false)));
+    let mut all: Vec<Case> = stages.into_iter().flat_map(|stage| stage.cases).collect();
+    all.iter_mut().for_each(|case| (case.scene.render.width, case.scene.render.height) = (64, 48));
+    all
+}
+
+fn counted(scene: &Scene, rules: &Rules) -> (Counts, Amounts) {
+    let world = World::<f64>::new(scene);
+    let (_, stats, work) = count_by(&world, rules, &Options::of(&world), |_| {});
+    (stats.rays, work)
+}
+
+/// How often `effect` made anything of `scene` with no effects but these.
+fn made(scene: &Scene, effects: Effects, effect: Effect) -> u64 {
+    let mut scene = scene.clone();
+    simulate_only(&mut scene, effects);
+    let (rays, work) = counted(&scene, &Rules::LECTURE);
+    made_by(effect, &rays, &work).0
+}
+
+#[test]
+fn no_case_makes_what_it_does_not_call_for_and_each_makes_what_it_does() {
+    let wrong: Vec<String> = cases()
+        .par_iter()
+        .flat_map_iter(|case| {
+            let own = case.scene.effects;
+            let (rays, work) = counted(&case.scene, &Rules::LECTURE);
+            Effect::ALL.into_iter().filter_map(move |effect| {
+                let (n, of) = made_by(effect, &rays, &work);
+                (own.has(effect) != (n > 0)).then(|| format!("{}: {n} {of}", case.id))
+            })
+        })
+        .collect();
+    assert_eq!(wrong, Vec::<String>::new());
+}
+
+#[test]
+fn an_effect_that_is_switched_off_makes_nothing() {
+    let wrong: Vec<String> = cases()
+        .par_iter()
+        .flat_map_iter(|case| {
+            let own = case.scene.effects;
+            let made = move |effect: Effect| made(&case.scene, own.without(effect), effect);
+            own.iter().filter_map(move |effect| {
+                let n = made(effect);
+                (n > 0).then(|| format!("{} without {effect}: {n}", case.id))
+            })
+        })
+        .collect();
+    assert_eq!(wrong, Vec::<String>::new());
+}
+
+#[test]
+fn counting_changes_no_picture_and_no_count() {
+    let cases = cases();
+    assert!(Effect::ALL.iter().all(|effect| cases.iter().any(|case| case.scene.effects.has(*effect))));
+    cases.par_iter().for_each(|case| {
+        let world = World::<f64>::new(&case.scene);
+        let options = Options::of(&world);
+        let plain = render(&world, Lecture, &options, |_| {});
+        let (image, stats, work) = count_by(&world, &Rules::LECTURE, &options, |_| {});
+        assert_eq!((image, stats), plain, "{}", case.id);
+        assert!(work.objects >= stats.rays.total(), "{}: every ray asks some object", case.id);
+    });
+}
