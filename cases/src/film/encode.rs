@@ -24,10 +24,13 @@ impl Quantiser {
         self.whole(clamped(light) * 65535.0) as u16
     }
 
-    fn whole(self, level: f64) -> f64 {
+    /// `level`, which is at least 0 and below 2³², in a whole number.
+    fn whole(self, level: f64) -> u32 {
+        let below = level as u32;
         match self {
-            Self::Rounding => level.round(),
-            Self::Truncating => level.floor(),
+            // What is cut off is exact, so that this is `level.round()`: without a call, which most machines need for that.
+            Self::Rounding => below + u32::from(level - f64::from(below) >= 0.5),
+            Self::Truncating => below,
         }
     }
 }

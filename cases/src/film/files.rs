@@ -168,10 +168,12 @@ fn decode_png(bytes: &[u8], wanted: (u32, u32)) -> Result<Image, PictureError> {
     Image::from_pixels(wanted.0, wanted.1, pixels).ok_or_else(|| PictureError::Broken("pixels are missing".to_owned()))
 }
 
-/// What chunks beside the pixels, a colour profile say, may take when they are inflated.
-pub(super) fn limits() -> image::Limits {
+/// Bytes that chunks beside the pixels, a colour profile say, may take when they are inflated.
+pub(super) const MAX_CHUNKS: usize = 8 << 20;
+
+fn limits() -> image::Limits {
     let mut limits = image::Limits::no_limits();
-    limits.max_alloc = Some(8 << 20);
+    limits.max_alloc = Some(MAX_CHUNKS as u64);
     limits
 }
 

@@ -5,12 +5,12 @@ mod encode;
 pub mod exr;
 mod image;
 #[cfg(feature = "authoring")]
-mod raster;
+mod rows;
 
 pub use self::encode::{Quantiser, byte, level};
 pub use image::Image;
 #[cfg(feature = "authoring")]
-pub use raster::Raster;
+pub use rows::Rows;
 
 mod files;
 

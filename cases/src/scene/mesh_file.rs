@@ -3,13 +3,12 @@
 use std::path::Path;
 
 use glam::DVec3;
-use ply_rs_bw::ply::{DefaultElement, Property};
 
 use super::model::Mesh;
 use super::raw::numbers::{MAX_NUMBER, unit};
 use super::raw::objects::RawMeshFile;
 use super::raw::read::Notes;
-use super::text_file;
+use super::{ply, text_file};
 
 /// Bytes of a mesh file.
 pub(crate) const MAX_MESH_BYTES: u64 = 64 << 20;
@@ -32,7 +31,7 @@ fn mesh(raw: &RawMeshFile, path: &Path) -> Result<Mesh, String> {
     }
     let parse = match path.extension().and_then(|end| end.to_str()).map(str::to_ascii_lowercase).as_deref() {
         Some("obj") => parse_obj,
-        Some("ply") => parse_ply,
+        Some("ply") => ply::parse,
         _ => return Err("the name of a mesh ends in .obj or .ply".to_owned()),
     };
     let bytes = text_file::bytes(path, MAX_MESH_BYTES)?;
@@ -90,35 +89,4 @@ fn parse_obj(bytes: &[u8]) -> Result<Mesh, String> {
 
 fn vectors(flat: &[f64]) -> impl Iterator<Item = DVec3> + '_ {
     flat.chunks_exact(3).map(DVec3::from_slice)
-}
-
-/// The elements `vertex` (x, y, z, and nx, ny, nz if it has them) and `face` (vertex_indices, or vertex_index).
-fn parse_ply(bytes: &[u8]) -> Result<Mesh, String> {
-    let parser = ply_rs_bw::parser::Parser::<DefaultElement>::new();
-    let ply = parser.read_ply(&mut &*bytes).map_err(|why| why.to_string())?;
-    let element = |name: &str| ply.payload.get(name).map(Vec::as_slice).unwrap_or_default();
-    let vertices = vertices(element("vertex"), ["x", "y", "z"]).ok_or("it has vertices without x, y, z")?;
-    let has_normals = element("vertex").first().is_some_and(|vertex| vertex.contains_key("nx"));
-    let normals = has_normals.then(|| self::vertices(element("vertex"), ["nx", "ny", "nz"]).unwrap_or_default());
-    let triangles: Option<Vec<[u32; 3]>> = element("face").iter().map(corners).collect();
-    Ok(Mesh { vertices, triangles: triangles.ok_or("it has faces that are not triangles")?, normals })
-}
-
-fn vertices(elements: &[DefaultElement], keys: [&str; 3]) -> Option<Vec<DVec3>> {
-    let vertex = |element: &DefaultElement| {
-        let [x, y, z] = keys.map(|key| element.get(key).and_then(number));
-        Some(DVec3::new(x?, y?, z?))
-    };
-    elements.iter().map(vertex).collect()
-}
-
-fn number(property: &Property) -> Option<f64> {
-    match *property {
-        Property::Double(number) => Some(number),
-        ref other => other.to_f32_lossy().map(f64::from),
-    }
-}
-
-fn corners(face: &DefaultElement) -> Option<[u32; 3]> {
-    face.get("vertex_indices").or_else(|| face.get("vertex_index"))?.to_u32_list()?.try_into().ok()
 }

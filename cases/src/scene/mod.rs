@@ -11,6 +11,8 @@ pub mod json;
 mod mesh_file;
 mod model;
 #[cfg(feature = "authoring")]
+mod ply;
+#[cfg(feature = "authoring")]
 pub(crate) mod raw;
 #[cfg(feature = "authoring")]
 pub(crate) mod resolve;

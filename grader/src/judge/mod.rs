@@ -6,7 +6,7 @@ mod picture;
 mod unit;
 
 pub use ending::{ending, todo};
-pub use picture::{Difference, compare, compare_rasters, describe_rasters, picture};
+pub use picture::{Difference, RowsCompared, compare, picture};
 pub use unit::{alike, lines, unit};
 
 use crate::record::{Finding, FindingKind, Verdict};

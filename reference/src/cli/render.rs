@@ -37,7 +37,9 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
         effects::simulate_only(&mut scene, asked);
     }
     let load_s = clock.lap();
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads.map_or(0, usize::from)).build();
+    // This thread is one of them, so that a picture by one thread starts none.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads.map_or(0, usize::from));
+    let pool = pool.use_current_thread().build();
     let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
     let samples = args.samples;
     let counts = args.stats.is_some();

@@ -1,48 +1,72 @@
-//! Two pictures of 8-bit levels, one against the other: no envelope, no points, little memory.
+//! Two pictures of 8-bit levels, one against the other, row by row: no envelope, no points, little memory.
 
 use cases::answer::Clusters;
-use cases::film::Raster;
 
 use super::{Difference, extent};
 
-/// The pixels of two pictures of one size that differ by more than `slack` levels in some channel.
-///
-/// # Panics
-/// Where the sizes differ.
-pub fn compare_rasters(one: &Raster, other: &Raster, slack: f64) -> Difference {
-    assert_eq!((one.width, one.height), (other.width, other.height), "pictures of one size");
-    let mut difference = Difference { n_out: 0, cluster: 0, n_contested: 0, worst: None, bounds: None };
-    let (mut clusters, mut most) = (Clusters::default(), 0);
-    let mut out = vec![false; one.width as usize];
-    for y in 0..one.height {
-        let (a, b) = (one.row(y), other.row(y));
-        out.fill(false);
-        if a != b {
-            for (x, by) in a.chunks_exact(3).zip(b.chunks_exact(3)).map(|(a, b)| apart(a, b)).enumerate() {
-                out[x] = f64::from(by) > slack;
-                if out[x] {
-                    note(&mut difference, [x as u32, y], by > most);
-                    most = most.max(by);
+/// The pixels of two pictures of one width, as far as their rows have been taken, that differ by more than `slack` levels in some channel.
+#[derive(Clone, Debug)]
+pub struct RowsCompared {
+    slack: f64,
+    width: usize,
+    n_rows: u32,
+    difference: Difference,
+    clusters: Clusters,
+    out: Vec<bool>,
+    /// The worst pixel on both sides, and by how many levels.
+    worst: ([u8; 3], [u8; 3], u8),
+}
+
+impl RowsCompared {
+    /// Of pictures of that many pixels in a row, at least 1; no row is taken yet.
+    pub fn new(width: u32, slack: f64) -> Self {
+        let difference = Difference { n_out: 0, cluster: 0, n_contested: 0, worst: None, bounds: None };
+        let (width, clusters) = (width as usize, Clusters::default());
+        Self { slack, width, n_rows: 0, difference, clusters, out: vec![false; width], worst: ([0; 3], [0; 3], 0) }
+    }
+
+    /// Takes the next rows from the top, as many of both: red, green, blue of each pixel.
+    ///
+    /// # Panics
+    /// Where those are not whole rows.
+    pub fn take(&mut self, yours: &[u8], expected: &[u8]) {
+        let n = self.width * 3;
+        assert!(yours.len() == expected.len() && yours.len().is_multiple_of(n), "whole rows");
+        yours.chunks_exact(n).zip(expected.chunks_exact(n)).for_each(|(yours, expected)| self.row(yours, expected));
+    }
+
+    /// How the rows taken so far differ, and that in words: how many pixels, where, and what the worst of them shows on both sides.
+    pub fn finish(self) -> (Difference, String) {
+        let difference = Difference { cluster: self.clusters.largest(), ..self.difference };
+        let text = extent(&difference, self.width as u64 * u64::from(self.n_rows));
+        let Some([x, y]) = difference.worst else { return (difference, text) };
+        let [yours, expected] =
+            [self.worst.0, self.worst.1].map(|pixel| pixel.map(|level| level.to_string()).join(" "));
+        (difference, format!("{text}, most at ({x}, {y}): yours {yours}, expected {expected}"))
+    }
+
+    fn row(&mut self, yours: &[u8], expected: &[u8]) {
+        self.out.fill(false);
+        if yours != expected {
+            let pairs = yours.as_chunks::<3>().0.iter().zip(expected.as_chunks::<3>().0);
+            for (x, (a, b)) in pairs.enumerate().filter(|(_, (a, b))| a != b) {
+                let by = apart(*a, *b);
+                if f64::from(by) > self.slack {
+                    self.out[x] = true;
+                    note(&mut self.difference, [x as u32, self.n_rows], by > self.worst.2);
+                    if by > self.worst.2 {
+                        self.worst = (*a, *b, by);
+                    }
                 }
             }
         }
-        clusters.row(&out);
+        self.clusters.row(&self.out);
+        self.n_rows += 1;
     }
-    difference.cluster = clusters.largest();
-    difference
-}
-
-/// How many pixels differ, where, and what the worst of them shows on both sides.
-pub fn describe_rasters(one: &Raster, other: &Raster, difference: &Difference) -> String {
-    let text = extent(difference, u64::from(one.width) * u64::from(one.height));
-    let Some([x, y]) = difference.worst else { return text };
-    let shown =
-        |raster: &Raster| raster.row(y)[x as usize * 3..][..3].iter().map(u8::to_string).collect::<Vec<_>>().join(" ");
-    format!("{text}, most at ({x}, {y}): yours {}, expected {}", shown(one), shown(other))
 }
 
 /// The greatest difference of two pixels' channels.
-fn apart(a: &[u8], b: &[u8]) -> u8 {
+fn apart(a: [u8; 3], b: [u8; 3]) -> u8 {
     a[0].abs_diff(b[0]).max(a[1].abs_diff(b[1])).max(a[2].abs_diff(b[2]))
 }
 
