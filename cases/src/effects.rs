@@ -80,8 +80,21 @@ impl Effects {
     pub const NONE: Self = Self(0);
 
     /// Every effect there is.
-    pub fn all() -> Self {
-        Effect::ALL.into_iter().collect()
+    pub const ALL: Self = Self((1 << Effect::ALL.len()) - 1);
+
+    /// Every effect there is.
+    pub const fn all() -> Self {
+        Self::ALL
+    }
+
+    /// The set as a number: bit n stands for the n-th effect of [`Effect::ALL`].
+    pub const fn bits(self) -> u16 {
+        self.0
+    }
+
+    /// The set with these bits.
+    pub const fn from_bits(bits: u16) -> Self {
+        Self(bits)
     }
 
     /// Whether `effect` is in the set.
@@ -200,11 +213,9 @@ fn verdict(scene: &Scene, effect: Effect) -> Result<String, String> {
             "every object's matrix is the identity",
         ),
         Effect::Attenuation => named(
-            scene.lights.iter().position(
-                |light| matches!(light, Light::Point { attenuation, .. } if *attenuation != Attenuation::NONE),
-            ),
+            scene.lights.iter().position(weakens),
             |j| format!("lights[{j}] weakens with distance"),
-            "no light weakens with distance",
+            "no light that shines weakens with distance",
         ),
         Effect::AdaptiveDepth => named(
             (scene.render.threshold > 0.0).then_some(scene.render.threshold),
@@ -224,6 +235,12 @@ fn shadows(scene: &Scene) -> Result<String, String> {
         [only] => Ok(format!("{} can shadow itself", only.name)),
         _ => Ok("one object can hide a light from another".into()),
     }
+}
+
+/// Whether some of a light's own light is lost on its way; what has no light loses none.
+fn weakens(light: &Light) -> bool {
+    let Light::Point { attenuation, colour, .. } = light else { return false };
+    *attenuation != Attenuation::NONE && *colour != DVec3::ZERO
 }
 
 /// Whether some point of `object` that a ray can reach may be hidden from a light by `object` itself.

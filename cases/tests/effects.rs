@@ -28,6 +28,8 @@ fn every_effect_is_called_for_with_its_reason() {
     let flat = lone(&format!("mesh = {{ {triangle} }}"), "chalk");
     let smooth = lone(&format!("mesh = {{ {triangle}, normals = [[0, 0, 1], [0, 0, 1], [0, 0, 1]] }}"), "chalk");
     let around_eye = lone("sphere = { radius = 9 }", "chalk");
+    let weak = LAMP.replace(" } }]", ", attenuation = { linear = 1 } } }]");
+    let black = weak.replace("[1, 1, 1]", "[0, 0, 0], ambient = [1, 1, 1]");
     let deep = ", max_depth = 1";
     let table: &[(Effect, &str, &str, bool, &str)] = &[
         (Shadows, "", BALL, false, "no light shines"),
@@ -71,14 +73,9 @@ fn every_effect_is_called_for_with_its_reason() {
             true,
             "objects[0] has a matrix that is not the identity",
         ),
-        (Attenuation, "", LAMP, false, "no light weakens with distance"),
-        (
-            Attenuation,
-            "",
-            &LAMP.replace(" } }]", ", attenuation = { linear = 1 } } }]"),
-            true,
-            "lights[0] weakens with distance",
-        ),
+        (Attenuation, "", LAMP, false, "no light that shines weakens with distance"),
+        (Attenuation, "", &black, false, "no light that shines weakens with distance"),
+        (Attenuation, "", &weak, true, "lights[0] weakens with distance"),
         (AdaptiveDepth, "", LAMP, false, "render.threshold is 0"),
         (AdaptiveDepth, ", threshold = 0.25", LAMP, true, "render.threshold is 0.25"),
     ];

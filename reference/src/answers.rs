@@ -120,7 +120,8 @@ fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
             let spot = Spot { point, error: Vec3::ZERO, n_geom: normal };
             let seen = Seen { spot, normal, to_viewer, is_inside, material: object.material };
             let world = World::<T>::with_search(scene, Search::Scan);
-            colour(Kernel::new(&world, &of_given_point(rules), scene.effects).shade(&seen, &mut Counts::default()))
+            let rules = of_given_point(rules);
+            colour(Kernel::new(&world, &rules, scene.effects).shade(&seen, Vec3::ONE, &mut Counts::default()))
         }
         Ask::Shadow { scene, light, point } => {
             let world = World::<T>::with_search(scene, Search::Scan);

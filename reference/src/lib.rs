@@ -9,7 +9,7 @@
 //! | [`shapes`], [`mesh`] | where a ray meets a shape; no materials |
 //! | [`frame`], [`bounds`], [`bvh`], [`world`] | the nearest hit |
 //! | [`camera`], [`lights`], [`shade`], [`optics`], [`snell`] | formulas; they cast no ray |
-//! | [`trace`], [`render`], [`watch`], [`work`] | the kernel, pictures, and who looks on |
+//! | [`trace`], [`render`], [`simulated`], [`watch`], [`work`] | the kernel, pictures, and who looks on |
 //! | [`cutoff`] | how far a ray that is not cast can matter |
 //! | [`variations`] | other ways of computing the same pictures |
 //! | [`cost`] | what accuracy costs in time |
@@ -37,6 +37,7 @@ pub mod roots;
 pub mod rules;
 pub mod shade;
 pub mod shapes;
+pub mod simulated;
 pub mod snell;
 mod stream;
 #[cfg(test)]

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use crate::real::Real;
 use crate::rules::{Lecture, RuleSource, Rules};
+use crate::simulated::{Any, EffectSource, EyeAlone, WithShadows};
 use crate::trace::Kernel;
 use crate::vec3::Vec3;
 use crate::watch::{Book, Counts, Ledger, Notes};
@@ -24,12 +25,18 @@ pub struct Options {
     pub effects: Effects,
     /// N for a regular grid of N × N rays a pixel, at least 1; their mean is the pixel.
     pub samples: u32,
+    /// Light of a lamp that comes to less than this at a point is not followed there; 0 for none.
+    pub light_cutoff: f64,
 }
 
 impl Options {
     /// The effects the scene asks for, one ray a pixel.
     pub fn of<T>(world: &World<T>) -> Self {
-        Self { effects: world.effects, samples: 1 }
+        Self { effects: world.effects, samples: 1, light_cutoff: 0.0 }
+    }
+
+    fn any(&self) -> Any {
+        Any::of(self.effects, self.light_cutoff)
     }
 }
 
@@ -41,26 +48,39 @@ pub struct Stats {
     /// Greatest weight of the rays that some pixel left out for depth or threshold, channel by channel; [`crate::cutoff`] says what that
     /// bounds. [rule 13]
     pub left_out: [f64; 3],
+    /// Greatest light of lamps that some pixel did not follow for its weakness, channel by channel.
+    pub faint_light: [f64; 3],
 }
 
 impl Stats {
     fn of(notes: &Notes) -> Self {
-        Self { rays: notes.rays, left_out: notes.left_out.to_array() }
+        Self { rays: notes.rays, left_out: notes.left_out.to_array(), faint_light: notes.faint_light.to_array() }
     }
 }
 
-/// [`render`] by rules known only now: those of the lecture by the kernel that is made for them.
+/// [`render`] by rules and effects known only now, by the kernel that is made for them: the same picture, bit for bit.
+///
+/// Kernels are made for the rules of the lecture alone, and among those for the few sets of effects where it pays: a kernel that spawns no rays
+/// is a loop, not a recursion. Where rays are spawned, they cost so much that the branches which others would need are not to be measured
+/// (docs/decisions/006).
 pub fn render_by<T: Real>(
     world: &World<T>,
     rules: &Rules,
     options: &Options,
     progress: impl Fn(u64) + Sync,
 ) -> (Image, Stats) {
-    if *rules == Rules::LECTURE {
-        render(world, Lecture, options, progress)
-    } else {
-        render(world, rules, options, progress)
+    let Options { effects, light_cutoff, .. } = *options;
+    if *rules != Rules::LECTURE {
+        return render(world, rules, options, progress);
     }
+    let (image, notes) = if let Some(effects) = EyeAlone::new(effects, light_cutoff) {
+        render_under::<T, _, _, Notes>(world, Lecture, effects, options, progress)
+    } else if let Some(effects) = WithShadows::new(effects, light_cutoff) {
+        render_under::<T, _, _, Notes>(world, Lecture, effects, options, progress)
+    } else {
+        return render(world, Lecture, options, progress);
+    };
+    (image, Stats::of(&notes))
 }
 
 /// [`render_by`], counting also the work that rays make: the same picture, a little slower.
@@ -71,14 +91,14 @@ pub fn count_by<T: Real>(
     progress: impl Fn(u64) + Sync,
 ) -> (Image, Stats, Amounts) {
     let (image, Ledger { notes, work }) = if *rules == Rules::LECTURE {
-        render_under(world, Lecture, options, progress)
+        render_under(world, Lecture, options.any(), options, progress)
     } else {
-        render_under(world, rules, options, progress)
+        render_under(world, rules, options.any(), options, progress)
     };
     (image, Stats::of(&notes), work)
 }
 
-/// The picture, and what it cost. Runs in the current `rayon` pool; `progress` is told the pixels of each tile that is done.
+/// The picture, and what it cost, by the kernel that can do everything. Runs in the current `rayon` pool; `progress` is told the pixels of each tile that is done.
 ///
 /// Tiles and the order of every sum are fixed, so that the number of threads changes nothing.
 pub fn render<T: Real, R: RuleSource>(
@@ -87,18 +107,19 @@ pub fn render<T: Real, R: RuleSource>(
     options: &Options,
     progress: impl Fn(u64) + Sync,
 ) -> (Image, Stats) {
-    let (image, notes) = render_under::<T, R, Notes>(world, rules, options, progress);
+    let (image, notes) = render_under::<T, R, _, Notes>(world, rules, options.any(), options, progress);
     (image, Stats::of(&notes))
 }
 
-/// The picture, under a watch of that kind.
-fn render_under<T: Real, R: RuleSource, B: Book>(
+/// The picture by a kernel that simulates what `effects` says, under a watch of that kind.
+pub fn render_under<T: Real, R: RuleSource, E: EffectSource, B: Book>(
     world: &World<T>,
     rules: R,
+    effects: E,
     options: &Options,
     progress: impl Fn(u64) + Sync,
 ) -> (Image, B) {
-    let kernel = Kernel::new(world, rules, options.effects);
+    let kernel = Kernel::by(world, rules, effects);
     let (width, height) = (world.render.width, world.render.height);
     let n_columns = width.div_ceil(TILE);
     let tiles: Vec<(Vec<Vec3<T>>, B)> = (0..n_columns * height.div_ceil(TILE))
@@ -123,8 +144,8 @@ fn span(n: u32, size: u32) -> Range<u32> {
     n * TILE..((n + 1) * TILE).min(size)
 }
 
-fn render_tile<T: Real, R: RuleSource, B: Book>(
-    kernel: &Kernel<'_, T, R>,
+fn render_tile<T: Real, R: RuleSource, E: EffectSource, B: Book>(
+    kernel: &Kernel<'_, T, R, E>,
     samples: u32,
     columns: Range<u32>,
     rows: Range<u32>,
@@ -138,8 +159,8 @@ fn render_tile<T: Real, R: RuleSource, B: Book>(
 }
 
 /// The mean over a regular grid of `samples` × `samples` points; the centre alone for 1.
-fn render_pixel<T: Real, R: RuleSource>(
-    kernel: &Kernel<'_, T, R>,
+fn render_pixel<T: Real, R: RuleSource, E: EffectSource>(
+    kernel: &Kernel<'_, T, R, E>,
     samples: u32,
     pixel: (u32, u32),
     book: &mut impl Book,

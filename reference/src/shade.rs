@@ -68,6 +68,20 @@ pub fn is_lit<T: Real, R: RuleSource>(rules: R, material: &Material<T>, normal: 
     }
 }
 
+/// Whether what comes from a light adds nothing whatever it is: on a surface with neither kd nor ks. [rule 3]
+///
+/// Other rules than the lecture's highlight may give no number at all, times 0.
+#[inline(always)]
+pub fn is_dull<T: Real, R: RuleSource>(rules: R, material: &Material<T>) -> bool {
+    is_bounded(rules) && material.kd == Vec3::ZERO && material.ks == Vec3::ZERO
+}
+
+/// Whether kd (N·L) + ks (N·H)₊^ns is a number, so that nothing times it is nothing.
+#[inline(always)]
+pub fn is_bounded<R: RuleSource>(rules: R) -> bool {
+    rules.get().highlight == Highlight::Blinn
+}
+
 /// S_j A_j I_j B_j [kd (N·L_j) + ks (N·H_j)₊^ns]. [rule 3]
 ///
 /// `arriving` is S_j A_j I_j; all directions are unit vectors. Where L = −V there is no half vector, and no highlight.
@@ -91,7 +105,7 @@ pub fn light_term<T: Real, R: RuleSource>(
         (Facing::SpecularFromBehind, Diffuse::Cosine) => cosine.greatest(T::ZERO),
         (Facing::BothSides | Facing::BothSidesOfTransmissive, Diffuse::Cosine) => cosine.abs(),
     };
-    let shine = if rules.get().highlight == Highlight::Blinn && material.ks == Vec3::ZERO {
+    let shine = if is_bounded(rules) && material.ks == Vec3::ZERO {
         T::ZERO
     } else {
         highlight(rules, material.ns, normal, to_viewer, to_light, tally)

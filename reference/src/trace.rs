@@ -4,6 +4,7 @@ use cases::ray_tree::RayKind;
 use cases::{Effect, Effects};
 
 use crate::camera::Lens;
+use crate::lights::Light;
 use crate::optics;
 use crate::ray::{Ray, Spot};
 use crate::real::Real;
@@ -12,6 +13,7 @@ use crate::rules::{
     TransmitWeight, Turning,
 };
 use crate::shade;
+use crate::simulated::{Any, EffectSource};
 use crate::vec3::Vec3;
 use crate::watch::{Met, Watch};
 use crate::work::{Tally, Work};
@@ -19,24 +21,13 @@ use crate::world::{Hit, Material, World};
 
 /// A world, the rules it is rendered by, and which effects are simulated: chosen once for a picture.
 #[derive(Clone, Copy, Debug)]
-pub struct Kernel<'w, T, R> {
+pub struct Kernel<'w, T, R, E = Any> {
     /// The world.
     pub world: &'w World<T>,
     /// The rules.
     pub rules: R,
     lens: Lens<T>,
-    does: Does,
-}
-
-/// The effects as plain flags: no ray of a kind that is off is ever cast.
-#[derive(Clone, Copy, Debug)]
-struct Does {
-    shadows: bool,
-    tinted_shadows: bool,
-    reflection: bool,
-    refraction: bool,
-    smooth_normals: bool,
-    adaptive_depth: bool,
+    effects: E,
 }
 
 /// A ray on its way.
@@ -102,20 +93,15 @@ fn is_faint<T: Real, R: RuleSource>(rules: R, weight: Vec3<T>, threshold: T) -> 
 impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
     /// The kernel that simulates `effects` and no others.
     pub fn new(world: &'w World<T>, rules: R, effects: Effects) -> Self {
+        Self::by(world, rules, Any::of(effects, 0.0))
+    }
+}
+
+impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
+    /// The kernel that simulates what `effects` says.
+    pub fn by(world: &'w World<T>, rules: R, effects: E) -> Self {
         let (width, height) = (world.render.width, world.render.height);
-        Self {
-            world,
-            rules,
-            lens: Lens::new(rules, &world.camera, width, height),
-            does: Does {
-                shadows: effects.has(Effect::Shadows) && rules.get().casts_shadows,
-                tinted_shadows: effects.has(Effect::TintedShadows),
-                reflection: effects.has(Effect::Reflection),
-                refraction: effects.has(Effect::Refraction),
-                smooth_normals: effects.has(Effect::SmoothNormals),
-                adaptive_depth: effects.has(Effect::AdaptiveDepth),
-            },
-        }
+        Self { world, rules, lens: Lens::new(rules, &world.camera, width, height), effects }
     }
 
     /// The light through the point (`dx`, `dy`), both from 0 to 1, of the picture's pixel in column i from the left and row j from the top.
@@ -131,7 +117,7 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         watch.enter(path.kind, path.depth, ray);
         let colour = match self.world.first(self.rules, ray, watch) {
             Some(found) => {
-                let hit = self.world.hit(self.rules, ray, found, self.does.smooth_normals, watch);
+                let hit = self.world.hit(self.rules, ray, found, self.effects.has(Effect::SmoothNormals), watch);
                 self.light_at(ray, path, hit, watch)
             }
             None => self.world.background,
@@ -149,10 +135,10 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         let normal = if self.rules.get().turning == Turning::NotShading { outwards } else { n_shading };
         let spot = hit.spot(n_geom);
         let seen = Seen { spot, normal, to_viewer: -d, is_inside, material: object.material };
-        let mut colour = self.shade(&seen, watch);
+        let mut colour = self.shade(&seen, path.weight, watch);
         watch.met(|| Met { object: &object.name, t: hit.t, point: hit.point, normal, is_inside, direct: colour });
         if !self.goes_on(path) {
-            if self.does.reflection || self.does.refraction {
+            if self.effects.has(Effect::Reflection) || self.effects.has(Effect::Refraction) {
                 let sent_on = || self.weight_sent_on(material, is_inside);
                 if is_shallow(self.rules, path.depth, self.world.render.max_depth) && sent_on() != Vec3::ZERO {
                     watch.did(Work::FaintPath);
@@ -172,7 +158,7 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
                 colour += kr * self.spawn(RayKind::Reflected, &ray, path, kr, watch);
             }
         }
-        if self.does.refraction
+        if self.effects.has(Effect::Refraction)
             && material.kt.max_element() > T::ZERO
             && let Some(t) = way_through()
         {
@@ -199,13 +185,13 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
 
     /// 0 where no path ends for its weight.
     fn threshold(&self) -> T {
-        if self.does.adaptive_depth { T::of(self.world.render.threshold) } else { T::ZERO }
+        if self.effects.has(Effect::AdaptiveDepth) { T::of(self.world.render.threshold) } else { T::ZERO }
     }
 
     /// 0 where no ray is reflected. [rule 7]
     fn mirror_weight(&self, material: &Material<T>, is_inside: bool) -> Vec3<T> {
         match self.rules.get().mirror_weight {
-            _ if !self.does.reflection || material.kr == Vec3::ZERO => Vec3::ZERO,
+            _ if !self.effects.has(Effect::Reflection) || material.kr == Vec3::ZERO => Vec3::ZERO,
             MirrorWeight::Kr => material.kr,
             MirrorWeight::One => Vec3::ONE,
             MirrorWeight::OnlyOutside => {
@@ -220,7 +206,7 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
 
     /// kr + kt, of what is simulated.
     fn weight_sent_on(&self, material: &Material<T>, is_inside: bool) -> Vec3<T> {
-        let kt = if self.does.refraction { self.transmit_weight(material) } else { Vec3::ZERO };
+        let kt = if self.effects.has(Effect::Refraction) { self.transmit_weight(material) } else { Vec3::ZERO };
         self.mirror_weight(material, is_inside) + kt
     }
 
@@ -232,8 +218,12 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         }
     }
 
-    fn spawn(&self, kind: RayKind, ray: &Ray<T>, parent: Path<T>, weight: Vec3<T>, watch: &mut impl Watch) -> Vec3<T> {
+    /// What a ray brings back that a path sends on with `weight`. One that counts for nothing in the pixel is not cast.
+    fn spawn<W: Watch>(&self, kind: RayKind, ray: &Ray<T>, parent: Path<T>, weight: Vec3<T>, watch: &mut W) -> Vec3<T> {
         let weight = if self.rules.get().cutoff == Cutoff::LastOnly { weight } else { parent.weight * weight };
+        if weight == Vec3::ZERO && !W::SEES_ALL {
+            return Vec3::ZERO;
+        }
         if !self.rules.get().casts_faint_rays && is_faint(self.rules, weight, self.threshold()) {
             watch.did(Work::FaintPath);
             watch.left_out(|| weight);
@@ -243,26 +233,37 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         self.trace(ray, path, watch)
     }
 
-    /// ke and the light of every lamp at a point. [rule 3]
-    pub fn shade(&self, seen: &Seen<T>, watch: &mut impl Watch) -> Vec3<T> {
+    /// ke and the light of every lamp at a point, which counts for `weight` in the pixel. [rule 3]
+    pub fn shade(&self, seen: &Seen<T>, weight: Vec3<T>, watch: &mut impl Watch) -> Vec3<T> {
         let material = &self.world.materials[seen.material];
         let n_lights = self.world.lights.len();
+        let is_dull = shade::is_dull(self.rules, material);
         let mut colour = shade::emission(self.rules, material, n_lights);
         for n in 0..n_lights {
             let j = if self.rules.get().style.lights == LightOrder::Reversed { n_lights - 1 - n } else { n };
             let light = &self.world.lights[j];
             let ambient = shade::ambient(self.rules, material, light, j, seen.is_inside);
-            let shadowed = self.rules.get().ambient == Ambient::Shadowed;
-            if !shadowed {
-                colour += ambient;
-            }
-            let Some((to_light, r)) = light.seen_from(self.rules, seen.spot.point) else { continue };
-            if !shadowed && !shade::is_lit(self.rules, material, seen.normal, to_light) {
+            if self.rules.get().ambient == Ambient::Shadowed {
+                for term in self.shadowed(seen, light, ambient, watch) {
+                    colour += term;
+                }
                 continue;
             }
-            let reaching = self.shadow(&seen.spot, to_light, r, watch) * light.attenuation(self.rules, r, watch);
-            if shadowed {
-                colour += ambient * reaching;
+            colour += ambient;
+            if is_dull || (shade::is_bounded(self.rules) && light.colour == Vec3::ZERO) {
+                continue;
+            }
+            let Some((to_light, r)) = light.seen_from(self.rules, seen.spot.point) else { continue };
+            if !shade::is_lit(self.rules, material, seen.normal, to_light) {
+                continue;
+            }
+            let weakened = light.attenuation(self.rules, r, watch);
+            if self.is_faint_light(|| light.colour * weakened * (material.kd + material.ks), weight, watch) {
+                continue;
+            }
+            let reaching = self.shadow(&seen.spot, to_light, r, watch) * weakened;
+            if reaching == Vec3::ZERO && shade::is_bounded(self.rules) {
+                continue;
             }
             let arriving = reaching * light.colour;
             colour += shade::light_term(self.rules, material, arriving, seen.normal, seen.to_viewer, to_light, watch);
@@ -270,15 +271,37 @@ impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
         colour
     }
 
+    /// The ambient and the direct term of a light where shadows take both.
+    fn shadowed(&self, seen: &Seen<T>, light: &Light<T>, ambient: Vec3<T>, watch: &mut impl Watch) -> [Vec3<T>; 2] {
+        let material = &self.world.materials[seen.material];
+        let Some((to_light, r)) = light.seen_from(self.rules, seen.spot.point) else { return [Vec3::ZERO; 2] };
+        let reaching = self.shadow(&seen.spot, to_light, r, watch) * light.attenuation(self.rules, r, watch);
+        let arriving = reaching * light.colour;
+        let direct = shade::light_term(self.rules, material, arriving, seen.normal, seen.to_viewer, to_light, watch);
+        [ambient * reaching, direct]
+    }
+
+    /// Whether a lamp whose light comes to `most` at most need not be followed.
+    #[inline(always)]
+    fn is_faint_light(&self, most: impl Fn() -> Vec3<T>, weight: Vec3<T>, watch: &mut impl Watch) -> bool {
+        let cutoff = T::of(self.effects.light_cutoff());
+        if cutoff > T::ZERO && most().max_element() < cutoff {
+            watch.did(Work::FaintLight);
+            watch.faint_light(|| weight * most());
+            return true;
+        }
+        false
+    }
+
     /// S_j at a point of a surface, for a light in direction `to_light` at distance `r`. [rule 5] [rule 6]
     pub fn shadow(&self, spot: &Spot<T>, to_light: Vec3<T>, r: T, watch: &mut impl Watch) -> Vec3<T> {
-        if !self.does.shadows {
+        if !self.effects.has(Effect::Shadows) || !self.rules.get().casts_shadows {
             return Vec3::ONE;
         }
         watch.shadow_ray();
         let reach = if self.rules.get().shadow_reach == ShadowReach::Unbounded { T::INFINITY } else { r };
         let ray = Ray::to_light(self.rules, spot, to_light, reach);
-        if self.does.tinted_shadows && self.rules.get().tint != Tint::Opaque {
+        if self.effects.has(Effect::TintedShadows) && self.rules.get().tint != Tint::Opaque {
             return self.tint(&ray, watch);
         }
         if self.world.occluded(self.rules, &ray, watch) { Vec3::ZERO } else { Vec3::ONE }

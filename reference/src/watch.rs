@@ -24,6 +24,8 @@ pub struct Met<'a, T> {
 
 /// Is told of every ray, and of the work that rays make.
 pub trait Watch: Tally {
+    /// Whether it wants to see every ray that the rules cast, also one that cannot change the pixel.
+    const SEES_ALL: bool = false;
     /// A ray is about to be traced.
     fn enter<T: Real>(&mut self, kind: RayKind, depth: u32, ray: &Ray<T>);
     /// It met something; `met` is called by those who want to know what.
@@ -35,6 +37,9 @@ pub trait Watch: Tally {
     /// Rays are left out for depth or weight, which together would have had this weight at most. [rule 13]
     #[inline(always)]
     fn left_out<T: Real>(&mut self, _weight: impl FnOnce() -> Vec3<T>) {}
+    /// The light of a lamp is not followed, which would have brought the pixel this much at most.
+    #[inline(always)]
+    fn faint_light<T: Real>(&mut self, _light: impl FnOnce() -> Vec3<T>) {}
 }
 
 /// Rays by kind.
@@ -101,6 +106,10 @@ pub struct Notes {
     open: DVec3,
     /// The greatest weight left out in any pixel, the mean over its rays, channel by channel.
     pub left_out: DVec3,
+    /// Light of lamps that the pixel at hand has not followed so far, all its rays together.
+    open_light: DVec3,
+    /// The most light of lamps that was not followed in any pixel, the mean over its rays, channel by channel.
+    pub faint_light: DVec3,
 }
 
 impl Notes {
@@ -109,14 +118,19 @@ impl Notes {
     pub fn end_pixel(&mut self, n_rays: f64) -> DVec3 {
         let left_out = self.open / n_rays;
         (self.left_out, self.open) = (self.left_out.max(left_out), DVec3::ZERO);
+        (self.faint_light, self.open_light) = (self.faint_light.max(self.open_light / n_rays), DVec3::ZERO);
         left_out
     }
 
     /// Those of both parts of a picture.
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
-        let (rays, left_out) = (self.rays.plus(other.rays), self.left_out.max(other.left_out));
-        Self { rays, left_out, open: DVec3::ZERO }
+        Self {
+            rays: self.rays.plus(other.rays),
+            left_out: self.left_out.max(other.left_out),
+            faint_light: self.faint_light.max(other.faint_light),
+            ..Self::default()
+        }
     }
 }
 
@@ -142,6 +156,11 @@ impl Watch for Notes {
     #[inline(always)]
     fn left_out<T: Real>(&mut self, weight: impl FnOnce() -> Vec3<T>) {
         self.open += weight().f64();
+    }
+
+    #[inline(always)]
+    fn faint_light<T: Real>(&mut self, light: impl FnOnce() -> Vec3<T>) {
+        self.open_light += light().f64();
     }
 }
 
@@ -227,6 +246,11 @@ impl Watch for Ledger {
     fn left_out<T: Real>(&mut self, weight: impl FnOnce() -> Vec3<T>) {
         self.notes.left_out(weight);
     }
+
+    #[inline(always)]
+    fn faint_light<T: Real>(&mut self, light: impl FnOnce() -> Vec3<T>) {
+        self.notes.faint_light(light);
+    }
 }
 
 /// Hands everything to [`cases::ray_tree`], within [`ray_tree::record`].
@@ -236,6 +260,8 @@ pub struct Recorder;
 impl Tally for Recorder {}
 
 impl Watch for Recorder {
+    const SEES_ALL: bool = true;
+
     fn enter<T: Real>(&mut self, kind: RayKind, depth: u32, ray: &Ray<T>) {
         let (origin, direction) = (ray.origin.f64(), ray.direction.f64());
         ray_tree::enter(kind, depth, &cases::Ray::new(origin, direction));

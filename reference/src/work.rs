@@ -27,6 +27,8 @@ pub enum Work {
     TintedCrossing,
     /// A path ends for its weight. [rule 13]
     FaintPath,
+    /// The light of a lamp is too weak at a point to be followed.
+    FaintLight,
 }
 
 /// Is told of work; `()` counts nothing.
@@ -52,6 +54,7 @@ pub struct Amounts {
     pub attenuations: u64,
     pub tinted_crossings: u64,
     pub faint_paths: u64,
+    pub faint_lights: u64,
 }
 
 impl Amounts {
@@ -82,6 +85,7 @@ impl Amounts {
             Work::Attenuation => &mut self.attenuations,
             Work::TintedCrossing => &mut self.tinted_crossings,
             Work::FaintPath => &mut self.faint_paths,
+            Work::FaintLight => &mut self.faint_lights,
         }
     }
 }
@@ -95,7 +99,7 @@ impl Tally for Amounts {
 
 impl Work {
     /// Every piece there is.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::ObjectNode,
         Self::Object,
         Self::MeshNode,
@@ -106,6 +110,7 @@ impl Work {
         Self::Attenuation,
         Self::TintedCrossing,
         Self::FaintPath,
+        Self::FaintLight,
     ];
 
     /// What to call so many of them.
@@ -121,6 +126,7 @@ impl Work {
             Self::Attenuation => "attenuations worked out",
             Self::TintedCrossing => "surfaces crossed by shadow rays",
             Self::FaintPath => "paths ended for their weight",
+            Self::FaintLight => "lights too weak to be followed",
         }
     }
 }

@@ -242,22 +242,24 @@ impl<T: Real> World<T> {
         (!is_blocked).then_some(crossings)
     }
 
-    /// Calls `visit` for every object that the ray may meet before the limit; `visit` returns the new limit.
+    /// Calls `visit` for every object that the ray may meet before the limit; `visit` returns the new limit, −∞ to end the search.
     #[inline(always)]
     fn each<Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, visit: &mut impl FnMut(&mut Y, u32, T) -> T) {
-        let mut ask = |tally: &mut Y, i: u32, limit: T| {
-            tally.did(Work::Object);
-            visit(tally, i, limit)
+        let one_by_one = match &self.tree {
+            None => 0..self.objects.len() as u32,
+            Some(_) => 0..self.endless.len() as u32,
         };
-        match &self.tree {
-            None => {
-                (0..self.objects.len() as u32).fold(ray.t_max, |limit, i| ask(tally, i, limit));
+        let mut limit = ray.t_max;
+        for n in one_by_one {
+            tally.did(Work::Object);
+            limit = visit(tally, if self.tree.is_none() { n } else { self.endless[n as usize] }, limit);
+            if limit == -T::INFINITY {
+                return;
             }
-            Some((inside, tree)) => {
-                let limit = self.endless.iter().fold(ray.t_max, |limit, i| ask(tally, *i, limit));
-                let rest = Ray { t_max: limit, ..*ray };
-                tree.walk(&rest, &mut OfObjects(tally), |of, n, limit| visit(of.0, inside[n as usize], limit));
-            }
+        }
+        if let Some((inside, tree)) = &self.tree {
+            let rest = Ray { t_max: limit, ..*ray };
+            tree.walk(&rest, &mut OfObjects(tally), |of, n, limit| visit(of.0, inside[n as usize], limit));
         }
     }
 

@@ -146,6 +146,28 @@ fn a_threshold_ends_paths_and_what_it_leaves_out_is_bounded() {
 }
 
 #[test]
+fn what_is_left_out_and_why_is_said() {
+    let folder = folder();
+    let near = "point = { position = [0, 0, 2], attenuation = { quadratic = 1 }";
+    let lamp = SCENE.replace("directional = { direction = [0, 0, -1]", near);
+    std::fs::write(folder.path().join("lamp.toml"), &lamp).unwrap();
+    let say = |args: &[&str]| {
+        let output = run(folder.path(), &[&["render", "lamp.toml", "a.png", "--stats"], args].concat(), "");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let whole = say(&[]);
+    assert!(whole.contains(" attenuations worked out: lights[0] weakens with distance"), "{whole}");
+    assert!(whole.contains("  reflection      not called for: no object's material has kr > 0"), "{whole}");
+    assert!(whole.contains("left out   nothing, for depth, threshold or light cutoff"), "{whole}");
+    let none = say(&["--effects", "none"]);
+    assert!(none.contains("  attenuation     left out, though called for: lights[0]"), "{none}");
+    // no lamp brings as much as all the light there is
+    let cut = say(&["--light-cutoff", "1"]);
+    assert!(cut.contains(" lights too weak to be followed") && cut.contains("levels (proven)"), "{cut}");
+    expect(&run(folder.path(), &["render", "lamp.toml", "a.png", "--light-cutoff", "2"], ""), 2, "from 0 to 1");
+}
+
+#[test]
 fn a_case_is_rendered_by_its_course_unless_another_is_given() {
     let folder = folder();
     let render = |args: &[&str]| {

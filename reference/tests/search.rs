@@ -214,7 +214,7 @@ fn a_ray_of_a_kind_that_is_off_is_never_cast() {
     scene.materials[0].kr = DVec3::splat(0.5);
     scene.materials[0].kt = DVec3::splat(0.5);
     let world = World::<f64>::new(&scene);
-    let rays = |effects| render(&world, Lecture, &Options { effects, samples: 1 }, |_| {}).1.rays;
+    let rays = |effects| render(&world, Lecture, &Options { effects, ..Options::of(&world) }, |_| {}).1.rays;
     let all = rays(cases::Effects::all());
     assert!(all.shadow > 0 && all.reflected > 0 && all.refracted > 0, "{all:?}");
     let none = rays(cases::Effects::NONE);

@@ -188,9 +188,13 @@ fn no_convex_thing_shadows_itself_up_to_the_terminator() {
     fn check<T: Real>(name: &str, scene: &Scene) {
         let world = World::<T>::new(scene);
         let effects = scene.effects.with(Effect::Shadows);
-        let (with, stats) = render(&world, Lecture, &Options { effects, samples: 1 }, |_| {});
-        let (without, _) =
-            render(&world, Lecture, &Options { effects: effects.without(Effect::Shadows), samples: 1 }, |_| {});
+        let (with, stats) = render(&world, Lecture, &Options { effects, ..Options::of(&world) }, |_| {});
+        let (without, _) = render(
+            &world,
+            Lecture,
+            &Options { effects: effects.without(Effect::Shadows), ..Options::of(&world) },
+            |_| {},
+        );
         assert!(stats.rays.shadow > 400, "{name}: {:?} tests nothing", stats.rays);
         let n_wrong = with.pixels().iter().zip(without.pixels()).filter(|(a, b)| a != b).count();
         assert_eq!(n_wrong, 0, "{name}");
@@ -361,8 +365,8 @@ fn an_epsilon_fails_where_the_bound_holds() {
     let sphere = grazed(Shape::Sphere { center: DVec3::ZERO, radius: 1e6 }, vec![], 1e6);
     let world = World::<f32>::new(&sphere);
     let effects = sphere.effects.with(Effect::Shadows);
-    let (with, _) = render(&world, &plain, &Options { effects, samples: 1 }, |_| {});
+    let (with, _) = render(&world, &plain, &Options { effects, ..Options::of(&world) }, |_| {});
     let (without, _) =
-        render(&world, &plain, &Options { effects: effects.without(Effect::Shadows), samples: 1 }, |_| {});
+        render(&world, &plain, &Options { effects: effects.without(Effect::Shadows), ..Options::of(&world) }, |_| {});
     assert!(with != without, "no acne at all in f32 at a scale of a million");
 }

@@ -170,7 +170,7 @@ fn a_case_is_the_same_with_the_effects_it_does_not_call_for() {
 
 fn rendered(case: &Case, effects: Effects) -> (Image, Counts) {
     let world = World::<f64>::new(&case.scene);
-    let (image, stats) = render::render(&world, Lecture, &Options { effects, samples: 1 }, |_| {});
+    let (image, stats) = render::render(&world, Lecture, &Options { effects, ..Options::of(&world) }, |_| {});
     (image, stats.rays)
 }
 

@@ -129,6 +129,9 @@ pub(super) struct RenderArgs {
     /// Weight below which rays spawn no more, such as 0.001 or 1/256, in the place of the scene's; 0 for never
     #[arg(long, value_name = "WEIGHT", value_parser = super::cost_args::threshold)]
     pub threshold: Option<f64>,
+    /// Light, such as 0.001 or 1/512: a lamp that cannot bring as much to a point casts no shadow ray from there and adds nothing; 0 for never
+    #[arg(long, value_name = "LIGHT", default_value = "0", value_parser = super::cost_args::threshold)]
+    pub light_cutoff: f64,
     /// Numbers to compute with
     #[arg(long, default_value = "f64")]
     pub precision: Precision,
@@ -142,8 +145,8 @@ pub(super) struct RenderArgs {
     /// Threads; the picture is the same with any number [default: one a core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Says how many rays of each kind were cast, what work they made, which effects were simulated and why, how much rays left out for depth
-    /// or threshold can matter, and the time of each step; on the error stream where the picture goes to the output
+    /// Says how many rays of each kind were cast, what work they made, which effects were simulated and why, how much it can matter
+    /// what was left out for depth, threshold or light cutoff, and the time of each step; on the error stream where the picture goes to the output
     #[arg(long, value_name = "FORM", num_args = 0..=1, default_missing_value = "text")]
     pub stats: Option<Form>,
     #[command(flatten)]

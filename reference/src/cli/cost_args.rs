@@ -139,7 +139,7 @@ pub(super) fn threshold(text: &str) -> Result<f64, String> {
         Some((above, below)) => number(above).zip(number(below)).map(|(above, below)| above / below),
         None => number(text),
     };
-    let wrong = || "a threshold is a number from 0 to 1, such as 0.01 or 1/256".to_owned();
+    let wrong = || "this is a number from 0 to 1, such as 0.01 or 1/256".to_owned();
     value.filter(|value| (0.0..=1.0).contains(value)).ok_or_else(wrong)
 }
 

@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use cases::film::exr::{Depth, Part, rgb};
 use cases::film::{self, Image, PictureError, Quantiser};
+use cases::glam::DVec3;
 use cases::{Effect, Effects, Scene, effects};
 
 use super::args::{Bits, Precision, RenderArgs};
@@ -42,10 +43,10 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     let pool = pool.use_current_thread().build();
     let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
     let samples = args.samples;
-    let counts = args.stats.is_some();
+    let fineness = Fineness { samples, light_cutoff: args.light_cutoff, counts: args.stats.is_some() };
     let ((image, stats, work), prepare_s) = pool.install(|| match args.precision {
-        Precision::F32 => picture::<f32>(&scene, &rules, samples, counts, talk),
-        Precision::F64 => picture::<f64>(&scene, &rules, samples, counts, talk),
+        Precision::F32 => picture::<f32>(&scene, &rules, fineness, talk),
+        Precision::F64 => picture::<f64>(&scene, &rules, fineness, talk),
     });
     let render_s = clock.lap() - prepare_s;
     kind.write(out, &image, rules.quantiser)?;
@@ -101,9 +102,10 @@ fn cut(scene: &mut Scene, threshold: f64, may_adapt: bool) -> Result<(), Stop> {
     Ok(())
 }
 
-/// What the rays can matter that were left out, in linear light. [rule 13]
+/// What the rays and the light can matter that were left out, in linear light. [rule 13]
 fn left_out(scene: &Scene, rules: &Rules, stats: &Stats) -> Option<f64> {
-    let most = Limits::of(scene, rules, scene.effects).of_weight(stats.left_out.into()).max_element();
+    let of_rays = Limits::of(scene, rules, scene.effects).of_weight(stats.left_out.into());
+    let most = (of_rays + DVec3::from(stats.faint_light)).max_element();
     most.is_finite().then_some(most)
 }
 
@@ -129,14 +131,24 @@ fn asked_for(scene: &Scene, asked: &str) -> Result<Effects, Stop> {
 /// A picture, what it cost, and the work where it was counted.
 type Picture = (Image, Stats, Option<Amounts>);
 
+/// What is asked for besides the scene.
+#[derive(Clone, Copy, Debug)]
+struct Fineness {
+    samples: u32,
+    light_cutoff: f64,
+    /// Whether the work is counted.
+    counts: bool,
+}
+
 /// The picture, and the seconds it took to make the world ready.
-fn picture<T: Real>(scene: &Scene, rules: &Rules, samples: u32, counts: bool, talk: Talk) -> (Picture, f64) {
+fn picture<T: Real>(scene: &Scene, rules: &Rules, fineness: Fineness, talk: Talk) -> (Picture, f64) {
+    let Fineness { samples, light_cutoff, counts } = fineness;
     let start = Instant::now();
     let world = World::<T>::new(scene);
     let prepare_s = start.elapsed().as_secs_f64();
     let n_pixels = u64::from(scene.render.width) * u64::from(scene.render.height);
     let bar = Bar::rendering(n_pixels, u64::from(samples) * u64::from(samples), talk);
-    let options = Options { samples, ..Options::of(&world) };
+    let options = Options { samples, light_cutoff, ..Options::of(&world) };
     let progress = |n| bar.add(n);
     let picture = if counts {
         let (image, stats, work) = render::count_by(&world, rules, &options, progress);

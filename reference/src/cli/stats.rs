@@ -24,7 +24,7 @@ pub(super) struct Report {
     pub(super) rays: Counts,
     pub(super) work: Amounts,
     pub(super) by_effect: Vec<Row>,
-    /// Greatest amount of linear light by which rays left out for depth or threshold darken a pixel; none where nothing bounds it.
+    /// Greatest amount of linear light by which what was left out for depth, threshold or light cutoff darkens a pixel; none where nothing bounds it.
     pub(super) left_out_at_most: Option<f64>,
     pub(super) load_s: f64,
     pub(super) prepare_s: f64,
@@ -83,13 +83,17 @@ impl Report {
     fn text(&self) -> String {
         let Counts { eye, shadow, reflected, refracted } = self.rays;
         let left_out = match self.left_out_at_most {
-            Some(0.0) => "no ray, for depth or threshold".to_owned(),
-            Some(most) => format!("rays that darken no pixel by more than {} levels (proven)", figure(levels(most))),
+            Some(0.0) => "nothing, for depth, threshold or light cutoff".to_owned(),
+            Some(most) => {
+                format!("rays and light that darken no pixel by more than {} levels (proven)", figure(levels(most)))
+            }
             None => "rays that nothing bounds: some material has kr + kt of 1 or more".to_owned(),
         };
-        let search = [Work::ObjectNode, Work::Object, Work::MeshNode, Work::Triangle];
-        let amount = |work: &Work| format!("{} {}", self.work.of(*work), work.name());
-        let search: Vec<_> = search.iter().filter(|work| self.work.of(**work) > 0).map(amount).collect();
+        let amounts = |works: &[Work]| {
+            let done = works.iter().filter(|work| self.work.of(**work) > 0);
+            let all: Vec<_> = done.map(|work| format!("{} {}", self.work.of(*work), work.name())).collect();
+            if all.is_empty() { "nothing".to_owned() } else { all.join(", ") }
+        };
         let mut text = format!(
             "picture    {}x{}, {} a pixel, {}, {} threads\nrays       {eye} eye, {shadow} shadow, {reflected} reflected, {refracted} refracted\n",
             self.width,
@@ -98,8 +102,9 @@ impl Report {
             self.precision,
             self.threads,
         );
-        let _ = writeln!(text, "search     {}", search.join(", "));
-        let _ = writeln!(text, "shading    {}\neffects", amount(&Work::Power));
+        let search = amounts(&[Work::ObjectNode, Work::Object, Work::MeshNode, Work::Triangle]);
+        let shading = amounts(&[Work::Power, Work::FaintLight]);
+        let _ = writeln!(text, "search     {search}\nshading    {shading}\neffects");
         text.extend(self.by_effect.iter().map(Row::line));
         let _ = writeln!(
             text,

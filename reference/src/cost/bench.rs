@@ -50,6 +50,6 @@ impl Bench {
 fn render<T: Real>(world: &mut World<T>, rules: &Rules, setting: &Setting) -> (Image, Stats) {
     world.render.max_depth = setting.max_depth;
     world.render.threshold = setting.threshold;
-    let options = Options { effects: setting.simulated(), samples: setting.samples };
+    let options = Options { effects: setting.simulated(), samples: setting.samples, ..Options::of(world) };
     render::render_by(world, &setting.formula.rules(rules), &options, |_| {})
 }

@@ -11,6 +11,7 @@ pub mod folder;
 
 use std::path::{Path, PathBuf};
 
+use cases::Effects;
 use cases::stage::{self, Bounds, Case};
 use toml_edit::DocumentMut;
 
@@ -50,6 +51,19 @@ pub struct Varied {
     pub shows: f64,
     /// The share of contested pixels, where it was asked for.
     pub contested: Option<f64>,
+}
+
+/// `case`, whose file at `path` holds `text`, with its numbers moved once under `seed`, whether that will do or not.
+///
+/// # Errors
+/// A case that does not say how far its numbers may be moved, or a draw that is no case.
+pub fn draw_any(case: &Case, path: &Path, text: &str, allows: Effects, seed: u64) -> Result<Case, String> {
+    let id = &case.id;
+    let bounds = case.bounds.as_ref().ok_or_else(|| format!("{id} has no `[vary]`"))?;
+    let mut document: DocumentMut = text.parse().map_err(|why| format!("{id}: {why}"))?;
+    edit::jitter(&mut document, bounds, &mut Stream::new(seed, id)).map_err(|why| format!("{id}: {why}"))?;
+    let stage = id.split('/').next().unwrap_or_default();
+    stage::parse_case(path, &document.to_string(), stage, allows).map_err(|problems| problems.to_string())
 }
 
 impl Original {
