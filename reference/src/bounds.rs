@@ -1,6 +1,5 @@
 //! Boxes around things, for the tree.
 
-use crate::ray::Ray;
 use crate::real::Real;
 use crate::vec3::{Affine, Vec3};
 
@@ -45,43 +44,5 @@ impl<T: Real> Bounds<T> {
     pub fn half_area(self) -> T {
         let side = (self.max - self.min).greatest(Vec3::ZERO);
         side.x * side.y + side.y * side.z + side.z * side.x
-    }
-}
-
-/// A ray prepared for many boxes, which it takes for a little larger than they are.
-///
-/// Rounding in a box test or in the test of what is inside must never hide a hit: every box grows on each side by a few hundred roundings of
-/// the largest coordinate in play. A tree then finds exactly what a walk through the whole list finds.
-#[derive(Clone, Copy, Debug)]
-pub struct BoxRay<T> {
-    origin: Vec3<T>,
-    inverse: Vec3<T>,
-    pad: T,
-    t_min: T,
-}
-
-impl<T: Real> BoxRay<T> {
-    /// For boxes within `all`, where rounding in the test of what is inside loses up to `loss` times what it loses in world space.
-    pub fn new(ray: &Ray<T>, all: Bounds<T>, loss: T) -> Self {
-        let reach = ray.origin.abs().max_element().greatest(all.min.abs().greatest(all.max.abs()).max_element());
-        Self {
-            origin: ray.origin,
-            inverse: ray.direction.map(|d| T::ONE / d),
-            pad: reach * (loss * T::of(256.0) * T::ULP),
-            t_min: ray.t_min,
-        }
-    }
-
-    /// Where the ray enters the box, if it does so before `limit`.
-    #[inline(always)]
-    pub fn enter(&self, bounds: &Bounds<T>, limit: T) -> Option<T> {
-        let (mut enter, mut leave) = (self.t_min, limit);
-        for axis in 0..3 {
-            let one = (bounds.min[axis] - self.pad - self.origin[axis]) * self.inverse[axis];
-            let two = (bounds.max[axis] + self.pad - self.origin[axis]) * self.inverse[axis];
-            enter = enter.greatest(one.least(two)); // 0 · ∞ is NaN, which both functions pass over
-            leave = leave.least(one.greatest(two));
-        }
-        (enter <= leave).then_some(enter)
     }
 }

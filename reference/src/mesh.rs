@@ -1,7 +1,9 @@
 //! Triangles over shared vertices, with a tree over them. [rule 16] [rule 18]
 
+use rayon::prelude::*;
+
 use crate::bounds::Bounds;
-use crate::bvh::{Bvh, Tally};
+use crate::bvh::{Bvh, Lanes, Tally};
 use crate::ray::{Ray, Spot};
 use crate::real::Real;
 use crate::rules::{Interpolation, RuleSource, Weights};
@@ -12,11 +14,13 @@ use crate::world::Search;
 /// A mesh in object space.
 #[derive(Clone, Debug)]
 pub struct Mesh<T> {
-    triangles: Vec<Triangle<T>>,
-    /// Three vertex normals a triangle, where the mesh carries any.
-    normals: Option<Vec<[Vec3<T>; 3]>>,
-    /// Triangles with area, in order; the others are never met.
-    solid: Vec<u32>,
+    vertices: Vec<Vec3<T>>,
+    /// One a vertex, where the mesh carries any.
+    normals: Option<Vec<Vec3<T>>>,
+    /// Corners of the triangles with area, in the order of the tree; the others are never met.
+    faces: Vec<[u32; 3]>,
+    /// The mesh's own numbers of those.
+    numbers: Vec<u32>,
     tree: Option<Bvh<T>>,
     bounds: Bounds<T>,
 }
@@ -24,61 +28,100 @@ pub struct Mesh<T> {
 impl<T: Real> Mesh<T> {
     /// The mesh of a scene, in the precision `T`.
     pub fn of(mesh: &cases::Mesh, search: Search) -> Self {
-        let at = |corners: &[u32; 3], list: &[glam::DVec3]| corners.map(|i| Vec3::of(list[i as usize]));
-        let triangle = |t: &[u32; 3]| Triangle { corners: at(t, &mesh.vertices) };
-        let triangles: Vec<Triangle<T>> = mesh.triangles.iter().map(triangle).collect();
-        let solid: Vec<u32> = (0..triangles.len() as u32).filter(|i| triangles[*i as usize].has_area()).collect();
-        let bounds: Vec<_> = solid.iter().map(|i| Bounds::around(triangles[*i as usize].corners)).collect();
-        Self {
-            normals: mesh.normals.as_ref().map(|list| mesh.triangles.iter().map(|t| at(t, list)).collect()),
-            tree: (search == Search::Tree).then(|| Bvh::build(&bounds)),
-            bounds: bounds.into_iter().fold(Bounds::empty(), Bounds::join),
-            triangles,
-            solid,
+        let vectors = |list: &Vec<glam::DVec3>| list.par_iter().map(|v| Vec3::of(*v)).collect();
+        let mut all = Self {
+            vertices: vectors(&mesh.vertices),
+            normals: mesh.normals.as_ref().map(vectors),
+            faces: mesh.triangles.clone(),
+            numbers: Vec::new(),
+            tree: None,
+            bounds: Bounds::empty(),
+        };
+        let numbers = 0..mesh.triangles.len() as u32;
+        all.numbers = numbers.into_par_iter().filter(|n| all.triangle(*n).has_area()).collect();
+        let bounds = |n: &u32| Bounds::around(all.triangle(*n).corners);
+        let bounds: Vec<_> = all.numbers.par_iter().map(bounds).collect();
+        all.bounds = bounds.iter().fold(Bounds::empty(), |all, one| all.join(*one));
+        if search == Search::Tree {
+            let (tree, order) = Bvh::build(&bounds);
+            all.numbers = order.into_iter().map(|n| all.numbers[n as usize]).collect();
+            all.tree = Some(tree);
         }
+        all.faces = all.numbers.iter().map(|n| mesh.triangles[*n as usize]).collect();
+        all
+    }
+
+    /// The mesh searched by other instructions, which find the same.
+    pub fn with_lanes(self, lanes: Lanes) -> Self {
+        Self { tree: self.tree.map(|tree| tree.with_lanes(lanes)), ..self }
+    }
+
+    #[inline(always)]
+    fn triangle(&self, n: u32) -> Triangle<T> {
+        Triangle { corners: self.faces[n as usize].map(|i| self.vertices[i as usize]) }
     }
 
     /// The first meeting in the ray's interval; at one t the lower index wins.
     pub fn meet<R: RuleSource, Y: Tally>(&self, rules: R, ray: &Ray<T>, tally: &mut Y) -> Option<Meeting<T>> {
         let shear = Shear::of(ray).within(ray, self.bounds);
         let mut best: Option<Meeting<T>> = None;
-        let mut visit = |_: &mut Y, n: u32, limit: T| {
-            let i = self.solid[n as usize];
-            match self.triangles[i as usize].meet(rules, ray, &shear, i) {
-                Some(met) if best.is_none_or(|b| met.t < b.t || (met.t == b.t && i < b.part)) => {
-                    best = Some(met);
-                    met.t
-                }
-                _ => limit,
+        self.each(ray, tally, |_, n, limit| match self.triangle(n).meet(rules, ray, &shear, n) {
+            Some(met) if best.is_none_or(|b| met.t < b.t || (met.t == b.t && self.is_earlier(met, b))) => {
+                best = Some(met);
+                met.t
             }
-        };
+            _ => limit,
+        });
+        best
+    }
+
+    /// Whether anything is met in the ray's interval; the first triangle found ends the search.
+    pub fn is_met<R: RuleSource, Y: Tally>(&self, rules: R, ray: &Ray<T>, tally: &mut Y) -> bool {
+        let shear = Shear::of(ray).within(ray, self.bounds);
+        let mut found = false;
+        self.each(ray, tally, |_, n, limit| {
+            found = found || self.triangle(n).meet(rules, ray, &shear, n).is_some();
+            if found { -T::INFINITY } else { limit }
+        });
+        found
+    }
+
+    /// Calls `visit` for every triangle that the ray may meet before the limit.
+    #[inline(always)]
+    fn each<Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, mut visit: impl FnMut(&mut Y, u32, T) -> T) {
         match &self.tree {
             Some(tree) => tree.walk(ray, tally, visit),
-            None => (0..self.solid.len() as u32).for_each(|n| {
-                tally.thing();
-                visit(tally, n, ray.t_max);
-            }),
+            None => {
+                (0..self.faces.len() as u32).fold(ray.t_max, |limit, n| {
+                    tally.thing();
+                    visit(tally, n, limit)
+                });
+            }
         }
-        best
+    }
+
+    fn is_earlier(&self, met: Meeting<T>, other: Meeting<T>) -> bool {
+        self.numbers[met.part as usize] < self.numbers[other.part as usize]
     }
 
     /// The place of a meeting, with the triangle's own unit normal. [rule 16]
     pub fn place<R: RuleSource>(&self, rules: R, met: &Meeting<T>) -> Spot<T> {
-        let triangle = &self.triangles[met.part as usize];
+        let triangle = self.triangle(met.part);
         on_triangle(&triangle.corners, met.weights, triangle.normal(rules))
     }
 
     /// The normals at the corners of the triangle that was met; `None` on a flat mesh.
     #[inline(always)]
     pub fn corner_normals(&self, met: &Meeting<T>) -> Option<[Vec3<T>; 3]> {
-        self.normals.as_ref().map(|normals| normals[met.part as usize])
+        let normals = self.normals.as_ref()?;
+        Some(self.faces[met.part as usize].map(|i| normals[i as usize]))
     }
 
     /// Bytes it takes, its tree included.
     pub fn bytes(&self) -> usize {
         let normals = self.normals.as_ref().map_or(0, |list| size_of_val(&**list));
         let tree = self.tree.as_ref().map_or(0, Bvh::bytes);
-        size_of_val(&*self.triangles) + normals + size_of_val(&*self.solid) + tree
+        size_of_val(&*self.vertices) + normals + size_of_val(&*self.faces) + size_of_val(&*self.numbers) + tree
     }
 
     /// The least box around it.

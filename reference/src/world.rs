@@ -3,7 +3,7 @@
 use cases::{Effects, Scene, Shape};
 
 use crate::bounds::Bounds;
-use crate::bvh::Bvh;
+use crate::bvh::{Bvh, Lanes};
 pub use crate::frame::Frame;
 use crate::lights::Light;
 use crate::mesh::{self, Mesh};
@@ -92,6 +92,16 @@ pub struct Object<T> {
     frame: Option<Frame<T>>,
 }
 
+impl<T: Real> Object<T> {
+    /// The ray in the object's own space; `None` where that is the world.
+    #[inline(always)]
+    fn ray_in_frame<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> Option<Ray<T>> {
+        let frame = self.frame.as_ref()?;
+        tally.did(Work::MovedRay);
+        Some(Frame::ray_to_object(rules, &frame.object_from_world, ray))
+    }
+}
+
 /// The shape of an object.
 #[derive(Clone, Copy, Debug)]
 enum Form<T> {
@@ -153,6 +163,13 @@ impl<T: Real> World<T> {
         world
     }
 
+    /// The same, searched by other instructions, which find the same.
+    pub fn with_lanes(self, lanes: Lanes) -> Self {
+        let meshes = self.meshes.into_iter().map(|mesh| mesh.with_lanes(lanes)).collect();
+        let tree = self.tree.map(|(inside, tree)| (inside, tree.with_lanes(lanes)));
+        Self { meshes, tree, ..self }
+    }
+
     fn plant(&mut self) {
         let (mut inside, mut bounds) = (Vec::new(), Vec::new());
         for i in 0..self.objects.len() as u32 {
@@ -162,7 +179,9 @@ impl<T: Real> World<T> {
             }
         }
         let loss = self.objects.iter().filter_map(|object| object.frame.as_ref()).map(Frame::loss);
-        self.tree = Some((inside, Bvh::build(&bounds).with_loss(loss.fold(T::ONE, T::greatest))));
+        let (tree, order) = Bvh::build(&bounds);
+        let inside = order.into_iter().map(|n| inside[n as usize]).collect();
+        self.tree = Some((inside, tree.with_loss(loss.fold(T::ONE, T::greatest))));
     }
 
     /// The box around an object in world space; `None` where it has no end.
@@ -209,7 +228,7 @@ impl<T: Real> World<T> {
     pub fn occluded<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> bool {
         let mut found = false;
         self.each(ray, tally, &mut |tally, i, limit| {
-            found = found || self.meet(rules, ray, i as usize, tally).is_some();
+            found = found || self.is_met(rules, ray, i as usize, tally);
             if found { -T::INFINITY } else { limit }
         });
         found
@@ -274,14 +293,23 @@ impl<T: Real> World<T> {
     #[inline(always)]
     fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>, object: usize, tally: &mut impl Tally) -> Option<Meeting<T>> {
         let object = &self.objects[object];
-        let moved = object.frame.as_ref().map(|f| {
-            tally.did(Work::MovedRay);
-            Frame::ray_to_object(rules, &f.object_from_world, ray)
-        });
+        let moved = object.ray_in_frame(rules, ray, tally);
         let ray = moved.as_ref().unwrap_or(ray);
         match &object.shape {
             Form::Solid(solid) => solid.meet(rules, ray),
             Form::Mesh(mesh) => self.meshes[*mesh].meet(rules, ray, &mut OfTriangles(tally)),
+        }
+    }
+
+    /// Whether the ray meets one object.
+    #[inline(always)]
+    fn is_met<R: RuleSource>(&self, rules: R, ray: &Ray<T>, object: usize, tally: &mut impl Tally) -> bool {
+        let object = &self.objects[object];
+        let moved = object.ray_in_frame(rules, ray, tally);
+        let ray = moved.as_ref().unwrap_or(ray);
+        match &object.shape {
+            Form::Solid(solid) => solid.meet(rules, ray).is_some(),
+            Form::Mesh(mesh) => self.meshes[*mesh].is_met(rules, ray, &mut OfTriangles(tally)),
         }
     }
 
@@ -296,12 +324,7 @@ impl<T: Real> World<T> {
     ) -> Hit<T> {
         let object = &self.objects[index];
         let frame = object.frame.as_ref();
-        let mut moved = || {
-            frame.map_or(*ray, |f| {
-                tally.did(Work::MovedRay);
-                Frame::ray_to_object(rules, &f.object_from_world, ray)
-            })
-        };
+        let mut moved = || object.ray_in_frame(rules, ray, tally).unwrap_or(*ray);
         let places_hits = rules.get().places_hits();
         let (place, n_shading) = match &object.shape {
             Form::Solid(solid) if places_hits => (solid.place(rules, &moved(), &met), None),

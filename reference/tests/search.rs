@@ -8,11 +8,14 @@ use cases::Effect;
 use cases::film::level;
 use common::{Random, scene};
 use glam::{DAffine3, DVec3};
+use reference::bvh::Lanes;
+use reference::camera::Lens;
 use reference::ray::Ray;
 use reference::real::Real;
 use reference::render::{Options, render};
 use reference::rules::Lecture;
 use reference::vec3::Vec3;
+use reference::work::Amounts;
 use reference::world::{Search, World};
 
 /// Many shapes in disorder, some meshes with triangles that share edges, some without area.
@@ -71,9 +74,45 @@ fn order() -> cases::Scene {
     scene(&text)
 }
 
+/// A world searched in every way there is.
+struct Ways<T> {
+    scan: World<T>,
+    trees: Vec<World<T>>,
+}
+
+impl<T: Real> Ways<T> {
+    fn of(scene: &cases::Scene) -> Self {
+        let scan = World::with_search(scene, Search::Scan);
+        let tree = World::with_search(scene, Search::Tree);
+        Self { scan, trees: Lanes::all().into_iter().map(|lanes| tree.clone().with_lanes(lanes)).collect() }
+    }
+
+    /// Whether the ray meets anything: what it meets is the same to the bit in every way, and all trees take the same steps.
+    fn meets(&self, ray: &Ray<T>) -> bool {
+        let search = |world: &World<T>| {
+            let mut work = Amounts::default();
+            let hit = format!("{:?}", world.nearest(Lecture, ray, &mut work));
+            let is_met = world.occluded(Lecture, ray, &mut work);
+            let crossings = world.crossings(Lecture, ray, |_| false, &mut work);
+            ((hit, is_met, crossings.map(|all| format!("{all:?}"))), work)
+        };
+        let (found, _) = search(&self.scan);
+        let steps: Vec<Amounts> = self
+            .trees
+            .iter()
+            .map(|tree| {
+                let (by_tree, work) = search(tree);
+                assert_eq!(by_tree, found, "along {ray:?}");
+                work
+            })
+            .collect();
+        assert!(steps.iter().all(|one| *one == steps[0]), "{steps:?} along {ray:?}");
+        found.1
+    }
+}
+
 fn trees_find_what_lists_find_among_flat_things<T: Real>() {
-    let scene = order();
-    let (tree, scan) = (World::<T>::with_search(&scene, Search::Tree), World::<T>::with_search(&scene, Search::Scan));
+    let ways = Ways::<T>::of(&order());
     let places = [-3.0, -2.0, -1.5, -1.0, -0.0, 0.0, 0.25, 0.5, 1.0, 2.0];
     let steps = [-1.0, -0.0, 0.0, 1.0];
     let three = |list: &[f64]| -> Vec<DVec3> {
@@ -84,10 +123,7 @@ fn trees_find_what_lists_find_among_flat_things<T: Real>() {
     for direction in three(&steps).into_iter().filter(|d| *d != DVec3::ZERO) {
         for origin in three(&places) {
             let ray = Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(direction));
-            let describe = |world: &World<T>| format!("{:?}", world.nearest(Lecture, &ray, &mut ()));
-            assert_eq!(describe(&tree), describe(&scan), "from {origin} along {direction}");
-            assert_eq!(tree.occluded(Lecture, &ray, &mut ()), scan.occluded(Lecture, &ray, &mut ()));
-            n_hits += usize::from(tree.occluded(Lecture, &ray, &mut ()));
+            n_hits += usize::from(ways.meets(&ray));
         }
     }
     assert!(n_hits > 5000, "only {n_hits} rays hit anything: the scene tests nothing");
@@ -104,8 +140,7 @@ fn trees_find_what_lists_find<T: Real>() {
     let mut n_hits = 0;
     for _ in 0..8 {
         let scene = disorder(&mut random);
-        let (tree, scan) =
-            (World::<T>::with_search(&scene, Search::Tree), World::<T>::with_search(&scene, Search::Scan));
+        let ways = Ways::<T>::of(&scene);
         let vertices = &scene.meshes[0].vertices;
         for n in 0..1500 {
             let origin = random.unit() * 4.0;
@@ -113,10 +148,7 @@ fn trees_find_what_lists_find<T: Real>() {
             let direction =
                 if n % 2 == 0 { random.unit() } else { (vertices[n % vertices.len()] - origin).normalize() };
             let ray = Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(direction));
-            let describe = |world: &World<T>| format!("{:?}", world.nearest(Lecture, &ray, &mut ()));
-            assert_eq!(describe(&tree), describe(&scan), "from {origin} along {direction}");
-            assert_eq!(tree.occluded(Lecture, &ray, &mut ()), scan.occluded(Lecture, &ray, &mut ()));
-            n_hits += usize::from(tree.occluded(Lecture, &ray, &mut ()));
+            n_hits += usize::from(ways.meets(&ray));
         }
     }
     assert!(n_hits > 3000, "only {n_hits} rays hit anything: the scenes test nothing");
@@ -130,6 +162,29 @@ fn trees_find_what_lists_find_in_double_precision() {
 #[test]
 fn trees_find_what_lists_find_in_single_precision() {
     trees_find_what_lists_find::<f32>();
+}
+
+/// Rays from the eyes of all public cases, and from where they meet something in a direction that points anywhere.
+#[test]
+fn trees_find_what_lists_find_in_every_public_case() {
+    let stages = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
+    let mut random = Random(0x0ca_5e5);
+    let (mut n_scenes, mut n_hits) = (0, 0);
+    for stage in cases::stage::load_all(&stages).unwrap() {
+        for case in &stage.cases {
+            let (ways, camera) = (Ways::<f64>::of(&case.scene), case.scene.camera);
+            let lens = Lens::<f64>::new(Lecture, &camera, 12, 9);
+            n_scenes += 1;
+            for pixel in (0..12).flat_map(|i| (0..9).map(move |j| (i, j))) {
+                let ray = lens.eye_ray(Lecture, pixel, (random.share(), random.share()));
+                n_hits += usize::from(ways.meets(&ray));
+                if let Some(hit) = ways.scan.nearest(Lecture, &ray, &mut ()) {
+                    ways.meets(&Ray::spawned(Lecture, &hit.spot(hit.n_geom), Vec3::of(random.unit())));
+                }
+            }
+        }
+    }
+    assert!(n_scenes > 20 && n_hits > 1000, "{n_hits} hits in {n_scenes} scenes");
 }
 
 /// The scene by another map of the world.
@@ -152,21 +207,14 @@ fn trees_find_what_lists_find_in_far_and_flat_worlds<T: Real>() {
     let maps = [far(1e4), far(1e6), far(1e8), sized(1e-8), sized(1e8), far(1e6) * sized(1e-3)];
     for map in maps.into_iter().chain([flat(1e-3), flat(1e-6), flat(1e-9), far(1e4) * flat(1e-6)]) {
         let scene = mapped(&disorder(&mut random), map);
-        let [tree, scan] = [Search::Tree, Search::Scan].map(|search| World::<T>::with_search(&scene, search));
+        let ways = Ways::<T>::of(&scene);
         let mut n_hits = 0;
         for n in 0..600 {
             let from = map.transform_point3(random.unit() * 4.0);
             let object = &scene.objects[n % scene.objects.len()];
             let to = object.world_from_object.transform_point3(random.unit() * 0.4);
             let ray = Ray::leaving(Lecture, Vec3::of(from), Vec3::of((to - from).normalize()));
-            let describe = |world: &World<T>| format!("{:?}", world.nearest(Lecture, &ray, &mut ()));
-            assert_eq!(describe(&tree), describe(&scan), "from {from} to {to} by {map:?}");
-            assert_eq!(
-                tree.occluded(Lecture, &ray, &mut ()),
-                scan.occluded(Lecture, &ray, &mut ()),
-                "from {from} to {to} by {map:?}"
-            );
-            n_hits += usize::from(tree.occluded(Lecture, &ray, &mut ()));
+            n_hits += usize::from(ways.meets(&ray));
         }
         assert!(n_hits > 100, "only {n_hits} rays hit anything by {map:?}: it tests nothing");
     }

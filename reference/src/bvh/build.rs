@@ -1,0 +1,325 @@
+//! Building: ranges of things are split in place, along the axis and at the bin where the surface-area heuristic finds it cheapest.
+//!
+//! Sums and bounds do not depend on the order in which threads come, so the tree does not either.
+
+use arrayvec::ArrayVec;
+use rayon::prelude::*;
+
+use super::node::{Child, DEEPEST, Node, WIDTH};
+use super::slab::Space;
+use crate::bounds::Bounds;
+use crate::real::Real;
+
+/// At most this many things a leaf.
+const LEAF: usize = 2;
+/// Most places at which a split is tried.
+const BINS: usize = 16;
+/// Deeper than this, ranges are split in halves: 2^28 things are then one each well above [`DEEPEST`].
+const DEEP: usize = DEEPEST - 30;
+/// Ranges longer than this are worked at by several threads.
+const FORK: usize = 8192;
+
+/// The box around some things, corner by corner; the fourth number makes it a register.
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    lo: [f32; 4],
+    hi: [f32; 4],
+}
+
+impl Span {
+    const EMPTY: Self = Self { lo: [f32::INFINITY; 4], hi: [-f32::INFINITY; 4] };
+
+    #[inline(always)]
+    fn join(&mut self, lo: [f32; 4], hi: [f32; 4]) {
+        for axis in 0..4 {
+            self.lo[axis] = if lo[axis] < self.lo[axis] { lo[axis] } else { self.lo[axis] };
+            self.hi[axis] = if hi[axis] > self.hi[axis] { hi[axis] } else { self.hi[axis] };
+        }
+    }
+
+    fn half_area(&self) -> f32 {
+        let [x, y, z] = [0, 1, 2].map(|axis| (self.hi[axis] - self.lo[axis]).max(0.0));
+        x * y + y * z + z * x
+    }
+}
+
+/// A thing: its box and its number.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+struct Item {
+    lo: [f32; 3],
+    hi: [f32; 3],
+    number: u32,
+}
+
+impl Item {
+    #[inline(always)]
+    fn corners(&self) -> ([f32; 4], [f32; 4]) {
+        let ([x, y, z], [u, v, w]) = (self.lo, self.hi);
+        ([x, y, z, 0.0], [u, v, w, 0.0])
+    }
+
+    /// Twice its middle.
+    #[inline(always)]
+    fn middle(&self, axis: usize) -> f32 {
+        self.lo[axis] + self.hi[axis]
+    }
+
+    #[inline(always)]
+    fn middles(&self) -> [f32; 4] {
+        [self.middle(0), self.middle(1), self.middle(2), 0.0]
+    }
+}
+
+/// What is known of a range of things.
+#[derive(Clone, Copy, Debug)]
+struct Around {
+    /// The box around them.
+    all: Span,
+    /// The box around twice their middles.
+    middles: Span,
+}
+
+impl Around {
+    const NOTHING: Self = Self { all: Span::EMPTY, middles: Span::EMPTY };
+
+    #[inline(always)]
+    fn join(mut self, item: &Item) -> Self {
+        let (lo, hi) = item.corners();
+        self.all.join(lo, hi);
+        self.middles.join(item.middles(), item.middles());
+        self
+    }
+
+    fn of(items: &[Item]) -> Self {
+        items.iter().fold(Self::NOTHING, Self::join)
+    }
+}
+
+/// The nodes of a tree over things with these bounds, and the order in which it holds them.
+pub(super) fn build<T: Real>(bounds: &[Bounds<T>], space: &Space<T>) -> (Vec<Node>, Vec<u32>) {
+    if bounds.is_empty() {
+        return (Vec::new(), Vec::new());
+    }
+    let item = |(number, bounds)| {
+        let (lo, hi) = space.place(bounds);
+        Item { lo, hi, number: number as u32 }
+    };
+    let mut items: Vec<Item> = bounds.par_iter().enumerate().with_min_len(FORK).map(item).collect();
+    let around = Around::of(&items);
+    let mut nodes = Vec::with_capacity(items.len() / 4 + 1);
+    grow(&mut items, 0, around, 0, &mut nodes);
+    (nodes, items.iter().map(|item| item.number).collect())
+}
+
+/// A part of a range of things: how many, and what is around them.
+type Part = (usize, Around);
+
+/// Appends the node over `items`, which are those from `first` on, and all below it.
+fn grow(items: &mut [Item], first: usize, around: Around, depth: usize, nodes: &mut Vec<Node>) {
+    let (parts, depth) = divide(items, around, depth);
+    let at = nodes.len();
+    nodes.push(Node::of([]));
+    let mut children = ArrayVec::<_, WIDTH>::new();
+    let is_leaf = |count: usize| count <= LEAF;
+    if items.len() <= FORK {
+        let mut begin = 0;
+        for (count, around) in parts {
+            let child = if is_leaf(count) {
+                Child::of_things(first + begin, count)
+            } else {
+                let child = Child::of_node(nodes.len());
+                grow(&mut items[begin..begin + count], first + begin, around, depth, nodes);
+                child
+            };
+            children.push((around.all, child));
+            begin += count;
+        }
+    } else {
+        let mut rest = (items, first);
+        let mut jobs = ArrayVec::<_, WIDTH>::new();
+        for (count, around) in parts {
+            let (items, after) = rest.0.split_at_mut(count);
+            jobs.push((items, rest.1, around));
+            rest = (after, rest.1 + count);
+        }
+        let grow_part = |(items, first, around): (&mut [Item], usize, Around)| {
+            let mut nodes = Vec::new();
+            if is_leaf(items.len()) {
+                return (Child::of_things(first, items.len()), around, nodes);
+            }
+            nodes.reserve(items.len() / 4 + 1);
+            grow(items, first, around, depth, &mut nodes);
+            (Child::ROOT, around, nodes)
+        };
+        let grown: Vec<_> = jobs
+            .as_mut_slice()
+            .into_par_iter()
+            .map(|(items, first, around)| grow_part((items, *first, *around)))
+            .collect();
+        for (child, around, below) in grown {
+            let by = nodes.len();
+            children.push((around.all, child.moved(by)));
+            nodes.extend(below.into_iter().map(|node| node.moved(by)));
+        }
+    }
+    let corners = |span: Span| ([span.lo[0], span.lo[1], span.lo[2]], [span.hi[0], span.hi[1], span.hi[2]]);
+    nodes[at] = Node::of(children.into_iter().map(|(span, child)| (corners(span).0, corners(span).1, child)));
+}
+
+/// Parts that the children of a node over `items` hold, in order, and how deep the splits have come: the part with the greatest box is split again, while
+/// there is room.
+fn divide(items: &mut [Item], around: Around, depth: usize) -> (ArrayVec<Part, WIDTH>, usize) {
+    let mut parts = ArrayVec::<Part, WIDTH>::new();
+    if items.len() <= WIDTH {
+        parts.extend(items.iter().map(|item| (1, Around::NOTHING.join(item))));
+        return (parts, depth);
+    }
+    parts.push((items.len(), around));
+    while !parts.is_full() {
+        let weight = |(count, around): &Part| if *count > LEAF { around.all.half_area() } else { -1.0 };
+        let largest =
+            (0..parts.len()).fold(0, |best, n| if weight(&parts[n]) > weight(&parts[best]) { n } else { best });
+        let (count, around) = parts[largest];
+        if count <= LEAF {
+            break;
+        }
+        let begin: usize = parts[..largest].iter().map(|part| part.0).sum();
+        let (left, right) = split(&mut items[begin..begin + count], around, depth);
+        parts[largest] = left;
+        parts.insert(largest + 1, right);
+    }
+    (parts, depth + 1)
+}
+
+/// Splits a range of two things at least in two, each with something in it.
+fn split(items: &mut [Item], around: Around, depth: usize) -> (Part, Part) {
+    if depth < DEEP
+        && let Some(cut) = cheapest(items, &around)
+    {
+        let (count, left, right) = part(items, |item| cut.bin(item) <= cut.last);
+        return ((count, left), (items.len() - count, right));
+    }
+    let count = items.len() / 2;
+    let (left, right) = items.split_at(count);
+    ((count, Around::of(left)), (right.len(), Around::of(right)))
+}
+
+/// Puts those that go left before the others; returns how many do, and what is around both parts.
+fn part(items: &mut [Item], goes_left: impl Fn(&Item) -> bool) -> (usize, Around, Around) {
+    let (mut left, mut right) = (Around::NOTHING, Around::NOTHING);
+    let (mut begin, mut end) = (0, items.len());
+    while begin < end {
+        if goes_left(&items[begin]) {
+            left = left.join(&items[begin]);
+            begin += 1;
+        } else {
+            right = right.join(&items[begin]);
+            end -= 1;
+            items.swap(begin, end);
+        }
+    }
+    (begin, left, right)
+}
+
+/// A place to split: after bin `last` along an axis.
+struct Cut {
+    axis: usize,
+    last: usize,
+    grid: Grid,
+}
+
+impl Cut {
+    #[inline(always)]
+    fn bin(&self, item: &Item) -> usize {
+        self.grid.bin(item, self.axis)
+    }
+}
+
+/// Bins of equal width between the least and the greatest middle.
+#[derive(Clone, Copy)]
+struct Grid {
+    n_bins: usize,
+    least: [f32; 4],
+    per_width: [f32; 4],
+}
+
+impl Grid {
+    #[inline(always)]
+    fn bin(&self, item: &Item, axis: usize) -> usize {
+        (((item.middle(axis) - self.least[axis]) * self.per_width[axis]) as usize).min(self.n_bins - 1)
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Bin {
+    all: Span,
+    count: usize,
+}
+
+type Bins = [[Bin; BINS]; 3];
+
+/// The cheapest split with something on both sides; `None` where all middles are one.
+fn cheapest(items: &[Item], around: &Around) -> Option<Cut> {
+    let n_bins = (4 + items.len() / 4).min(BINS);
+    let Span { lo: least, hi: most } = around.middles;
+    let per_width = [0, 1, 2, 3].map(|axis| {
+        let width = most[axis] - least[axis];
+        if width > 0.0 { n_bins as f32 * 0.9999 / width } else { 0.0 }
+    });
+    let grid = Grid { n_bins, least, per_width };
+    let bins = if items.len() > 8 * FORK {
+        items.par_chunks(FORK).map(|items| fill(items, grid)).reduce(|| EMPTY, merge)
+    } else {
+        fill(items, grid)
+    };
+    let mut best = (f32::INFINITY, 0, 0);
+    for axis in (0..3).filter(|axis| per_width[*axis] > 0.0) {
+        let mut right = [(0.0, 0); BINS];
+        let mut so_far = Bin { all: Span::EMPTY, count: 0 };
+        for n in (1..n_bins).rev() {
+            so_far = join(so_far, bins[axis][n]);
+            right[n - 1] = (so_far.all.half_area() * so_far.count as f32, so_far.count);
+        }
+        let mut so_far = Bin { all: Span::EMPTY, count: 0 };
+        for n in 0..n_bins - 1 {
+            so_far = join(so_far, bins[axis][n]);
+            let cost = so_far.all.half_area() * so_far.count as f32 + right[n].0;
+            if so_far.count > 0 && right[n].1 > 0 && cost < best.0 {
+                best = (cost, axis, n);
+            }
+        }
+    }
+    best.0.is_finite().then_some(Cut { axis: best.1, last: best.2, grid })
+}
+
+const EMPTY: Bins = [[Bin { all: Span::EMPTY, count: 0 }; BINS]; 3];
+
+#[inline(always)]
+fn join(mut one: Bin, other: Bin) -> Bin {
+    one.all.join(other.all.lo, other.all.hi);
+    one.count += other.count;
+    one
+}
+
+fn fill(items: &[Item], grid: Grid) -> Bins {
+    let mut bins = EMPTY;
+    for item in items {
+        let (lo, hi) = item.corners();
+        for (axis, bins) in bins.iter_mut().enumerate() {
+            let bin = &mut bins[grid.bin(item, axis)];
+            bin.all.join(lo, hi);
+            bin.count += 1;
+        }
+    }
+    bins
+}
+
+fn merge(mut one: Bins, other: Bins) -> Bins {
+    for (bins, others) in one.iter_mut().zip(&other) {
+        for (bin, other) in bins.iter_mut().zip(others) {
+            *bin = join(*bin, *other);
+        }
+    }
+    one
+}

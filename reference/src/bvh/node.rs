@@ -1,0 +1,145 @@
+//! A node of eight boxes, and the children still to visit.
+
+use std::ops::Range;
+
+use arrayvec::ArrayVec;
+
+use super::slab::Slab;
+
+/// Children of a node.
+pub(super) const WIDTH: usize = 8;
+/// At most this many things a leaf.
+pub(super) const MOST_THINGS: usize = 8;
+/// Deeper than this no tree gets, see [`super::build`].
+pub(super) const DEEPEST: usize = 64;
+
+/// A node: eight lanes of boxes, lanes without a child last, with planes that no ray meets.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub(super) struct Node {
+    /// Least x of the eight, greatest x, least y and so on.
+    planes: [[f32; WIDTH]; 6],
+    children: [Child; WIDTH],
+}
+
+/// What a box holds: a node, or things that are numbered one after another.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Child(u32);
+
+impl Child {
+    /// The first node.
+    pub(super) const ROOT: Self = Self(0);
+    const LEAF: u32 = 1 << 31;
+    const COUNT: u32 = 28;
+
+    /// A node by its number.
+    pub(super) fn of_node(node: usize) -> Self {
+        assert!(node < 1 << 31, "a node number of 31 bits: trees over 2^28 things have fewer nodes");
+        Self(node as u32)
+    }
+
+    /// `count` things from `first` on, 1 to [`MOST_THINGS`].
+    pub(super) fn of_things(first: usize, count: usize) -> Self {
+        assert!(first < 1 << Self::COUNT && (1..=MOST_THINGS).contains(&count), "things of a number of 28 bits");
+        Self(Self::LEAF | (count as u32 - 1) << Self::COUNT | first as u32)
+    }
+
+    /// The same where all nodes are numbered from `by` on.
+    pub(super) fn moved(self, by: usize) -> Self {
+        if self.0 & Self::LEAF == 0 { Self::of_node(self.0 as usize + by) } else { self }
+    }
+
+    /// The things of a leaf; `None` for a node.
+    #[inline(always)]
+    pub(super) fn things(self) -> Option<Range<u32>> {
+        let first = self.0 & ((1 << Self::COUNT) - 1);
+        let count = (self.0 >> Self::COUNT & 7) + 1;
+        (self.0 & Self::LEAF != 0).then_some(first..first + count)
+    }
+
+    /// Its number, if it is a node.
+    #[inline(always)]
+    pub(super) fn node(self) -> usize {
+        self.0 as usize
+    }
+}
+
+impl Node {
+    /// The node of these boxes, eight at most.
+    pub(super) fn of(boxes: impl IntoIterator<Item = ([f32; 3], [f32; 3], Child)>) -> Self {
+        let nowhere = [f32::INFINITY, -f32::INFINITY];
+        let mut node =
+            Self { planes: std::array::from_fn(|plane| [nowhere[plane % 2]; WIDTH]), children: [Child::ROOT; WIDTH] };
+        for (lane, (lo, hi, child)) in boxes.into_iter().enumerate() {
+            for axis in 0..3 {
+                (node.planes[2 * axis][lane], node.planes[2 * axis + 1][lane]) = (lo[axis], hi[axis]);
+            }
+            node.children[lane] = child;
+        }
+        node
+    }
+
+    /// The same where all nodes are numbered from `by` on.
+    pub(super) fn moved(mut self, by: usize) -> Self {
+        self.children = self.children.map(|child| child.moved(by));
+        self
+    }
+
+    /// Opens the children that the ray enters before `reach`, the nearest last.
+    #[inline(always)]
+    pub(super) fn enter(&self, ray: &Slab, reach: f32, open: &mut Open) {
+        let (mut enter, mut leave) = ([0.0; WIDTH], [reach; WIDTH]);
+        for axis in 0..3 {
+            let (near, far) = (&self.planes[ray.near[axis]], &self.planes[ray.near[axis] ^ 1]);
+            for lane in 0..WIDTH {
+                let t = (near[lane] - ray.from_near[axis]) * ray.inverse[axis];
+                enter[lane] = if t > enter[lane] { t } else { enter[lane] };
+                let t = (far[lane] - ray.from_far[axis]) * ray.inverse[axis];
+                leave[lane] = if t < leave[lane] { t } else { leave[lane] };
+            }
+        }
+        let mut entered = 0u32;
+        for lane in 0..WIDTH {
+            entered |= u32::from(enter[lane] <= leave[lane]) << lane;
+        }
+        let begin = open.0.len();
+        while entered != 0 {
+            let lane = entered.trailing_zeros() as usize % WIDTH;
+            entered &= entered - 1;
+            open.insert(begin, (self.children[lane], enter[lane]));
+        }
+    }
+}
+
+/// Children still to visit, each with the τ at which the ray enters it.
+pub(super) struct Open(ArrayVec<(Child, f32), { DEEPEST * (WIDTH - 1) + 1 }>);
+
+impl Open {
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        Self(ArrayVec::new())
+    }
+
+    /// Puts a child among those from `begin` on, which come farthest first.
+    #[inline(always)]
+    fn insert(&mut self, begin: usize, child: (Child, f32)) {
+        let mut at = self.0.len();
+        self.0.push(child);
+        while at > begin && self.0[at - 1].1 < child.1 {
+            self.0[at] = self.0[at - 1];
+            at -= 1;
+        }
+        self.0[at] = child;
+    }
+
+    /// Takes the child put last that is entered before `reach`.
+    #[inline(always)]
+    pub(super) fn nearest(&mut self, reach: f32) -> Option<Child> {
+        while let Some((child, enter)) = self.0.pop() {
+            if enter <= reach {
+                return Some(child);
+            }
+        }
+        None
+    }
+}
