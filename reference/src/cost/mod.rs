@@ -7,6 +7,7 @@
 //! | `error.rs`, `front.rs` | how far a picture is from a better one; which settings no other one beats |
 //! | `report.rs`, `advice.rs` | what was found, as data and in sentences |
 //! | `functions.rs`, `functions_report.rs` | one function at a time: nanoseconds against errors and wrong decisions |
+//! | `uncalled.rs` | what an effect costs a scene that does not call for it |
 //! | `forms.rs`, `table.rs`, `csv.rs`, `plot.rs`, `page.rs` | reports as text, table, picture and page |
 //! | `scaled.rs`, `document.rs` | the same scene in another size; the page of the documentation |
 //!
@@ -30,3 +31,4 @@ pub mod scaled;
 pub mod setting;
 pub mod sweep;
 pub mod table;
+pub mod uncalled;

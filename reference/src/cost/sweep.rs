@@ -141,16 +141,14 @@ impl Sweep {
     }
 }
 
-/// The scene without each effect that it calls for and that can be left out, and with all of them. Transforms and the weakening of
-/// light belong to objects and lights that have them: the kernel has no switch for those.
+/// The scene without each effect that it calls for, and with all there are.
 fn switches(own: Setting) -> Vec<(Setting, About)> {
-    let has_switch = |effect: &Effect| !matches!(effect, Effect::Transforms | Effect::Attenuation);
     let without = |effect| {
         let threshold = if effect == Effect::AdaptiveDepth { 0.0 } else { own.threshold };
         (Setting { threshold, effects: own.effects.without(effect), ..own }, About::Without(effect))
     };
     let everything = Setting { effects: Effects::all().without(Effect::AdaptiveDepth), ..own };
-    own.simulated().iter().filter(has_switch).map(without).chain([(everything, About::Everything)]).collect()
+    own.simulated().iter().map(without).chain([(everything, About::Everything)]).collect()
 }
 
 fn pairs<A: Copy, B: Copy>(one: &[A], other: &[B]) -> Vec<(A, B)> {
