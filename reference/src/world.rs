@@ -1,18 +1,19 @@
 //! The scene made ready for rays: numbers in one precision, trees built, nearest hits found. [rule 2]
 
-use cases::{Effects, Scene, Shape};
+use cases::{Effects, Scene};
 
-use crate::bounds::Bounds;
 use crate::bvh::{Bvh, Lanes};
 pub use crate::frame::Frame;
 use crate::lights::Light;
 use crate::mesh::{self, Mesh};
+use crate::object::Form;
+pub use crate::object::Object;
 use crate::ray::{Ray, Spot};
 use crate::real::Real;
 use crate::rules::{Nearest, RuleSource};
-use crate::shapes::{Cuboid, Meeting, Plane, Round, Solid, Sphere, Square};
+use crate::shapes::Meeting;
 use crate::vec3::Vec3;
-use crate::work::{OfObjects, OfTriangles, Tally, Work};
+use crate::work::{OfObjects, Tally, Work};
 
 /// With more objects than this a tree finds the nearest.
 const MANY: usize = 8;
@@ -81,34 +82,6 @@ impl<T: Real> Material<T> {
     }
 }
 
-/// A thing in the world.
-#[derive(Clone, Debug)]
-pub struct Object<T> {
-    /// For people.
-    pub name: String,
-    /// Index into [`World::materials`].
-    pub material: usize,
-    shape: Form<T>,
-    frame: Option<Frame<T>>,
-}
-
-impl<T: Real> Object<T> {
-    /// The ray in the object's own space; `None` where that is the world.
-    #[inline(always)]
-    fn ray_in_frame<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> Option<Ray<T>> {
-        let frame = self.frame.as_ref()?;
-        tally.did(Work::MovedRay);
-        Some(Frame::ray_to_object(rules, &frame.object_from_world, ray))
-    }
-}
-
-/// The shape of an object.
-#[derive(Clone, Copy, Debug)]
-enum Form<T> {
-    Solid(Solid<T>),
-    Mesh(usize),
-}
-
 /// The nearest thing a ray meets, in world space.
 #[derive(Clone, Copy, Debug)]
 pub struct Hit<T> {
@@ -152,7 +125,7 @@ impl<T: Real> World<T> {
             background: Vec3::of(scene.background),
             lights: scene.lights.iter().map(Light::of).collect(),
             materials: scene.materials.iter().map(Material::of).collect(),
-            objects: scene.objects.iter().map(object).collect(),
+            objects: scene.objects.iter().map(Object::of).collect(),
             meshes: scene.meshes.iter().map(|mesh| Mesh::of(mesh, search)).collect(),
             endless: Vec::new(),
             tree: None,
@@ -173,7 +146,7 @@ impl<T: Real> World<T> {
     fn plant(&mut self) {
         let (mut inside, mut bounds) = (Vec::new(), Vec::new());
         for i in 0..self.objects.len() as u32 {
-            match self.bounds(i as usize) {
+            match self.objects[i as usize].bounds(&self.meshes) {
                 Some(one) => (inside.push(i), bounds.push(one)).0,
                 None => self.endless.push(i),
             }
@@ -182,16 +155,6 @@ impl<T: Real> World<T> {
         let (tree, order) = Bvh::build(&bounds);
         let inside = order.into_iter().map(|n| inside[n as usize]).collect();
         self.tree = Some((inside, tree.with_loss(loss.fold(T::ONE, T::greatest))));
-    }
-
-    /// The box around an object in world space; `None` where it has no end.
-    fn bounds(&self, object: usize) -> Option<Bounds<T>> {
-        let object = &self.objects[object];
-        let bounds = match &object.shape {
-            Form::Solid(solid) => solid.bounds()?,
-            Form::Mesh(mesh) => self.meshes[*mesh].bounds(),
-        };
-        Some(object.frame.as_ref().map_or(bounds, |frame| frame.bounds_to_world(bounds)))
     }
 
     /// The nearest hit in the ray's interval; at one t the earlier object wins. [rule 2]
@@ -212,14 +175,15 @@ impl<T: Real> World<T> {
                 Nearest::LastListed => i > *j,
             },
         };
-        let mut visit = |tally: &mut Y, i: u32, limit: T| match self.meet(rules, ray, i as usize, tally) {
-            Some(met) if wins(i as usize, met.t, &best) => {
-                best = Some((i as usize, met));
-                if rules.get().nearest == Nearest::LeastT { met.t } else { limit }
-            }
-            _ => limit,
-        };
-        self.each(ray, tally, &mut visit);
+        let mut visit =
+            |tally: &mut Y, i: u32, limit: T| match self.objects[i as usize].meet(rules, ray, &self.meshes, tally) {
+                Some(met) if wins(i as usize, met.t, &best) => {
+                    best = Some((i as usize, met));
+                    if rules.get().nearest == Nearest::LeastT { met.t } else { limit }
+                }
+                _ => limit,
+            };
+        self.each::<_, false>(ray, tally, &mut visit);
         best
     }
 
@@ -227,8 +191,8 @@ impl<T: Real> World<T> {
     #[inline]
     pub fn occluded<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> bool {
         let mut found = false;
-        self.each(ray, tally, &mut |tally, i, limit| {
-            found = found || self.is_met(rules, ray, i as usize, tally);
+        self.each::<_, true>(ray, tally, &mut |tally, i, limit| {
+            found = found || self.objects[i as usize].is_met(rules, ray, &self.meshes, tally);
             if found { -T::INFINITY } else { limit }
         });
         found
@@ -245,9 +209,9 @@ impl<T: Real> World<T> {
     ) -> Option<Vec<(T, usize)>> {
         let mut crossings = Vec::new();
         let mut is_blocked = false;
-        self.each(ray, tally, &mut |tally, i, limit| {
+        self.each::<_, true>(ray, tally, &mut |tally, i, limit| {
             let (object, mut rest) = (i as usize, *ray);
-            while !is_blocked && let Some(met) = self.meet(rules, &rest, object, tally) {
+            while !is_blocked && let Some(met) = self.objects[object].meet(rules, &rest, &self.meshes, tally) {
                 is_blocked = blocks(object);
                 if !is_blocked {
                     tally.did(Work::TintedCrossing);
@@ -261,24 +225,31 @@ impl<T: Real> World<T> {
         (!is_blocked).then_some(crossings)
     }
 
-    /// Calls `visit` for every object that the ray may meet before the limit; `visit` returns the new limit, −∞ to end the search.
+    /// Calls `visit` for every object that the ray may meet before the limit; `visit` returns the new limit, −∞ to end the search where it
+    /// `ENDS` early.
     #[inline(always)]
-    fn each<Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, visit: &mut impl FnMut(&mut Y, u32, T) -> T) {
-        let one_by_one = match &self.tree {
-            None => 0..self.objects.len() as u32,
-            Some(_) => 0..self.endless.len() as u32,
-        };
+    fn each<Y: Tally, const ENDS: bool>(
+        &self,
+        ray: &Ray<T>,
+        tally: &mut Y,
+        visit: &mut impl FnMut(&mut Y, u32, T) -> T,
+    ) {
         let mut limit = ray.t_max;
-        for n in one_by_one {
+        let mut goes_on = |tally: &mut Y, i: u32| {
             tally.did(Work::Object);
-            limit = visit(tally, if self.tree.is_none() { n } else { self.endless[n as usize] }, limit);
-            if limit == -T::INFINITY {
-                return;
+            limit = visit(tally, i, limit);
+            !ENDS || limit != -T::INFINITY
+        };
+        match &self.tree {
+            None => {
+                let _ = (0..self.objects.len() as u32).all(|i| goes_on(tally, i));
             }
-        }
-        if let Some((inside, tree)) = &self.tree {
-            let rest = Ray { t_max: limit, ..*ray };
-            tree.walk(&rest, &mut OfObjects(tally), |of, n, limit| visit(of.0, inside[n as usize], limit));
+            Some((inside, tree)) => {
+                if self.endless.iter().all(|i| goes_on(tally, *i)) {
+                    let rest = Ray { t_max: limit, ..*ray };
+                    tree.walk(&rest, &mut OfObjects(tally), |of, n, limit| visit(of.0, inside[n as usize], limit));
+                }
+            }
         }
     }
 
@@ -287,30 +258,6 @@ impl<T: Real> World<T> {
         let lists = size_of_val(&*self.lights) + size_of_val(&*self.materials) + size_of_val(&*self.objects);
         let tree = self.tree.as_ref().map_or(0, |(inside, tree)| size_of_val(&**inside) + tree.bytes());
         lists + self.meshes.iter().map(Mesh::bytes).sum::<usize>() + size_of_val(&*self.endless) + tree
-    }
-
-    /// The first meeting of the ray with one object.
-    #[inline(always)]
-    fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>, object: usize, tally: &mut impl Tally) -> Option<Meeting<T>> {
-        let object = &self.objects[object];
-        let moved = object.ray_in_frame(rules, ray, tally);
-        let ray = moved.as_ref().unwrap_or(ray);
-        match &object.shape {
-            Form::Solid(solid) => solid.meet(rules, ray),
-            Form::Mesh(mesh) => self.meshes[*mesh].meet(rules, ray, &mut OfTriangles(tally)),
-        }
-    }
-
-    /// Whether the ray meets one object.
-    #[inline(always)]
-    fn is_met<R: RuleSource>(&self, rules: R, ray: &Ray<T>, object: usize, tally: &mut impl Tally) -> bool {
-        let object = &self.objects[object];
-        let moved = object.ray_in_frame(rules, ray, tally);
-        let ray = moved.as_ref().unwrap_or(ray);
-        match &object.shape {
-            Form::Solid(solid) => solid.meet(rules, ray).is_some(),
-            Form::Mesh(mesh) => self.meshes[*mesh].is_met(rules, ray, &mut OfTriangles(tally)),
-        }
     }
 
     /// A meeting with an object, its place and normals worked out; the interpolated normal where `is_smooth`, else the geometric one.
@@ -354,38 +301,4 @@ impl<T: Real> World<T> {
         let Spot { point, error, n_geom } = spot;
         Hit { t: met.t, point, error, n_geom, n_shading: n_shading.map_or(n_geom, to_world), object: index }
     }
-}
-
-fn object<T: Real>(object: &cases::Object) -> Object<T> {
-    let frame = || Frame::of(&object.world_from_object, &object.object_from_world);
-    Object {
-        name: object.name.clone(),
-        material: object.material,
-        shape: form(&object.shape),
-        frame: (!object.is_untransformed()).then(frame),
-    }
-}
-
-fn form<T: Real>(shape: &Shape) -> Form<T> {
-    Form::Solid(match *shape {
-        Shape::Sphere { center, radius } => Solid::Sphere(Sphere { center: Vec3::of(center), radius: T::of(radius) }),
-        Shape::Plane { normal, k } => Solid::Plane(Plane { normal: Vec3::of(normal), k: T::of(k) }),
-        Shape::Square {} => Solid::Square(Square),
-        Shape::Box { min, max } => Solid::Cuboid(Cuboid { min: Vec3::of(min), max: Vec3::of(max) }),
-        Shape::Cylinder { radius, z_min, z_max, capped } => Solid::Round(Round {
-            bottom_radius: T::of(radius),
-            top_radius: T::of(radius),
-            z_min: T::of(z_min),
-            z_max: T::of(z_max),
-            is_capped: capped,
-        }),
-        Shape::Cone { bottom_radius, top_radius, z_min, z_max, capped } => Solid::Round(Round {
-            bottom_radius: T::of(bottom_radius),
-            top_radius: T::of(top_radius),
-            z_min: T::of(z_min),
-            z_max: T::of(z_max),
-            is_capped: capped,
-        }),
-        Shape::Mesh { mesh } => return Form::Mesh(mesh),
-    })
 }
