@@ -1,0 +1,109 @@
+//! A scene for POV-Ray 3.7.
+
+use std::fmt::Write as _;
+
+use cases::glam::DVec3;
+use cases::{Light, Material, Mesh, Scene};
+
+use super::{File, Known};
+
+/// A directional light is one this far away, its rays parallel.
+const FAR: f64 = 1e6;
+
+/// One file, `scene.pov`: ellipsoids, refraction, tinted shadows and half-vector highlights as in the scene.
+///
+/// # Errors
+/// Names an object of another shape than sphere or mesh.
+pub fn export(scene: &Scene) -> Result<Vec<File>, String> {
+    let mut out = head(scene);
+    for light in &scene.lights {
+        let colour = v(light.colour());
+        let _ = match light {
+            Light::Point { position, .. } => writeln!(out, "light_source {{ {} color rgb {colour} }}", v(*position)),
+            Light::Directional { direction, .. } => writeln!(
+                out,
+                "light_source {{ {} color rgb {colour} parallel point_at <0,0,0> }}",
+                v(-*direction * FAR)
+            ),
+        };
+    }
+    for (object, i) in scene.objects.iter().zip(0..) {
+        let _ = writeln!(out, "// {i}");
+        let looks = looks(scene, &scene.materials[object.material]);
+        match super::known(scene, object)? {
+            Known::Mesh(mesh) => out += &self::mesh(mesh, &looks),
+            Known::Sphere { center, radius } => {
+                let _ = write!(out, "sphere {{ {}, {radius} {looks}", v(center));
+                if !object.is_untransformed() {
+                    let m = object.world_from_object;
+                    let columns = [m.matrix3.x_axis, m.matrix3.y_axis, m.matrix3.z_axis, m.translation];
+                    let _ = write!(out, " matrix <{}>", columns.map(|c| super::numbers(c, ",")).join(","));
+                }
+                out += " }\n";
+            }
+        }
+    }
+    Ok(vec![("scene.pov".to_owned(), out.into_bytes())])
+}
+
+fn head(scene: &Scene) -> String {
+    let (camera, half) = (&scene.camera, super::half_height(scene));
+    // exact where the tangent is
+    let half = if (half - 1.0).abs() < 1e-15 { 1.0 } else { half };
+    format!(
+        "#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout 0 ambient_light rgb 1 }}\n\
+         background {{ color rgb {} }}\ncamera {{ perspective location {} right {} up {} direction {} }}\n",
+        scene.render.max_depth + 1,
+        v(scene.background),
+        v(camera.eye),
+        v(camera.right * (2.0 * half * super::aspect(scene))),
+        v(camera.up * (2.0 * half)),
+        v(camera.forward),
+    )
+}
+
+/// Texture and interior. POV-Ray takes the transmitted share off diffuse light, which is made up for.
+fn looks(scene: &Scene, m: &Material) -> String {
+    let kt = super::mean(m.kt);
+    let mut text = format!(
+        "texture {{ pigment {{ color rgb {} transmit {kt} }} finish {{ ambient rgb {} diffuse 1",
+        v(m.kd / (1.0 - kt)),
+        v(super::ambient(scene)),
+    );
+    if m.ks != DVec3::ZERO && m.ns > 0.0 {
+        let _ = write!(text, " specular {} roughness {}", super::mean(m.ks), 1.0 / m.ns);
+    }
+    if m.kr != DVec3::ZERO {
+        let _ = write!(text, " reflection {{ rgb {} }}", v(m.kr));
+    }
+    text += " } }";
+    if kt > 0.0 {
+        let _ = write!(text, " interior {{ ior {} }}", super::relative_index(m));
+    }
+    text
+}
+
+fn mesh(mesh: &Mesh, looks: &str) -> String {
+    let list = |vectors: &[DVec3]| {
+        let all: Vec<String> = vectors.iter().map(|one| v(single(*one))).collect();
+        format!("{{ {}, {} }}", vectors.len(), all.join(", "))
+    };
+    let faces: Vec<String> = mesh.triangles.iter().map(|[a, b, c]| format!("<{a},{b},{c}>")).collect();
+    let normals = mesh.normals.as_ref().map_or_else(String::new, |all| format!("normal_vectors {}\n", list(all)));
+    format!(
+        "mesh2 {{ vertex_vectors {}\n{normals}face_indices {{ {}, {} }}\n{looks} }}\n",
+        list(&mesh.vertices),
+        faces.len(),
+        faces.join(", ")
+    )
+}
+
+/// As the mesh files have it, so that the text holds no digits that they do not.
+fn single(v: DVec3) -> DVec3 {
+    let short = |x: f64| (x as f32).to_string().parse().unwrap_or(x);
+    DVec3::new(short(v.x), short(v.y), short(v.z))
+}
+
+fn v(v: DVec3) -> String {
+    format!("<{}>", super::numbers(v, ","))
+}

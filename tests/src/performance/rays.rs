@@ -1,0 +1,163 @@
+//! Rays made beforehand, the same for every program that looks for what they meet, and the file that holds them.
+
+use std::f64::consts::TAU;
+
+use cases::glam::DVec3;
+use cases::{Light, Scene, maths};
+use reference::camera::Lens;
+use reference::ray::Ray;
+use reference::rules::Lecture;
+use reference::vec3::Vec3;
+use reference::world::World;
+
+use super::dice::Dice;
+
+/// How far a new ray starts from the surface it leaves, in scene units: far beyond what single precision loses.
+const OFF: f64 = 1e-3;
+
+/// Rays of one kind.
+#[derive(Clone, Debug)]
+pub struct Set {
+    /// Its name.
+    pub name: &'static str,
+    /// Whether only it matters whether something lies in the way.
+    pub is_any_hit: bool,
+    /// Origin, direction and length, in single precision, so that all get the same.
+    pub rays: Vec<[f32; 7]>,
+}
+
+/// The names of the sets, in order.
+pub const NAMES: [&str; 4] = ["primary", "shadow", "diffuse", "random"];
+
+/// The four sets for a scene of one light and one mesh: eye rays, row by row; shadow rays from what they meet; rays in random directions
+/// above it; and rays from anywhere to anywhere in a box about the mesh.
+pub fn sets(scene: &Scene) -> [Set; 4] {
+    let world = World::<f64>::new(scene);
+    let eye: Vec<Ray<f64>> = eye_rays(scene).collect();
+    let lamp = scene.lights.iter().find_map(|light| match light {
+        Light::Point { position, .. } => Some(*position),
+        Light::Directional { .. } => None,
+    });
+    let lamp = lamp.unwrap_or(scene.camera.eye);
+    let mut dice = Dice::new(17);
+    let (mut shadow, mut diffuse) = (vec![], vec![]);
+    for ray in &eye {
+        let Some(hit) = world.nearest(Lecture, ray, &mut ()) else { continue };
+        let (point, normal) = (hit.point.f64(), hit.n_geom.f64());
+        let side = if normal.dot(ray.direction.f64()) > 0.0 { -normal } else { normal };
+        let from = point + side * OFF;
+        shadow.push(packed(from, (lamp - from).normalize(), (lamp - from).length()));
+        diffuse.push(packed(from, (side + sphere(&mut dice)).normalize(), f64::INFINITY));
+    }
+    let in_box = |dice: &mut Dice| DVec3::from_array([(); 3].map(|()| dice.between(-1.2, 1.2)));
+    let random = (0..eye.len()).map(|_| {
+        let (from, to) = (in_box(&mut dice), in_box(&mut dice));
+        packed(from, (to - from).normalize(), f64::INFINITY)
+    });
+    let random = random.collect();
+    let primary = eye.iter().map(|ray| packed(ray.origin.f64(), ray.direction.f64(), f64::INFINITY)).collect();
+    let set = |name, is_any_hit, rays| Set { name, is_any_hit, rays };
+    let [first, second, third, fourth] = NAMES;
+    [set(first, false, primary), set(second, true, shadow), set(third, false, diffuse), set(fourth, false, random)]
+}
+
+/// How many eye rays of a scene meet something.
+pub fn n_met(scene: &Scene) -> u64 {
+    let world = World::<f64>::new(scene);
+    eye_rays(scene).filter(|ray| world.first(Lecture, ray, &mut ()).is_some()).count() as u64
+}
+
+/// One through the middle of every pixel, row by row. [rule 1]
+fn eye_rays(scene: &Scene) -> impl Iterator<Item = Ray<f64>> {
+    let (width, height) = (scene.render.width, scene.render.height);
+    let lens = Lens::<f64>::new(Lecture, &scene.camera, width, height);
+    let pixels = (0..height).flat_map(move |j| (0..width).map(move |i| (i, j)));
+    pixels.map(move |pixel| lens.eye_ray(Lecture, pixel, (0.5, 0.5)))
+}
+
+fn packed(from: DVec3, direction: DVec3, length: f64) -> [f32; 7] {
+    [from.x, from.y, from.z, direction.x, direction.y, direction.z, length].map(|x| x as f32)
+}
+
+/// A point of the unit sphere, evenly.
+fn sphere(dice: &mut Dice) -> DVec3 {
+    let (z, angle) = (dice.between(-1.0, 1.0), dice.between(0.0, TAU));
+    let r = (1.0 - z * z).sqrt();
+    DVec3::new(r * maths::cos(angle), r * maths::sin(angle), z)
+}
+
+/// The ray as the reference takes it.
+pub fn ray(packed: &[f32; 7]) -> Ray<f64> {
+    let [x, y, z, dx, dy, dz, length] = packed.map(f64::from);
+    let v = |x, y, z| Vec3::of(DVec3::new(x, y, z));
+    Ray { t_max: length, ..Ray::all_of(v(x, y, z), v(dx, dy, dz)) }
+}
+
+/// The file: for each set whether it is any-hit, and how many rays it has, two 32-bit numbers; then its rays. All little-endian.
+pub fn encode(sets: &[Set]) -> Vec<u8> {
+    let mut out = vec![];
+    for set in sets {
+        out.extend(u32::from(set.is_any_hit).to_le_bytes());
+        out.extend((set.rays.len() as u32).to_le_bytes());
+        set.rays.iter().flatten().for_each(|x| out.extend(x.to_le_bytes()));
+    }
+    out
+}
+
+/// The sets of such a file, by the names of [`NAMES`]; `None` where it is cut or there are more or fewer sets.
+pub fn decode(mut bytes: &[u8]) -> Option<Vec<Set>> {
+    let mut sets = vec![];
+    for name in NAMES {
+        let is_any_hit = u32::from_le_bytes(*bytes.first_chunk()?) == 1;
+        let n = u32::from_le_bytes(*bytes.get(4..)?.first_chunk()?) as usize;
+        let body = bytes.get(8..8 + 28 * n)?;
+        bytes = &bytes[8 + 28 * n..];
+        let float = |chunk: &[u8]| chunk.first_chunk().map_or(f32::NAN, |four| f32::from_le_bytes(*four));
+        let rays = body.chunks_exact(28).map(|ray| std::array::from_fn(|k| float(&ray[4 * k..]))).collect();
+        sets.push(Set { name, is_any_hit, rays });
+    }
+    bytes.is_empty().then_some(sets)
+}
+
+/// How many of two programs' answers differ: one meets something and the other does not, or their distances differ by more than a
+/// thousandth. A miss is infinite; of an any-hit set anything finite is a hit.
+pub fn n_different(set: &Set, ours: &[f32], theirs: &[f32]) -> usize {
+    let differ = |(a, b): (&f32, &f32)| {
+        a.is_finite() != b.is_finite() || (!set.is_any_hit && a.is_finite() && (a - b).abs() > 1e-3 * a.abs().max(1.0))
+    };
+    ours.iter().zip(theirs).filter(|pair| differ(*pair)).count() + ours.len().abs_diff(theirs.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn some() -> Vec<Set> {
+        let set = |name, is_any_hit, n| Set {
+            name,
+            is_any_hit,
+            rays: vec![[1.0, 2.0, 3.0, 0.0, 0.0, 1.0, f32::INFINITY]; n],
+        };
+        vec![set(NAMES[0], false, 2), set(NAMES[1], true, 1), set(NAMES[2], false, 0), set(NAMES[3], false, 3)]
+    }
+
+    #[test]
+    fn a_file_of_rays_is_read_as_written_and_never_half() {
+        let bytes = encode(&some());
+        let read = decode(&bytes).expect("it is whole");
+        assert_eq!(format!("{read:?}"), format!("{:?}", some()));
+        assert!(decode(&bytes[..bytes.len() - 1]).is_none() && decode(&[&bytes[..], &[0]].concat()).is_none());
+    }
+
+    #[test]
+    fn answers_differ_in_meeting_and_in_distance() {
+        let (far, [nearest, any, ..]) = (f32::INFINITY, <[Set; 4]>::try_from(some()).expect("four"));
+        for (ours, theirs, n, n_any) in
+            [(1.0, 1.0005, 0, 0), (1.0, 1.1, 1, 0), (far, far, 0, 0), (1.0, far, 1, 1), (far, 0.0, 1, 1)]
+        {
+            assert_eq!(n_different(&nearest, &[ours], &[theirs]), n, "{ours} {theirs}");
+            assert_eq!(n_different(&any, &[ours], &[theirs]), n_any, "{ours} {theirs}");
+        }
+        assert_eq!(n_different(&nearest, &[1.0], &[]), 1);
+    }
+}

@@ -1,0 +1,111 @@
+//! Our own side of the measurements, run as a process of its own like every peer: what it prints is JSON.
+
+use std::fs;
+use std::path::Path;
+use std::time::Instant;
+
+use cases::Scene;
+use reference::ray::Ray;
+use reference::render::{Options, render_by};
+use reference::rules::{Lecture, Rules};
+use reference::world::World;
+use rustix::time::{ClockId, clock_gettime};
+use serde_json::{Value, json};
+
+use super::rays::{self, Set};
+
+/// Does what `words` ask for: `render SCENE THREADS`, or `search MESH RAYS ANSWERS PASSES`; what came of it.
+///
+/// # Errors
+/// Words that ask for nothing known, files that cannot be read or written.
+pub fn work(words: &[String]) -> Result<Value, String> {
+    match words {
+        [job, scene, threads] if job == "render" => render(Path::new(scene), number(threads)?),
+        [job, mesh, rays, answers, passes] if job == "search" => {
+            search(Path::new(mesh), Path::new(rays), Path::new(answers), number(passes)?)
+        }
+        _ => Err(format!("no work is called `{}`", words.join(" "))),
+    }
+}
+
+fn number(word: &str) -> Result<usize, String> {
+    word.parse().map_err(|why| format!("{word}: {why}"))
+}
+
+/// CPU seconds of this process so far, all threads together.
+fn cpu_s() -> f64 {
+    let now = clock_gettime(ClockId::ProcessCPUTime);
+    now.tv_sec as f64 + now.tv_nsec as f64 * 1e-9
+}
+
+/// What `work` gives, and its CPU seconds.
+fn timed<A>(work: impl FnOnce() -> A) -> (A, f64) {
+    let begun = cpu_s();
+    let result = work();
+    (result, cpu_s() - begun)
+}
+
+/// One picture, as `reference render` makes it: reading, making ready, rendering, apart.
+fn render(path: &Path, threads: usize) -> Result<Value, String> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|why| why.to_string())?;
+    let (scene, read_s) = timed(|| load(path));
+    let scene = scene?;
+    let (world, prepare_s) = timed(|| pool.install(|| World::<f64>::new(&scene)));
+    let begun = Instant::now();
+    let ((_, stats), render_cpu_s) =
+        timed(|| pool.install(|| render_by(&world, &Rules::LECTURE, &Options::of(&world), |_| {})));
+    let render_wall_s = begun.elapsed().as_secs_f64();
+    let bytes = world.bytes();
+    let rays = stats.rays;
+    Ok(json!({
+        "read_s": read_s, "prepare_s": prepare_s, "render_cpu_s": render_cpu_s, "render_wall_s": render_wall_s,
+        "bytes": bytes, "eye": rays.eye, "shadow": rays.shadow, "reflected": rays.reflected, "refracted": rays.refracted,
+    }))
+}
+
+fn load(path: &Path) -> Result<Scene, String> {
+    cases::scene::load(path).map_err(|why| why.to_string())
+}
+
+/// The mesh of that file alone, in its own space.
+fn mesh_alone(path: &Path) -> Result<Scene, String> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let text = format!(
+        "[render]\nsize = [1, 1]\n[scene.camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 40\n\
+         [scene.materials]\nstone = {{}}\n[[scene.objects]]\nmesh = {{ file = {name:?} }}\nmaterial = \"stone\"\n"
+    );
+    let folder = path.parent().unwrap_or(Path::new("."));
+    cases::scene::parse(&name, &text, folder).map_err(|why| why.to_string())
+}
+
+/// Looks for what rays meet, one ray at a time on one thread; the first pass over each set warms up.
+fn search(mesh: &Path, from: &Path, to: &Path, n_passes: usize) -> Result<Value, String> {
+    let wrong = |path: &Path, why: &dyn std::fmt::Display| format!("{}: {why}", path.display());
+    let bytes = fs::read(from).map_err(|why| wrong(from, &why))?;
+    let sets = rays::decode(&bytes).ok_or_else(|| wrong(from, &"no file of rays"))?;
+    let (scene, read_s) = timed(|| mesh_alone(mesh));
+    let scene = scene?;
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(|why| why.to_string())?;
+    let (world, build_s) = timed(|| pool.install(|| World::<f64>::new(&scene)));
+    let (mut all, mut seconds) = (vec![], vec![]);
+    for set in &sets {
+        let rays: Vec<Ray<f64>> = set.rays.iter().map(rays::ray).collect();
+        let mut answers = vec![0.0; rays.len()];
+        let times: Vec<f64> = (0..=n_passes).map(|_| timed(|| ask(&world, set, &rays, &mut answers)).1).collect();
+        seconds.push(times[1..].to_vec());
+        all.extend(answers.iter().flat_map(|t| t.to_le_bytes()));
+    }
+    fs::write(to, all).map_err(|why| wrong(to, &why))?;
+    Ok(json!({ "read_s": read_s, "build_s": build_s, "bytes": world.bytes(), "seconds": seconds }))
+}
+
+/// The answers to a set, in the form that [`rays::n_different`] compares.
+fn ask(world: &World<f64>, set: &Set, rays: &[Ray<f64>], answers: &mut [f32]) {
+    for (ray, answer) in rays.iter().zip(answers) {
+        *answer = match set.is_any_hit {
+            true if world.occluded(Lecture, ray, &mut ()) => 0.0,
+            true => f32::INFINITY,
+            false => world.first(Lecture, ray, &mut ()).map_or(f32::INFINITY, |(_, met)| met.t as f32),
+        };
+    }
+}
