@@ -147,6 +147,7 @@ impl FunctionsReport {
             title: format!("{function}: error against time"),
             x: "nanoseconds an answer, generic questions (median; the line: least to greatest)".to_owned(),
             y: "greatest relative error; a wrong decision is 1".to_owned(),
+            line: plot::FRONT,
             key: vec![
                 (Shape::Circle, false, "robust"),
                 (Shape::Square, false, "other formulas"),

@@ -23,6 +23,7 @@ pub fn plots(report: &Report) -> [Plot; 2] {
         title,
         x: "milliseconds a picture (median; the line: least to greatest)".to_owned(),
         y,
+        line: plot::FRONT,
         key: vec![
             (Shape::Circle, false, "robust"),
             (Shape::Square, false, "stable"),

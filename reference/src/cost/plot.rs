@@ -59,6 +59,8 @@ pub struct Plot {
     pub x: String,
     /// At its side, with the unit.
     pub y: String,
+    /// What the line through the points on the front means; none, where they are only to bear names.
+    pub line: Option<&'static str>,
     /// What shapes and fillings mean.
     pub key: Vec<(Shape, bool, &'static str)>,
     /// The points; those whose numbers are not finite, or whose price is not above 0, are left out.
@@ -73,6 +75,9 @@ pub enum Place {
     /// In a page that brings [`STYLE`] and its colours along.
     Page,
 }
+
+/// What the line means where prices and errors are shown.
+pub const FRONT: Option<&str> = Some("nothing is cheaper and nearer");
 
 /// How it looks; the colours are the page's, if it has any.
 pub const STYLE: &str = include_str!("plot.css");
@@ -149,7 +154,9 @@ fn drawn(plot: &Plot) -> String {
     let on_front = || points.iter().zip(&at).filter(|(point, _)| point.is_on_front);
     let mut front: Vec<(f64, f64)> = on_front().map(|(_, at)| *at).collect();
     front.sort_by(|a, b| a.0.total_cmp(&b.0));
-    out += &stairs(&front);
+    if plot.line.is_some() {
+        out += &stairs(&front);
+    }
     for (point, at) in points.iter().zip(&at) {
         let spread = [point.spread.0, point.spread.1].map(|value| if value > 0.0 { x.at(value) } else { at.0 });
         out += &mark(point, *at, spread);
@@ -201,8 +208,10 @@ fn axes(plot: &Plot, x: &Scale, y: &Scale, floor: f64, has_zero: bool) -> String
         let _ = writeln!(out, "<text class=\"tick\" x=\"{}\" y=\"44\">{}</text>", left + 15.0, quoted(text));
         left += 34.0 + labels::width(text);
     }
-    let _ = writeln!(out, "<path class=\"front\" d=\"M{left} 40h24\"/>");
-    let _ = writeln!(out, "<text class=\"tick\" x=\"{}\" y=\"44\">nothing is cheaper and nearer</text>", left + 31.0);
+    if let Some(line) = plot.line {
+        let _ = writeln!(out, "<path class=\"front\" d=\"M{left} 40h24\"/>");
+        let _ = writeln!(out, "<text class=\"tick\" x=\"{}\" y=\"44\">{}</text>", left + 31.0, quoted(line));
+    }
     out
 }
 
@@ -288,7 +297,7 @@ mod tests {
 
     fn plot(points: Vec<Point>) -> String {
         let text = || "a".to_owned();
-        svg(&Plot { title: text(), x: text(), y: text(), key: vec![], points }, Place::File)
+        svg(&Plot { title: text(), x: text(), y: text(), line: Some("best"), key: vec![], points }, Place::File)
     }
 
     #[test]

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs the renderers and libraries that the reference is compared with into the folder given: POV-Ray and Tachyon from Debian,
-# Mitsuba 3 and Embree 4 from PyPI (Mitsuba's LLVM from Debian), crates from crates.io. Needs g++, cargo, Python 3 and, for Debian's packages, root unless
+# Mitsuba 3 and Embree 4 from PyPI (Mitsuba's LLVM from Debian), ODiff from npm, dify and libraries
+# from crates.io. Needs g++, cargo, Python 3, npm and, for Debian's packages, root unless
 # they are there.
 set -euo pipefail
 ours=$(cd "$(dirname "$0")" && pwd)
@@ -34,6 +35,12 @@ python3 -m venv "$folder/venv"
 libraries=("$folder"/venv/lib/python3*/site-packages/embreex.libs)
 embree=$(ls "${libraries[0]}"/libembree4-*.so.4)
 g++ -O3 -march=native -std=c++17 "$ours/embree.cpp" "$embree" -Wl,-rpath,"${libraries[0]}" -o "$folder/embree"
+
+say "ODiff, dify"
+npm install --prefix "$folder" --no-audit --no-fund --loglevel=error odiff-bin@4.5.0 > /dev/null
+# itself, without the Node.js that starts it
+ln -sf "$(find "$folder/node_modules/@odiff" -type f -perm -u+x | head -1)" "$folder/odiff"
+cargo install --quiet --locked --root "$folder/dify" --version 0.8.0 dify
 
 say "crates"
 CARGO_TARGET_DIR="$folder/crates" cargo build --release --quiet --locked --manifest-path "$ours/crates/Cargo.toml"

@@ -24,6 +24,14 @@ pub struct Spent {
 /// # Errors
 /// A program that cannot be run, or that fails, with the end of what it said.
 pub fn run(command: &mut Command, folder: &Path) -> Result<Spent, String> {
+    run_to(command, folder, &[0])
+}
+
+/// [`run`] of a program that may end with any of these codes.
+///
+/// # Errors
+/// As [`run`]; another code is a failure.
+pub fn run_to(command: &mut Command, folder: &Path, codes: &[i32]) -> Result<Spent, String> {
     let name = command.get_program().to_string_lossy().into_owned();
     let wrong = |why: io::Error| format!("{name}: {why}");
     let log = folder.join("said.txt");
@@ -34,7 +42,7 @@ pub fn run(command: &mut Command, folder: &Path) -> Result<Spent, String> {
     let (status, cpu_s) = wait(child.id()).map_err(wrong)?;
     let wall_s = begun.elapsed().as_secs_f64();
     let said = String::from_utf8_lossy(&std::fs::read(&log).map_err(wrong)?).into_owned();
-    if !libc::WIFEXITED(status) || libc::WEXITSTATUS(status) != 0 {
+    if !libc::WIFEXITED(status) || !codes.contains(&libc::WEXITSTATUS(status)) {
         let arguments: Vec<_> = command.get_args().map(OsStr::to_string_lossy).collect();
         let end: Vec<&str> = said.lines().rev().take(12).collect();
         let end: Vec<&str> = end.into_iter().rev().collect();
@@ -77,6 +85,7 @@ mod tests {
         assert!(spent.wall_s >= 0.05 && spent.cpu_s < spent.wall_s, "{spent:?}");
         let why = shell("echo too bad; exit 3").expect_err("it fails");
         assert!(why.contains("too bad"), "{why}");
+        assert!(run_to(Command::new("false").env_clear(), folder.path(), &[0, 1]).is_ok());
         assert!(run(&mut Command::new("no such program"), folder.path()).is_err());
     }
 }

@@ -8,7 +8,7 @@ use std::process::Command;
 use serde::{Deserialize, Serialize};
 
 use super::bench::{Bench, made};
-use super::rays::{self, NAMES, Set};
+use super::rays::{self, Set};
 use super::series::median;
 use super::{child, scenes, stone};
 
@@ -104,7 +104,7 @@ pub struct Row {
     pub build_s: f64,
     /// Bytes of the tree and what it points to, as the library tells.
     pub bytes: Option<u64>,
-    /// Million rays a second, for each of [`NAMES`].
+    /// Million rays a second, for each of [`rays::NAMES`].
     pub mrays: [f64; 4],
     /// Rays of each set.
     pub n_rays: [usize; 4],
@@ -198,9 +198,4 @@ fn row(
 /// The row of a library and a mesh.
 pub fn find<'a>(rows: &'a [Row], library: Library, mesh: &str) -> Option<&'a Row> {
     rows.iter().find(|row| row.library == library && row.mesh == mesh)
-}
-
-/// Names of the sets, for the head of a table.
-pub fn heads() -> String {
-    NAMES.join(" | ")
 }

@@ -57,8 +57,9 @@ fn relative_index(material: &Material) -> f64 {
     material.index / AIR
 }
 
-/// Three numbers with `between` between them.
+/// Three numbers with `between` between them; none is −0.
 fn numbers(v: DVec3, between: &str) -> String {
+    let v = v + DVec3::ZERO;
     format!("{}{between}{}{between}{}", v.x, v.y, v.z)
 }
 
@@ -105,7 +106,7 @@ mod tests {
             "up <0,2,0>",
             "direction <0,0,-1>",
             "light_source { <1,2,3> color rgb <1,0.5,0.25> }",
-            "<-0,1000000,-0>",
+            "<0,1000000,0>",
             "parallel",
             "vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0> }",
             "face_indices { 1, <0,1,2> }",
@@ -126,11 +127,11 @@ mod tests {
             "RAYDEPTH 4",
             "CENTER 0 0 -5",
             "VIEWDIR 0 0 1",
-            "UPDIR 0 1 -0",
+            "UPDIR 0 1 0",
             "LIGHT CENTER 1 2 -3",
-            "DIRECTION 0 -1 -0",
+            "DIRECTION 0 -1 0",
             "BACKGROUND 0.5 0 0.25",
-            "TRI V0 0 0 -0 V1 0 1 -0 V2 1 0 -0",
+            "TRI V0 0 0 0 V1 0 1 0 V2 1 0 0",
             "SPHERE CENTER 7 8 -9 RAD 1",
         ];
         check(

@@ -69,7 +69,7 @@ fn texture(scene: &Scene, n: usize, m: &Material) -> String {
 }
 
 fn triangles(out: &mut String, mesh: &Mesh, material: usize) {
-    let short = |p: DVec3| format!("{} {} {}", p.x as f32, p.y as f32, -p.z as f32);
+    let short = |p: DVec3| format!("{} {} {}", p.x as f32, p.y as f32, (0.0 - p.z) as f32);
     for [a, b, c] in &mesh.triangles {
         // the other hand's orientation
         let corners = [a, c, b];

@@ -1,0 +1,191 @@
+//! The bars: what speed is asked for, what was reached, and what is known of the ones that were not.
+
+use serde::Serialize;
+
+use super::pictures;
+use super::rays::NAMES;
+use super::renderers::Renderer;
+use super::report::Report;
+use super::scenes::STONES;
+use super::search::{self, Library, SHOWN};
+use super::series::exponent;
+use super::small::{self, OURS, what};
+
+/// A bar.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Bar {
+    /// What is asked for.
+    pub asked: String,
+    /// What was reached, with its unit.
+    pub figure: String,
+    /// Whether that is enough.
+    pub is_met: bool,
+    /// What is known of why not; nothing where it is met.
+    pub why: &'static str,
+}
+
+/// What keeps us from bars that ask for what the words on the left say.
+const WHY: [(&str, &str); 6] = [
+    ("packets of 16", "eye rays are searched for one by one here"),
+    ("1m: diffuse", "memory: f64 nodes and corners take twice the bytes of f32"),
+    ("1m: random", "memory: f64 nodes and corners take twice the bytes of f32"),
+    ("Embree", "f64 halves the lanes of a vector, and every leaf is decided watertight in f64"),
+    ("LLVM", "its kernels are f32, whole wavefronts a vector; its single shadow rays and eye rays here are f64"),
+    ("POV-Ray", ""),
+];
+
+/// All bars of the sections that were measured.
+pub fn bars(report: &Report) -> Vec<Bar> {
+    let mut all = vec![];
+    if let Some(rows) = &report.pictures {
+        all.extend(rendering(rows));
+        all.extend(reading(rows));
+    }
+    if let Some(rows) = &report.search {
+        all.extend(searching(rows));
+        all.extend(growing(rows));
+    }
+    all.extend(report.small.iter().flat_map(|rows| waiting(rows)));
+    all
+}
+
+/// A ratio that is to be at least `least`.
+fn at_least(asked: String, least: f64, ratio: f64) -> Bar {
+    bar(format!("{asked}: ≥ {least} times"), format!("{ratio:.2} times"), ratio >= least)
+}
+
+fn bar(asked: String, figure: String, is_met: bool) -> Bar {
+    let known = WHY.iter().find(|(word, _)| asked.contains(word)).map_or("", |(_, why)| *why);
+    Bar { asked, figure, is_met, why: if is_met { "" } else { known } }
+}
+
+fn rendering(rows: &[pictures::Row]) -> Vec<Bar> {
+    let mut bars = vec![];
+    for row in rows.iter().filter(|row| row.easier.is_none()) {
+        let asked = |what: &str| format!("{}: {what} as fast as {}", row.scene, row.renderer);
+        let is = |renderer: Renderer| row.renderer == renderer.name();
+        let least = if is(Renderer::Pov) { 8.0 } else { 1.0 };
+        let counts = is(Renderer::Pov) || is(Renderer::Tachyon) || is(Renderer::MitsubaLlvm);
+        bars.extend(row.times.filter(|_| counts).map(|times| at_least(asked("rendering"), least, times)));
+        bars.extend(
+            row.whole_times.filter(|_| is(Renderer::Pov)).map(|times| at_least(asked("whole process"), 3.0, times)),
+        );
+    }
+    bars
+}
+
+/// Reading the largest mesh.
+fn reading(rows: &[pictures::Row]) -> Option<Bar> {
+    let read = |row: &pictures::Row| row.read_s.filter(|_| row.scene == "mesh_1m");
+    let ours = rows.iter().filter(|row| row.renderer == Renderer::Ours.name()).find_map(read)?;
+    let peers = rows.iter().filter(|row| row.renderer != Renderer::Ours.name()).filter_map(read);
+    let fastest = peers.min_by(f64::total_cmp)?;
+    Some(at_least(
+        "reading the mesh of 1.3 million triangles, as fast as the fastest peer".to_owned(),
+        1.0,
+        fastest / ours,
+    ))
+}
+
+fn searching(rows: &[search::Row]) -> Vec<Bar> {
+    let mut bars = vec![];
+    for mesh in SHOWN {
+        let find = |library| search::find(rows, library, mesh);
+        let (Some(ours), Some(robust), Some(packets), Some(plain)) =
+            (find(Library::Ours), find(Library::EmbreeRobust), find(Library::EmbreePackets), find(Library::Embree))
+        else {
+            continue;
+        };
+        for (k, least) in [1.0, 1.0, 0.8, 0.8].into_iter().enumerate() {
+            let asked = format!("{mesh}: {} rays as fast as Embree robust, one by one", NAMES[k]);
+            bars.push(at_least(asked, least, ours.mrays[k] / robust.mrays[k]));
+        }
+        let asked = format!("{mesh}: primary rays as fast as Embree's packets of 16");
+        bars.push(at_least(asked, 1.0, ours.mrays[0] / packets.mrays[0]));
+        let slower = ours.build_s / plain.build_s;
+        let asked = format!("{mesh}: building the tree takes ≤ 1.5 times as long as Embree");
+        bars.push(bar(asked, format!("{slower:.2} times"), slower <= 1.5));
+    }
+    bars
+}
+
+/// Names of what grows, and the exponents p of n^p; the last is that of n log n over the same sizes.
+pub fn exponents(rows: &[search::Row]) -> Vec<(&'static str, f64)> {
+    let ours: Vec<&search::Row> = rows.iter().filter(|row| row.library == Library::Ours).collect();
+    let of = |y: &dyn Fn(&search::Row) -> f64| {
+        exponent(&ours.iter().map(|row| (row.n_triangles as f64, y(row))).collect::<Vec<_>>())
+    };
+    let n_log_n = of(&|row| row.n_triangles as f64 * cases::maths::ln(row.n_triangles as f64));
+    vec![
+        ("building the tree", of(&|row| row.build_s)),
+        ("a primary ray", of(&|row| 1.0 / row.mrays[0])),
+        ("a shadow ray", of(&|row| 1.0 / row.mrays[1])),
+        ("a diffuse ray", of(&|row| 1.0 / row.mrays[2])),
+        ("a random ray", of(&|row| 1.0 / row.mrays[3])),
+        ("n log n", n_log_n),
+    ]
+}
+
+fn growing(rows: &[search::Row]) -> Vec<Bar> {
+    let all = exponents(rows);
+    let Some(((_, most), grown)) = all.split_last() else { return vec![] };
+    let sizes = format!("{} to {} triangles", STONES[0].1, STONES[STONES.len() - 1].1);
+    let bar = |(name, p): &(&str, f64)| {
+        bar(format!("{name}, {sizes}: grows as n log n (n^{most:.2}) or better"), format!("n^{p:.2}"), p <= most)
+    };
+    grown.iter().map(bar).collect()
+}
+
+fn waiting(rows: &[small::Row]) -> Vec<Bar> {
+    let ours = |what: &str| small::find(rows, what, OURS);
+    let mut bars = vec![];
+    let mut below = |what: &str, unit: &str, value: Option<f64>, most: f64| {
+        bars.extend(
+            value.map(|value| bar(format!("{what}: under {most} {unit}"), format!("{value:.1} {unit}"), value < most)),
+        );
+    };
+    below(what::CASE, "ms of CPU", ours(what::CASE).map(|row| row.cpu_s * 1e3), 5.0);
+    below(what::EXPECT, "s", ours(what::EXPECT).map(|row| row.wall_s), 60.0);
+    below(what::VARY, "s", ours(what::VARY).map(|row| row.wall_s), 60.0);
+    below(what::PAIR, "ms of CPU", ours(what::PAIR).map(|row| row.cpu_s * 1e3), 3.0);
+    for what in [what::EQUAL, what::DIFFERENT] {
+        for row in rows.iter().filter(|row| row.what == what && row.who != OURS && row.note.is_none()) {
+            let Some(own) = ours(what) else { continue };
+            bars.push(at_least(format!("{what}, as fast as {}", row.who), 1.5, row.wall_s / own.wall_s));
+        }
+    }
+    bars
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bar_is_met_from_its_own_value_on_and_says_why_only_if_not() {
+        let asked = || "82k: random rays as fast as Embree robust".to_owned();
+        assert_eq!((at_least(asked(), 0.8, 0.8).is_met, at_least(asked(), 0.8, 0.8).why), (true, ""));
+        let missed = at_least(asked(), 0.8, 0.79);
+        assert!(!missed.is_met && missed.why.contains("f64") && missed.figure == "0.79 times", "{missed:?}");
+        assert!(!at_least(asked(), 0.8, f64::NAN).is_met);
+    }
+
+    #[test]
+    fn an_easier_picture_counts_for_no_bar() {
+        let row = |easier| pictures::Row {
+            scene: "glass".to_owned(),
+            renderer: Renderer::Tachyon.name(),
+            precision: "f64",
+            render_s: 1.0,
+            read_s: None,
+            whole_s: None,
+            rays: None,
+            is_counted: false,
+            easier,
+            times: Some(2.0),
+            whole_times: None,
+        };
+        assert_eq!(rendering(&[row(Some("no refraction"))]), []);
+        assert_eq!(rendering(&[row(None)]).len(), 1);
+    }
+}
