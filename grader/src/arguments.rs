@@ -283,7 +283,12 @@ pub(crate) struct Lint {
 
 /// Say what this machine has and lacks for grading
 #[derive(Debug, Args)]
-#[command(after_help = "Exit codes: 0 all is there, 3 something is missing")]
+#[command(after_help = "\
+Examples:
+  grader doctor                                  before the first `grader batch` on a machine
+  grader doctor --cases my-course/stages
+
+Exit codes: 0 all is there, 3 something is missing")]
 pub(crate) struct Doctor {
     /// Folder of the stages [default: cases/stages here, else beside the binary]
     #[arg(long, value_name = "DIR")]

@@ -2,11 +2,15 @@
 
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use crate::files;
 use crate::grade::Graded;
 use crate::record::{Record, SCHEMA};
 use crate::report::html;
+
+/// What was not published for so long will not be: one submission takes minutes.
+const ABANDONED: Duration = Duration::from_secs(24 * 60 * 60);
 
 /// The folder of results, for one epoch.
 pub(super) struct Store {
@@ -15,11 +19,12 @@ pub(super) struct Store {
 }
 
 impl Store {
-    /// Makes the folders.
+    /// Makes the folders, and clears what a run that was killed left in them.
     pub(super) fn open(out: &Path, epoch: &str) -> io::Result<Self> {
         for folder in ["results", "records", "reports"] {
             std::fs::create_dir_all(out.join(folder))?;
         }
+        files::clear_parts(&out.join("results"), ABANDONED)?;
         Ok(Self { out: out.to_owned(), epoch: epoch.to_owned() })
     }
 
