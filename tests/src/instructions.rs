@@ -129,7 +129,7 @@ pub fn build() -> Result<PathBuf, String> {
         .map_err(|why| format!("cargo cannot be run: {why}"))?;
     let messages = String::from_utf8_lossy(&cargo.stdout);
     let program = messages.lines().filter_map(|line| serde_json::from_str::<serde_json::Value>(line).ok());
-    let program = program.filter_map(|message| Some(PathBuf::from(message.get("executable")?.as_str()?))).last();
+    let program = program.filter_map(|message| Some(PathBuf::from(message.get("executable")?.as_str()?))).next_back();
     match program {
         Some(program) if cargo.status.success() => Ok(program),
         _ => Err("the reference does not build".to_owned()),

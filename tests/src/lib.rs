@@ -1,6 +1,7 @@
 //! What the proofs across crates share: where the workspace is, its source files, and variants of the solution before the judge.
 
 pub mod bars;
+pub mod instructions;
 pub mod lab;
 pub mod page;
 pub mod peers;

@@ -15,6 +15,7 @@ pub enum Quantiser {
 
 impl Quantiser {
     /// Linear light to one of 256 levels.
+    #[inline]
     pub fn byte(self, light: f64) -> u8 {
         self.whole(clamped(light) * 255.0) as u8
     }
@@ -36,11 +37,13 @@ impl Quantiser {
 }
 
 /// Linear light to the nearest of 256 levels.
+#[inline]
 pub fn byte(light: f64) -> u8 {
     Quantiser::Rounding.byte(light)
 }
 
 /// Linear light in 8-bit levels, 0..255, not rounded: the scale on which images are compared. NaN stays NaN.
+#[inline]
 pub fn level(light: f64) -> f64 {
     light.clamp(0.0, 1.0) * 255.0
 }

@@ -140,10 +140,13 @@ fn encode_png<const N: usize>(
     colour: image::ExtendedColorType,
     levels: impl Fn(f64) -> [u8; N],
 ) -> Result<Vec<u8>, PictureError> {
-    let levels: Vec<u8> = image.pixels().iter().flat_map(|pixel| pixel.to_array()).flat_map(levels).collect();
+    let mut bytes = Vec::with_capacity(image.pixels().len() * 3 * N);
+    for pixel in image.pixels() {
+        bytes.extend_from_slice(pixel.to_array().map(&levels).as_flattened());
+    }
     let mut out = Vec::new();
     png::PngEncoder::new_with_quality(&mut out, png::CompressionType::Fast, png::FilterType::Adaptive)
-        .write_image(&levels, image.width(), image.height(), colour)
+        .write_image(&bytes, image.width(), image.height(), colour)
         .map_err(|why| PictureError::Broken(why.to_string()))?;
     Ok(out)
 }

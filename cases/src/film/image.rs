@@ -13,7 +13,10 @@ pub struct Image {
 impl Image {
     /// The picture whose pixel (i, j) is `colour(i, j)`; i counts from the left, j from the top. [rule 1]
     pub fn from_fn(width: u32, height: u32, mut colour: impl FnMut(u32, u32) -> DVec3) -> Self {
-        let pixels = (0..height).flat_map(|j| (0..width).map(move |i| (i, j))).map(|(i, j)| colour(i, j)).collect();
+        let mut pixels = Vec::with_capacity(width as usize * height as usize);
+        for j in 0..height {
+            pixels.extend((0..width).map(|i| colour(i, j)));
+        }
         Self { width, height, pixels }
     }
 
