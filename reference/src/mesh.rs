@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::bounds::Bounds;
-use crate::bvh::{Bvh, Lanes, Tally};
+use crate::bvh::{Bvh, Lanes, Tally, Visit};
 use crate::ray::{Ray, Spot};
 use crate::real::Real;
 use crate::rules::{Interpolation, RuleSource, Weights};
@@ -48,7 +48,26 @@ impl<T: Real> Mesh<T> {
             all.tree = Some(tree);
         }
         all.faces = all.numbers.iter().map(|n| mesh.triangles[*n as usize]).collect();
+        all.sort_vertices();
         all
+    }
+
+    /// Puts vertices in the order in which the triangles first need them, so that neighbours share cache lines; the others go.
+    fn sort_vertices(&mut self) {
+        const UNSEEN: u32 = u32::MAX;
+        let mut places = vec![UNSEEN; self.vertices.len()];
+        let mut order = Vec::with_capacity(self.vertices.len());
+        for i in self.faces.as_flattened_mut() {
+            let place = &mut places[*i as usize];
+            if *place == UNSEEN {
+                *place = order.len() as u32;
+                order.push(*i);
+            }
+            *i = *place;
+        }
+        let sorted = |list: &Vec<Vec3<T>>| order.iter().map(|i| list[*i as usize]).collect();
+        self.normals = self.normals.as_ref().map(sorted);
+        self.vertices = sorted(&self.vertices);
     }
 
     /// The mesh searched by other instructions, which find the same.
@@ -64,42 +83,34 @@ impl<T: Real> Mesh<T> {
     /// The first meeting in the ray's interval; at one t the lower index wins.
     pub fn meet<R: RuleSource, Y: Tally>(&self, rules: R, ray: &Ray<T>, tally: &mut Y) -> Option<Meeting<T>> {
         let shear = Shear::of(ray).within(ray, self.bounds);
-        let mut best: Option<Meeting<T>> = None;
-        self.each(ray, tally, |_, n, limit| match self.triangle(n).meet(rules, ray, &shear, n) {
-            Some(met) if best.is_none_or(|b| met.t < b.t || (met.t == b.t && self.is_earlier(met, b))) => {
-                best = Some(met);
-                met.t
-            }
-            _ => limit,
-        });
-        best
+        let mut first = None;
+        self.each(ray, tally, First { mesh: self, rules, ray, shear, best: &mut first });
+        first
     }
 
     /// Whether anything is met in the ray's interval; the first triangle found ends the search.
     pub fn is_met<R: RuleSource, Y: Tally>(&self, rules: R, ray: &Ray<T>, tally: &mut Y) -> bool {
         let shear = Shear::of(ray).within(ray, self.bounds);
-        let mut found = false;
-        self.each(ray, tally, |_, n, limit| {
-            found = found || self.triangle(n).meet(rules, ray, &shear, n).is_some();
-            if found { -T::INFINITY } else { limit }
-        });
-        found
+        let mut is_met = false;
+        self.each(ray, tally, Any { mesh: self, rules, ray, shear, is_met: &mut is_met });
+        is_met
     }
 
-    /// Calls `visit` for every triangle that the ray may meet before the limit.
+    /// Has every triangle visited that the ray may meet before the limit.
     #[inline(always)]
-    fn each<Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, mut visit: impl FnMut(&mut Y, u32, T) -> T) {
+    fn each<Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, mut visitor: impl Visit<T, Y>) {
         match &self.tree {
-            Some(tree) => tree.walk(ray, tally, visit),
+            Some(tree) => tree.walk(ray, tally, visitor),
             None => {
                 (0..self.faces.len() as u32).fold(ray.t_max, |limit, n| {
                     tally.thing();
-                    visit(tally, n, limit)
+                    visitor.visit(tally, n, limit)
                 });
             }
         }
     }
 
+    #[inline(always)]
     fn is_earlier(&self, met: Meeting<T>, other: Meeting<T>) -> bool {
         self.numbers[met.part as usize] < self.numbers[other.part as usize]
     }
@@ -127,6 +138,45 @@ impl<T: Real> Mesh<T> {
     /// The least box around it.
     pub fn bounds(&self) -> Bounds<T> {
         self.bounds
+    }
+}
+
+/// Looks for the first meeting.
+struct First<'a, T, R> {
+    mesh: &'a Mesh<T>,
+    rules: R,
+    ray: &'a Ray<T>,
+    shear: Shear<T>,
+    best: &'a mut Option<Meeting<T>>,
+}
+
+impl<T: Real, R: RuleSource, Y> Visit<T, Y> for First<'_, T, R> {
+    #[inline(always)]
+    fn visit(&mut self, _: &mut Y, n: u32, limit: T) -> T {
+        match self.mesh.triangle(n).meet(self.rules, self.ray, &self.shear, n) {
+            Some(met) if self.best.is_none_or(|b| met.t < b.t || (met.t == b.t && self.mesh.is_earlier(met, b))) => {
+                *self.best = Some(met);
+                met.t
+            }
+            _ => limit,
+        }
+    }
+}
+
+/// Looks for any meeting.
+struct Any<'a, T, R> {
+    mesh: &'a Mesh<T>,
+    rules: R,
+    ray: &'a Ray<T>,
+    shear: Shear<T>,
+    is_met: &'a mut bool,
+}
+
+impl<T: Real, R: RuleSource, Y> Visit<T, Y> for Any<'_, T, R> {
+    #[inline(always)]
+    fn visit(&mut self, _: &mut Y, n: u32, limit: T) -> T {
+        *self.is_met = *self.is_met || self.mesh.triangle(n).meet(self.rules, self.ray, &self.shear, n).is_some();
+        if *self.is_met { -T::INFINITY } else { limit }
     }
 }
 

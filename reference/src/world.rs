@@ -247,7 +247,9 @@ impl<T: Real> World<T> {
             Some((inside, tree)) => {
                 if self.endless.iter().all(|i| goes_on(tally, *i)) {
                     let rest = Ray { t_max: limit, ..*ray };
-                    tree.walk(&rest, &mut OfObjects(tally), |of, n, limit| visit(of.0, inside[n as usize], limit));
+                    tree.walk(&rest, &mut OfObjects(tally), |of: &mut OfObjects<'_, Y>, n, limit| {
+                        visit(of.0, inside[n as usize], limit)
+                    });
                 }
             }
         }

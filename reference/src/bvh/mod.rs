@@ -12,7 +12,7 @@ use crate::bounds::Bounds;
 use crate::ray::Ray;
 use crate::real::Real;
 pub use lanes::Lanes;
-use lanes::Work;
+use lanes::{Test, Work};
 use node::{Child, Node};
 use slab::{Slab, Space};
 
@@ -65,13 +65,26 @@ impl<T: Real> Bvh<T> {
         Self { lanes, ..self }
     }
 
-    /// Calls `visit` for every thing whose box the ray enters before the limit, nearer boxes first. `visit` gets the tally and the limit, and returns
-    /// the new one: a lower one where it has met something, −∞ to end the walk.
+    /// Has `visitor` visit every thing whose box the ray enters before the limit, nearer boxes first.
     #[inline]
-    pub fn walk<Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, visit: impl FnMut(&mut Y, u32, T) -> T) {
+    pub fn walk<Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, visitor: impl Visit<T, Y>) {
         if !self.nodes.is_empty() {
-            self.lanes.run(Walk { tree: self, ray, tally, visit });
+            self.lanes.run(Walk { tree: self, ray, tally, visitor });
         }
+    }
+}
+
+/// Visits things by their numbers.
+pub trait Visit<T, Y> {
+    /// Visits a thing; gets the limit before which something may still be met, and returns the new one: a lower one where it has met something, −∞ to
+    /// end the walk.
+    fn visit(&mut self, tally: &mut Y, thing: u32, limit: T) -> T;
+}
+
+impl<T, Y, F: FnMut(&mut Y, u32, T) -> T> Visit<T, Y> for F {
+    #[inline(always)]
+    fn visit(&mut self, tally: &mut Y, thing: u32, limit: T) -> T {
+        self(tally, thing, limit)
     }
 }
 
@@ -79,36 +92,37 @@ struct Walk<'a, T, Y, V> {
     tree: &'a Bvh<T>,
     ray: &'a Ray<T>,
     tally: &'a mut Y,
-    visit: V,
+    visitor: V,
 }
 
-impl<T: Real, Y: Tally, V: FnMut(&mut Y, u32, T) -> T> Work for Walk<'_, T, Y, V> {
+impl<T: Real, Y: Tally, V: Visit<T, Y>> Work for Walk<'_, T, Y, V> {
     #[inline(always)]
-    fn run(self) {
-        let Self { tree, ray, tally, mut visit } = self;
+    fn run<P: Test>(self) {
+        let Self { tree, ray, tally, mut visitor } = self;
         let Some(slab) = Slab::new(ray, &tree.space, tree.loss) else { return };
         let (mut limit, mut reach) = (ray.t_max, slab.reach(ray.t_max));
         let mut open = node::Open::new();
-        let mut next = Child::ROOT;
+        let mut at = Child::ROOT;
         loop {
-            match next.things() {
+            let nearest = match at.things() {
                 None => {
                     tally.node();
-                    tree.nodes[next.node()].enter(&slab, reach, &mut open);
+                    tree.nodes[at.node()].enter::<P>(&slab, reach, &mut open)
                 }
                 Some(things) => {
                     for thing in things {
                         tally.thing();
-                        limit = visit(tally, thing, limit);
+                        limit = visitor.visit(tally, thing, limit);
                     }
                     if limit == -T::INFINITY {
                         return;
                     }
                     reach = slab.reach(limit);
+                    None
                 }
-            }
-            match open.nearest(reach) {
-                Some(child) => next = child,
+            };
+            match nearest.or_else(|| open.nearest(reach)) {
+                Some(child) => at = child,
                 None => return,
             }
         }

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use arrayvec::ArrayVec;
 
+use super::lanes::{Eight, Test};
 use super::slab::Slab;
 
 /// Children of a node.
@@ -18,7 +19,7 @@ pub(super) const DEEPEST: usize = 64;
 #[repr(C, align(64))]
 pub(super) struct Node {
     /// Least x of the eight, greatest x, least y and so on.
-    planes: [[f32; WIDTH]; 6],
+    planes: [Eight; 6],
     children: [Child; WIDTH],
 }
 
@@ -85,29 +86,23 @@ impl Node {
         self
     }
 
-    /// Opens the children that the ray enters before `reach`, the nearest last.
+    /// The nearest child that the ray enters before `reach`; the others that it enters are put among the open ones, the nearest last.
     #[inline(always)]
-    pub(super) fn enter(&self, ray: &Slab, reach: f32, open: &mut Open) {
-        let (mut enter, mut leave) = ([0.0; WIDTH], [reach; WIDTH]);
-        for axis in 0..3 {
-            let (near, far) = (&self.planes[ray.near[axis]], &self.planes[ray.near[axis] ^ 1]);
-            for lane in 0..WIDTH {
-                let t = (near[lane] - ray.from_near[axis]) * ray.inverse[axis];
-                enter[lane] = if t > enter[lane] { t } else { enter[lane] };
-                let t = (far[lane] - ray.from_far[axis]) * ray.inverse[axis];
-                leave[lane] = if t < leave[lane] { t } else { leave[lane] };
-            }
-        }
-        let mut entered = 0u32;
-        for lane in 0..WIDTH {
-            entered |= u32::from(enter[lane] <= leave[lane]) << lane;
-        }
+    pub(super) fn enter<P: Test>(&self, ray: &Slab, reach: f32, open: &mut Open) -> Option<Child> {
+        let planes = ray.near.map(|near| [&self.planes[near], &self.planes[near ^ 1]]);
+        let (enter, mut entered) = P::boxes(planes, ray, reach);
+        let mut next = || {
+            let lane = entered.trailing_zeros() as usize;
+            entered &= entered.wrapping_sub(1);
+            (lane < WIDTH).then(|| (self.children[lane % WIDTH], enter[lane % WIDTH]))
+        };
+        let mut nearest = next()?;
         let begin = open.0.len();
-        while entered != 0 {
-            let lane = entered.trailing_zeros() as usize % WIDTH;
-            entered &= entered - 1;
-            open.insert(begin, (self.children[lane], enter[lane]));
+        while let Some(child) = next() {
+            let farther = if child.1 < nearest.1 { std::mem::replace(&mut nearest, child) } else { child };
+            open.insert(begin, farther);
         }
+        Some(nearest.0)
     }
 }
 

@@ -56,7 +56,7 @@ impl<T: Real> Triangle<T> {
     ///
     /// Both sides are seen. Edges and corners belong to it; of two triangles met at one t the caller takes the lower index. A
     /// triangle without area, or one seen edge on, is never met.
-    #[inline]
+    #[inline(always)]
     pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>, shear: &Shear<T>, index: u32) -> Option<Meeting<T>> {
         let tests_bc = rules.get().triangle != TriangleTest::TwoEdges;
         let (t, weights) = match rules.get().style.triangle {
