@@ -108,6 +108,21 @@ fn nothing_that_the_scene_does_not_call_for_is_swept() {
 }
 
 #[test]
+fn matrices_and_attenuation_are_left_out_one_by_one_too() {
+    let lamp = SCENE.replace("point = {", "point = { attenuation = { linear = 0.1 },");
+    let scene = scene(&lamp.replace("sphere = {}", "sphere = {}\ntransforms = [{ scale = 0.5 }]"));
+    let sweep = Sweep::of(&scene, &Axes::of(&scene));
+    let mut bench = Bench::new(&scene, &Rules::LECTURE);
+    let own = bench.render(&sweep.own);
+    for effect in [Effect::Transforms, Effect::Attenuation] {
+        let (setting, _) =
+            sweep.subjects.iter().find(|(_, about)| *about == About::Without(effect)).expect("it is swept");
+        assert_ne!(bench.render(setting).0, own.0, "without {effect}");
+    }
+    assert_eq!(bench.render(&sweep.own), own, "the scene is as it was");
+}
+
+#[test]
 fn errors_are_taken_from_the_truth_and_times_from_the_clock() {
     let mut outside = Still::until(usize::MAX);
     let report = report_of("a", 3, &mut outside).unwrap();
