@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::effects;
 use super::pictures;
 use super::rays::NAMES;
 use super::renderers::Renderer;
@@ -46,6 +47,7 @@ pub fn bars(report: &Report) -> Vec<Bar> {
         all.extend(growing(rows));
     }
     all.extend(report.small.iter().flat_map(|rows| waiting(rows)));
+    all.extend(report.effects.iter().flatten().map(uncalled));
     all
 }
 
@@ -155,6 +157,12 @@ fn waiting(rows: &[small::Row]) -> Vec<Bar> {
         }
     }
     bars
+}
+
+fn uncalled(row: &effects::Row) -> Bar {
+    let effects = row.deleted.iter().map(|effect| effect.name()).collect::<Vec<_>>().join(", ");
+    let asked = format!("{}: within 2 % of a kernel without {effects}", row.scene);
+    bar(asked, format!("{:+.1} %", (row.chosen_ratio - 1.0) * 100.0), row.chosen_ratio <= 1.02)
 }
 
 #[cfg(test)]

@@ -1,65 +1,38 @@
-//! What an effect costs where a scene does not call for it: the scene rendered by a kernel that could and by one that cannot.
+//! What an effect costs where a scene does not call for it, beside a kernel from which it is deleted.
 
-use cases::Effects;
-use reference::render::{Options, render_by};
-use reference::rules::Rules;
-use reference::world::World;
+use reference::cost::measure::Outside;
+pub use reference::cost::uncalled::Row;
+use reference::cost::uncalled::price;
 use rustix::time::{ClockId, clock_gettime};
-use serde::Serialize;
 
 use super::bench::Bench;
-use super::series::median;
 
-/// Scenes that call for few effects.
-const SCENES: [&str; 2] = ["mesh_82k", "spheres"];
+/// Pictures are small: so many times the rounds of the other sections.
+const TIMES_THE_ROUNDS: usize = 10;
 
-/// A scene: medians over the rounds, one thread.
-#[derive(Clone, Debug, Serialize)]
-pub struct Row {
-    /// Its name.
-    pub scene: &'static str,
-    /// What it calls for.
-    pub called_for: String,
-    /// CPU seconds with the effects that it calls for.
-    pub own_s: f64,
-    /// CPU seconds with every effect there is.
-    pub all_s: f64,
-    /// Rays either way; the same, since what is not in the scene casts none.
-    pub n_rays: [u64; 2],
-}
-
-/// Renders each scene both ways, in turn.
+/// Renders each scene by each kernel, in turn, on one thread; CPU seconds.
 ///
 /// # Errors
-/// A scene that cannot be read.
+/// Threads that cannot be started.
 pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
+    bench.say("effects that are not called for");
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(|why| why.to_string())?;
-    let mut rows = vec![];
-    for name in SCENES {
-        let path = bench.scenes.join(format!("{name}.toml"));
-        let scene = cases::scene::load(&path).map_err(|why| why.to_string())?;
-        bench.say(&format!("{name} with every effect and with its own"));
-        let world = World::<f64>::new(&scene);
-        let both = [Options::of(&world), Options { effects: Effects::all(), ..Options::of(&world) }];
-        let (mut times, mut n_rays) = ([vec![], vec![]], [0; 2]);
-        // the first round warms up
-        for round in 0..=4 * bench.n_rounds {
-            for (k, options) in both.iter().enumerate() {
-                let begun = cpu_s();
-                let (_, stats) = pool.install(|| render_by(&world, &Rules::LECTURE, options, |_| {}));
-                n_rays[k] = stats.rays.total();
-                if round > 0 {
-                    times[k].push(cpu_s() - begun);
-                }
-            }
-        }
-        let called_for = scene.effects.iter().map(|effect| effect.name()).collect::<Vec<_>>().join(", ");
-        rows.push(Row { scene: name, called_for, own_s: median(&times[0]), all_s: median(&times[1]), n_rays });
-    }
-    Ok(rows)
+    let rows = pool.install(|| price(TIMES_THE_ROUNDS * bench.n_rounds, &mut Processor));
+    rows.ok_or_else(|| "no round was asked for".to_owned())
 }
 
-fn cpu_s() -> f64 {
-    let now = clock_gettime(ClockId::ProcessCPUTime);
-    now.tv_sec as f64 + now.tv_nsec as f64 * 1e-9
+/// The processor's clock, which nobody stops.
+struct Processor;
+
+impl Outside for Processor {
+    fn now_s(&mut self) -> f64 {
+        let now = clock_gettime(ClockId::ProcessCPUTime);
+        now.tv_sec as f64 + now.tv_nsec as f64 * 1e-9
+    }
+
+    fn goes_on(&mut self) -> bool {
+        true
+    }
+
+    fn done(&mut self, _work: u64) {}
 }
