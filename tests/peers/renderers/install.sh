@@ -40,7 +40,7 @@ say "ODiff, dify"
 npm install --prefix "$folder" --no-audit --no-fund --loglevel=error odiff-bin@4.5.0 > /dev/null
 # itself, without the Node.js that starts it
 ln -sf "$(find "$folder/node_modules/@odiff" -type f -perm -u+x | head -1)" "$folder/odiff"
-cargo install --quiet --locked --root "$folder/dify" --version 0.8.0 dify
+CARGO_TARGET_DIR="$folder/crates" cargo install --quiet --locked --root "$folder/dify" --version 0.8.0 dify
 
 say "crates"
 CARGO_TARGET_DIR="$folder/crates" cargo build --release --quiet --locked --manifest-path "$ours/crates/Cargo.toml"

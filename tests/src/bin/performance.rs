@@ -84,11 +84,12 @@ fn act(arguments: &Arguments) -> Result<(), String> {
 
 /// The sections that are asked for; all, where none is named.
 fn measure(arguments: &Arguments) -> Result<Report, String> {
+    let machine = Machine::this();
     let bench = Bench::open(usize::from(arguments.rounds))?;
     let is_asked = |section| arguments.only.is_empty() || arguments.only.contains(&section);
     Ok(Report {
         schema: 1,
-        machine: Machine::this(),
+        machine,
         n_rounds: bench.n_rounds,
         pictures: is_asked(Section::Pictures).then(|| pictures::measure(&bench)).transpose()?,
         search: is_asked(Section::Search).then(|| search::measure(&bench)).transpose()?,

@@ -27,7 +27,7 @@ pub fn run(command: &mut Command, folder: &Path) -> Result<Spent, String> {
     run_to(command, folder, &[0])
 }
 
-/// [`run`] of a program that may end with any of these codes.
+/// [`run`] of a program that may end with any of these codes; with any code at all, where none is named.
 ///
 /// # Errors
 /// As [`run`]; another code is a failure.
@@ -42,7 +42,7 @@ pub fn run_to(command: &mut Command, folder: &Path, codes: &[i32]) -> Result<Spe
     let (status, cpu_s) = wait(child.id()).map_err(wrong)?;
     let wall_s = begun.elapsed().as_secs_f64();
     let said = String::from_utf8_lossy(&std::fs::read(&log).map_err(wrong)?).into_owned();
-    if !libc::WIFEXITED(status) || !codes.contains(&libc::WEXITSTATUS(status)) {
+    if !libc::WIFEXITED(status) || !(codes.is_empty() || codes.contains(&libc::WEXITSTATUS(status))) {
         let arguments: Vec<_> = command.get_args().map(OsStr::to_string_lossy).collect();
         let end: Vec<&str> = said.lines().rev().take(12).collect();
         let end: Vec<&str> = end.into_iter().rev().collect();
@@ -85,7 +85,9 @@ mod tests {
         assert!(spent.wall_s >= 0.05 && spent.cpu_s < spent.wall_s, "{spent:?}");
         let why = shell("echo too bad; exit 3").expect_err("it fails");
         assert!(why.contains("too bad"), "{why}");
-        assert!(run_to(Command::new("false").env_clear(), folder.path(), &[0, 1]).is_ok());
+        for (codes, is_ok) in [(&[0, 1][..], true), (&[0, 2], false), (&[], true)] {
+            assert_eq!(run_to(&mut Command::new("false"), folder.path(), codes).is_ok(), is_ok, "{codes:?}");
+        }
         assert!(run(&mut Command::new("no such program"), folder.path()).is_err());
     }
 }

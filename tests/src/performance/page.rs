@@ -27,7 +27,7 @@ fn head(report: &Report) -> String {
     let machine = &report.machine;
     format!(
         "# Speed, beside others\n\nMade by `cargo run --release -p tests --bin performance -- --out docs/performance.md`, which installs the others \
-         (`tests/peers/renderers`); do not edit.\nMeasured on: {}, {} threads, {}, {:.0} GiB, {}; medians of {} rounds in which all take turns.\n\n\
+         (`tests/peers/renderers`); do not edit.\nMeasured on: {}, {} threads, {}, {:.0} GiB, {}; medians of {} rounds in which all take turns{}.\n\n\
          A ratio counts on equal work alone. Where another does less work than this reference (a feature that it lacks, one branch of a path in the place of two), its row says \
          so and counts for no bar. Where it casts more rays\nfor the same picture, the ratio is of rays a second, if that is less: what need not be done is our gain, \
          but no speed. Numbers here are f64, every triangle is decided watertight; f32 is said where it is used.\n\n",
@@ -37,6 +37,11 @@ fn head(report: &Report) -> String {
         machine.memory_gib,
         machine.system,
         report.n_rounds,
+        if machine.load > 0.5 {
+            format!(" (**on a busy machine**: load {:.1} at the beginning)", machine.load)
+        } else {
+            String::new()
+        },
     )
 }
 
@@ -230,7 +235,7 @@ mod tests {
         let search = [("1k", 1280), ("82k", 81_920), ("1m", 1_310_720)];
         Report {
             schema: 1,
-            machine: Machine { processor, n_threads: 2, memory_gib: 8.0, system, vectors },
+            machine: Machine { processor, n_threads: 2, memory_gib: 8.0, load: 3.0, system, vectors },
             n_rounds: 3,
             pictures: None,
             search: Some(search.map(|(mesh, n)| searched(Library::Ours, mesh, n)).to_vec()),
@@ -243,7 +248,7 @@ mod tests {
     fn a_page_shows_what_was_measured_and_nothing_else() {
         let page = page(&report(), "growth.svg");
         for part in [
-            "Some 9000, 2 threads, AVX2, 8 GiB, Some Linux; medians of 3 rounds",
+            "Some 9000, 2 threads, AVX2, 8 GiB, Some Linux; medians of 3 rounds in which all take turns (**on a busy machine**: load 3.0",
             "| 82k | this reference, f64 | 12.21 | 12.21 | 12.21 | 12.21 | 3 | 40 | 8.19 | 100 |",
             "![Building and searching, from a thousand to a million triangles](growth.svg)",
             "| building the tree | 1.00 |",

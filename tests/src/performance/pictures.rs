@@ -63,11 +63,10 @@ pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
         let path = bench.scenes.join(format!("{name}.toml"));
         let scene = cases::scene::load(&path).map_err(|why| why.to_string())?;
         let mut rounds: BTreeMap<Renderer, Rounds> = BTreeMap::new();
-        for renderer in Renderer::ALL {
-            put(bench, name, renderer, &scene)?;
-        }
+        let asked: Vec<Renderer> = Renderer::ALL.into_iter().filter(|renderer| renderer.is_asked(&scene)).collect();
+        asked.iter().try_for_each(|renderer| put(bench, name, *renderer, &scene))?;
         for round in 0..bench.n_rounds {
-            for renderer in Renderer::ALL {
+            for renderer in asked.iter().copied() {
                 bench.say(&format!("{name}, round {}: {}", round + 1, renderer.name()));
                 let folder = bench.folder(name, renderer.name());
                 let of = rounds.entry(renderer).or_default();

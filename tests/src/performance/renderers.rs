@@ -70,6 +70,12 @@ impl Renderer {
         }
     }
 
+    /// Whether it is worth asking: Tachyon takes a minute for a stone of glass that it does not refract.
+    pub fn is_asked(self, scene: &Scene) -> bool {
+        let has_large_mesh = scene.meshes.iter().any(|mesh| mesh.triangles.len() > 10_000);
+        self != Self::Tachyon || self.easier(scene).is_none() || !has_large_mesh
+    }
+
     /// The scene in its own format; ours are the files as they are.
     ///
     /// # Errors

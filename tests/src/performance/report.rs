@@ -37,6 +37,8 @@ pub struct Machine {
     pub memory_gib: f64,
     /// The system.
     pub system: String,
+    /// Programs that wanted to run in the minute before, in the mean: more than a few tenths disturb.
+    pub load: f64,
     /// Widths of vectors that the processor has and renderers use.
     pub vectors: Vec<&'static str>,
 }
@@ -55,6 +57,7 @@ impl Machine {
             n_threads: std::thread::available_parallelism().map_or(1, usize::from),
             memory_gib: kib.map_or(f64::NAN, |kib| kib / f64::from(1 << 20)),
             system: known(field(&system, "PRETTY_NAME").map(|name| name.trim_matches('"').to_owned())),
+            load: read("/proc/loadavg").split(' ').next().and_then(|load| load.parse().ok()).unwrap_or(f64::NAN),
             vectors: [("avx2", "AVX2"), ("avx512f", "AVX-512")]
                 .into_iter()
                 .filter(|(f, _)| has(f))

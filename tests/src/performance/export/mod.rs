@@ -97,9 +97,9 @@ mod tests {
 
     #[test]
     fn a_scene_reaches_pov_ray_with_its_own_camera_and_depth() {
-        // the view plane at distance 1 is 4 wide and 2 high; a depth of 3 is a trace level of 4
+        // the view plane at distance 1 is 4 wide and 2 high; a depth of 3 is a trace level of 3
         let parts = [
-            "max_trace_level 4",
+            "max_trace_level 3",
             "background { color rgb <0.5,0,0.25> }",
             "location <0,0,5>",
             "right <4,0,0>",

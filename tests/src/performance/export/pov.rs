@@ -53,7 +53,8 @@ fn head(scene: &Scene) -> String {
     format!(
         "#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout 0 ambient_light rgb 1 }}\n\
          background {{ color rgb {} }}\ncamera {{ perspective location {} right {} up {} direction {} }}\n",
-        scene.render.max_depth + 1,
+        // its level is our depth: the same reflected and refracted rays are cast
+        scene.render.max_depth.max(1),
         v(scene.background),
         v(camera.eye),
         v(camera.right * (2.0 * half * super::aspect(scene))),
