@@ -60,16 +60,16 @@ impl<T: Real> Object<T> {
         Some(Frame::ray_to_object(rules, &frame.object_from_world, ray))
     }
 
-    /// The first meeting of the ray with it.
+    /// The first meeting of the ray with it, where it may have a space of its own if `FRAMES` says so.
     #[inline(always)]
-    pub(crate) fn meet<R: RuleSource>(
+    pub(crate) fn meet<R: RuleSource, const FRAMES: bool>(
         &self,
         rules: R,
         ray: &Ray<T>,
         meshes: &[Mesh<T>],
         tally: &mut impl Tally,
     ) -> Option<Meeting<T>> {
-        if self.frame.is_some() {
+        if FRAMES && self.frame.is_some() {
             return self.meet_there(rules, ray, meshes, tally);
         }
         self.meet_here(rules, ray, meshes, tally)
@@ -103,16 +103,16 @@ impl<T: Real> Object<T> {
         self.meet_here(rules, &self.ray_in_frame(rules, ray, tally)?, meshes, tally)
     }
 
-    /// Whether the ray meets it.
+    /// Whether the ray meets it, where it may have a space of its own if `FRAMES` says so.
     #[inline(always)]
-    pub(crate) fn is_met<R: RuleSource>(
+    pub(crate) fn is_met<R: RuleSource, const FRAMES: bool>(
         &self,
         rules: R,
         ray: &Ray<T>,
         meshes: &[Mesh<T>],
         tally: &mut impl Tally,
     ) -> bool {
-        if self.frame.is_some() {
+        if FRAMES && self.frame.is_some() {
             return self.is_met_there(rules, ray, meshes, tally);
         }
         self.is_met_here(rules, ray, meshes, tally)

@@ -46,6 +46,8 @@ pub struct World<T> {
     /// In the scene's order.
     pub objects: Vec<Object<T>>,
     meshes: Vec<Mesh<T>>,
+    /// Whether some object has a space of its own. Where none has, searches do not ask each.
+    has_frames: bool,
     /// Objects without an end, which no tree can hold.
     endless: Vec<u32>,
     /// The objects in the tree, and the tree over them.
@@ -127,6 +129,7 @@ impl<T: Real> World<T> {
             materials: scene.materials.iter().map(Material::of).collect(),
             objects: scene.objects.iter().map(Object::of).collect(),
             meshes: scene.meshes.iter().map(|mesh| Mesh::of(mesh, search)).collect(),
+            has_frames: scene.objects.iter().any(|object| !object.is_untransformed()),
             endless: Vec::new(),
             tree: None,
         };
@@ -166,6 +169,19 @@ impl<T: Real> World<T> {
     /// The object of the nearest hit, and where; without the normals.
     #[inline]
     pub fn first<R: RuleSource, Y: Tally>(&self, rules: R, ray: &Ray<T>, tally: &mut Y) -> Option<(usize, Meeting<T>)> {
+        match self.has_frames {
+            true => self.first_of::<R, Y, true>(rules, ray, tally),
+            false => self.first_of::<R, Y, false>(rules, ray, tally),
+        }
+    }
+
+    #[inline]
+    fn first_of<R: RuleSource, Y: Tally, const FRAMES: bool>(
+        &self,
+        rules: R,
+        ray: &Ray<T>,
+        tally: &mut Y,
+    ) -> Option<(usize, Meeting<T>)> {
         let mut best: Option<(usize, Meeting<T>)> = None;
         let wins = |i: usize, t: T, best: &Option<(usize, Meeting<T>)>| match best {
             None => true,
@@ -175,14 +191,18 @@ impl<T: Real> World<T> {
                 Nearest::LastListed => i > *j,
             },
         };
-        let mut visit =
-            |tally: &mut Y, i: u32, limit: T| match self.objects[i as usize].meet(rules, ray, &self.meshes, tally) {
-                Some(met) if wins(i as usize, met.t, &best) => {
-                    best = Some((i as usize, met));
-                    if rules.get().nearest == Nearest::LeastT { met.t } else { limit }
-                }
-                _ => limit,
-            };
+        let mut visit = |tally: &mut Y, i: u32, limit: T| match self.objects[i as usize].meet::<R, FRAMES>(
+            rules,
+            ray,
+            &self.meshes,
+            tally,
+        ) {
+            Some(met) if wins(i as usize, met.t, &best) => {
+                best = Some((i as usize, met));
+                if rules.get().nearest == Nearest::LeastT { met.t } else { limit }
+            }
+            _ => limit,
+        };
         self.each::<_, false>(ray, tally, &mut visit);
         best
     }
@@ -190,9 +210,17 @@ impl<T: Real> World<T> {
     /// Whether anything lies in the ray's interval; the first thing found ends the search. [rule 5]
     #[inline]
     pub fn occluded<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> bool {
+        match self.has_frames {
+            true => self.occluded_by::<R, _, true>(rules, ray, tally),
+            false => self.occluded_by::<R, _, false>(rules, ray, tally),
+        }
+    }
+
+    #[inline]
+    fn occluded_by<R: RuleSource, Y: Tally, const FRAMES: bool>(&self, rules: R, ray: &Ray<T>, tally: &mut Y) -> bool {
         let mut found = false;
         self.each::<_, true>(ray, tally, &mut |tally, i, limit| {
-            found = found || self.objects[i as usize].is_met(rules, ray, &self.meshes, tally);
+            found = found || self.objects[i as usize].is_met::<R, FRAMES>(rules, ray, &self.meshes, tally);
             if found { -T::INFINITY } else { limit }
         });
         found
@@ -211,7 +239,8 @@ impl<T: Real> World<T> {
         let mut is_blocked = false;
         self.each::<_, true>(ray, tally, &mut |tally, i, limit| {
             let (object, mut rest) = (i as usize, *ray);
-            while !is_blocked && let Some(met) = self.objects[object].meet(rules, &rest, &self.meshes, tally) {
+            while !is_blocked && let Some(met) = self.objects[object].meet::<R, true>(rules, &rest, &self.meshes, tally)
+            {
                 is_blocked = blocks(object);
                 if !is_blocked {
                     tally.did(Work::TintedCrossing);
