@@ -161,10 +161,10 @@ fn light_becomes_bytes_in_one_place() {
 }
 
 /// The only files with code that the compiler cannot prove sound.
-const UNSAFE: &[&str] = &["reference/src/bvh/lanes.rs", "grader/src/sandbox/sys.rs"];
+const UNSAFE: &[&str] = &["reference/src/bvh/lanes.rs", "grader/src/sandbox/sys.rs", "tests/src/performance/child.rs"];
 
 #[test]
-fn unsafe_code_stands_in_two_files() {
+fn unsafe_code_stands_in_the_files_listed() {
     let is_unsafe =
         |path: &std::path::PathBuf| code_lines(path).iter().any(|(_, line)| line.contains("allow(unsafe_code"));
     let mut found: Vec<String> = Vec::new();
