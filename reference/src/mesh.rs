@@ -1,4 +1,4 @@
-//! Triangles over shared vertices, with a tree over them. [rule 16] [rule 18]
+//! Triangles with a tree over them, and the normals at their corners. [rule 16] [rule 18]
 
 use rayon::prelude::*;
 
@@ -14,70 +14,52 @@ use crate::world::Search;
 /// A mesh in object space.
 #[derive(Clone, Debug)]
 pub struct Mesh<T> {
-    vertices: Vec<Vec3<T>>,
-    /// One a vertex, where the mesh carries any.
-    normals: Option<Vec<Vec3<T>>>,
-    /// Corners of the triangles with area, in the order of the tree; the others are never met.
-    faces: Vec<[u32; 3]>,
+    /// Those with area, in the order of the tree; the others are never met. Each has corners of its own: those of a leaf lie side by side.
+    triangles: Vec<Triangle<T>>,
     /// The mesh's own numbers of those.
     numbers: Vec<u32>,
+    /// Where the mesh carries any.
+    normals: Option<Normals<T>>,
     tree: Option<Bvh<T>>,
     bounds: Bounds<T>,
+}
+
+/// Normals at vertices.
+#[derive(Clone, Debug)]
+struct Normals<T> {
+    /// In the order in which the triangles first need them, so that neighbours share cache lines.
+    list: Vec<Vec3<T>>,
+    /// Which of them each triangle has at its corners.
+    corners: Vec<[u32; 3]>,
 }
 
 impl<T: Real> Mesh<T> {
     /// The mesh of a scene, in the precision `T`.
     pub fn of(mesh: &cases::Mesh, search: Search) -> Self {
-        let vectors = |list: &Vec<glam::DVec3>| list.par_iter().map(|v| Vec3::of(*v)).collect();
-        let mut all = Self {
-            vertices: vectors(&mesh.vertices),
-            normals: mesh.normals.as_ref().map(vectors),
-            faces: mesh.triangles.clone(),
-            numbers: Vec::new(),
-            tree: None,
-            bounds: Bounds::empty(),
-        };
-        let numbers = 0..mesh.triangles.len() as u32;
-        all.numbers = numbers.into_par_iter().filter(|n| all.triangle(*n).has_area()).collect();
-        let bounds = |n: &u32| Bounds::around(all.triangle(*n).corners);
-        let bounds: Vec<_> = all.numbers.par_iter().map(bounds).collect();
-        all.bounds = bounds.iter().fold(Bounds::empty(), |all, one| all.join(*one));
-        if search == Search::Tree {
-            let (tree, order) = Bvh::build(&bounds);
-            all.numbers = order.into_iter().map(|n| all.numbers[n as usize]).collect();
-            all.tree = Some(tree);
-        }
-        all.faces = all.numbers.iter().map(|n| mesh.triangles[*n as usize]).collect();
-        all.sort_vertices();
-        all
-    }
-
-    /// Puts vertices in the order in which the triangles first need them, so that neighbours share cache lines; the others go.
-    fn sort_vertices(&mut self) {
-        const UNSEEN: u32 = u32::MAX;
-        let mut places = vec![UNSEEN; self.vertices.len()];
-        let mut order = Vec::with_capacity(self.vertices.len());
-        for i in self.faces.as_flattened_mut() {
-            let place = &mut places[*i as usize];
-            if *place == UNSEEN {
-                *place = order.len() as u32;
-                order.push(*i);
+        let vertices: Vec<Vec3<T>> = mesh.vertices.par_iter().map(|v| Vec3::of(*v)).collect();
+        let triangle = |n: &u32| Triangle { corners: mesh.triangles[*n as usize].map(|i| vertices[i as usize]) };
+        let all = 0..mesh.triangles.len() as u32;
+        let numbers: Vec<u32> = all.into_par_iter().filter(|n| triangle(n).has_area()).collect();
+        let bounds: Vec<_> = numbers.par_iter().map(|n| Bounds::around(triangle(n).corners)).collect();
+        let (tree, numbers) = match search {
+            Search::Scan => (None, numbers),
+            Search::Tree => {
+                let (tree, order) = Bvh::build(&bounds);
+                (Some(tree), order.into_iter().map(|n| numbers[n as usize]).collect())
             }
-            *i = *place;
+        };
+        Self {
+            triangles: numbers.par_iter().map(triangle).collect(),
+            normals: mesh.normals.as_ref().map(|list| Normals::of(list, &mesh.triangles, &numbers)),
+            numbers,
+            tree,
+            bounds: bounds.iter().fold(Bounds::empty(), |all, one| all.join(*one)),
         }
-        let sorted = |list: &Vec<Vec3<T>>| order.iter().map(|i| list[*i as usize]).collect();
-        self.normals = self.normals.as_ref().map(sorted);
-        self.vertices = sorted(&self.vertices);
     }
 
     /// The mesh searched by other instructions, which find the same.
     pub fn with_lanes(self, lanes: Lanes) -> Self {
         Self { tree: self.tree.map(|tree| tree.with_lanes(lanes)), ..self }
-    }
-
-    #[inline(always)]
-    fn triangle(&self, n: u32) -> Triangle<T> {
-        Triangle { corners: self.faces[n as usize].map(|i| self.vertices[i as usize]) }
     }
 
     /// The first meeting in the ray's interval; at one t the lower index wins.
@@ -102,7 +84,7 @@ impl<T: Real> Mesh<T> {
         match &self.tree {
             Some(tree) => tree.walk(ray, tally, visitor),
             None => {
-                (0..self.faces.len() as u32).fold(ray.t_max, |limit, n| {
+                (0..self.triangles.len() as u32).fold(ray.t_max, |limit, n| {
                     tally.thing();
                     visitor.visit(tally, n, limit)
                 });
@@ -117,27 +99,47 @@ impl<T: Real> Mesh<T> {
 
     /// The place of a meeting, with the triangle's own unit normal. [rule 16]
     pub fn place<R: RuleSource>(&self, rules: R, met: &Meeting<T>) -> Spot<T> {
-        let triangle = self.triangle(met.part);
+        let triangle = &self.triangles[met.part as usize];
         on_triangle(&triangle.corners, met.weights, triangle.normal(rules))
     }
 
     /// The normals at the corners of the triangle that was met; `None` on a flat mesh.
     #[inline(always)]
     pub fn corner_normals(&self, met: &Meeting<T>) -> Option<[Vec3<T>; 3]> {
-        let normals = self.normals.as_ref()?;
-        Some(self.faces[met.part as usize].map(|i| normals[i as usize]))
+        let Normals { list, corners } = self.normals.as_ref()?;
+        Some(corners[met.part as usize].map(|i| list[i as usize]))
     }
 
     /// Bytes it takes, its tree included.
     pub fn bytes(&self) -> usize {
-        let normals = self.normals.as_ref().map_or(0, |list| size_of_val(&**list));
+        let of = |normals: &Normals<T>| size_of_val(&*normals.list) + size_of_val(&*normals.corners);
+        let normals = self.normals.as_ref().map_or(0, of);
         let tree = self.tree.as_ref().map_or(0, Bvh::bytes);
-        size_of_val(&*self.vertices) + normals + size_of_val(&*self.faces) + size_of_val(&*self.numbers) + tree
+        size_of_val(&*self.triangles) + size_of_val(&*self.numbers) + normals + tree
     }
 
     /// The least box around it.
     pub fn bounds(&self) -> Bounds<T> {
         self.bounds
+    }
+}
+
+impl<T: Real> Normals<T> {
+    /// Those of the triangles with these numbers; normals that none of them has go.
+    fn of(list: &[glam::DVec3], triangles: &[[u32; 3]], numbers: &[u32]) -> Self {
+        const UNSEEN: u32 = u32::MAX;
+        let mut corners: Vec<[u32; 3]> = numbers.iter().map(|n| triangles[*n as usize]).collect();
+        let mut places = vec![UNSEEN; list.len()];
+        let mut sorted = Vec::with_capacity(list.len());
+        for i in corners.as_flattened_mut() {
+            let place = &mut places[*i as usize];
+            if *place == UNSEEN {
+                *place = sorted.len() as u32;
+                sorted.push(Vec3::of(list[*i as usize]));
+            }
+            *i = *place;
+        }
+        Self { list: sorted, corners }
     }
 }
 
@@ -153,7 +155,7 @@ struct First<'a, T, R> {
 impl<T: Real, R: RuleSource, Y> Visit<T, Y> for First<'_, T, R> {
     #[inline(always)]
     fn visit(&mut self, _: &mut Y, n: u32, limit: T) -> T {
-        match self.mesh.triangle(n).meet(self.rules, self.ray, &self.shear, n) {
+        match self.mesh.triangles[n as usize].meet(self.rules, self.ray, &self.shear, n) {
             Some(met) if self.best.is_none_or(|b| met.t < b.t || (met.t == b.t && self.mesh.is_earlier(met, b))) => {
                 *self.best = Some(met);
                 met.t
@@ -175,7 +177,8 @@ struct Any<'a, T, R> {
 impl<T: Real, R: RuleSource, Y> Visit<T, Y> for Any<'_, T, R> {
     #[inline(always)]
     fn visit(&mut self, _: &mut Y, n: u32, limit: T) -> T {
-        *self.is_met = *self.is_met || self.mesh.triangle(n).meet(self.rules, self.ray, &self.shear, n).is_some();
+        *self.is_met =
+            *self.is_met || self.mesh.triangles[n as usize].meet(self.rules, self.ray, &self.shear, n).is_some();
         if *self.is_met { -T::INFINITY } else { limit }
     }
 }

@@ -145,10 +145,19 @@ impl<T: Real> Triangle<T> {
     /// The corners as seen along the ray: x and y across it, z along it.
     #[inline(always)]
     fn seen_along(&self, ray: &Ray<T>, shear: &Shear<T>) -> [Seen<T>; 3] {
-        let [x, y, z] = shear.axes;
+        match shear.axes {
+            [_, _, 0] => self.seen_by::<1, 2, 0>(ray, shear),
+            [_, _, 1] => self.seen_by::<2, 0, 1>(ray, shear),
+            _ => self.seen_by::<0, 1, 2>(ray, shear),
+        }
+    }
+
+    /// The same with axes that are known when the program is compiled: one branch in the place of nine choices.
+    #[inline(always)]
+    fn seen_by<const X: usize, const Y: usize, const Z: usize>(&self, ray: &Ray<T>, shear: &Shear<T>) -> [Seen<T>; 3] {
         let seen = |corner: Vec3<T>| {
             let from = corner - ray.origin;
-            (from[x] - shear.shear[0] * from[z], from[y] - shear.shear[1] * from[z], from[z])
+            (from[X] - shear.shear[0] * from[Z], from[Y] - shear.shear[1] * from[Z], from[Z])
         };
         let [a, b, c] = self.corners;
         [seen(a), seen(b), seen(c)]
