@@ -52,6 +52,11 @@ impl<T: Real> Object<T> {
         Some(self.frame.as_ref().map_or(bounds, |frame| frame.bounds_to_world(bounds)))
     }
 
+    /// What it costs to ask it, about, in questions to a bare solid: a matrix or a tree of its own makes it two.
+    pub(crate) fn cost(&self) -> usize {
+        1 + usize::from(self.frame.is_some() || matches!(self.shape, Form::Mesh(_)))
+    }
+
     /// The ray in the object's own space; `None` where that is the world.
     #[inline(always)]
     pub(crate) fn ray_in_frame<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> Option<Ray<T>> {

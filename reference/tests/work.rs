@@ -5,7 +5,7 @@ use std::path::Path;
 use cases::{Effects, scene};
 use reference::render::{Options, count_by};
 use reference::rules::Rules;
-use reference::world::World;
+use reference::world::{Search, World};
 
 /// An eye ray straight down the z axis from (0, 0, 4), followed to depth 10.
 const HEAD: &str = "[render]\nsize = [1, 1]\nmax_depth = 10\n[scene]\n\
@@ -19,13 +19,13 @@ const FAR_LAMP: &str = "point = { position = [0, 0, 3], colour = [1, 1, 1], atte
 const BEHIND: &str = "point = { position = [3, 0, -3], colour = [1, 1, 1], attenuation = { linear = 1 } }";
 const BLACK: &str = "point = { position = [3, 0, 3], colour = [0, 0, 0], ambient = [1, 1, 1] }";
 
-/// `what` of a scene comes to these figures: keys of `Counts` and `Amounts`.
+/// `what` of a scene comes to these figures, keys of `Counts` and `Amounts`. No tree spares a ray an object: each is asked, one after another.
 #[track_caller]
 fn check(what: &str, lights: &[&str], objects: &[&str], light_cutoff: f64, figures: &[(&str, u64)]) -> f64 {
     let list = |items: &[&str]| items.iter().map(|item| format!("{{ {item} }}")).collect::<Vec<_>>().join(", ");
     let text = format!("{HEAD}{MATERIALS}lights = [{}]\nobjects = [{}]\n", list(lights), list(objects));
     let scene = scene::parse(what, &text, Path::new("")).unwrap_or_else(|problems| panic!("{problems}"));
-    let world = World::<f64>::new(&scene);
+    let world = World::<f64>::with_search(&scene, Search::Scan);
     let options = Options { effects: Effects::ALL, light_cutoff, ..Options::of(&world) };
     let (_, stats, work) = count_by(&world, &Rules::LECTURE, &options, |_| {});
     let (rays, work) = (serde_json::to_value(stats.rays).unwrap(), serde_json::to_value(work).unwrap());
