@@ -1,7 +1,7 @@
 //! A tree of boxes over numbered things, known by their bounds alone.
 //!
 //! Boxes only prune: what they leave is asked in full precision by whoever walks, so that a walk finds what a scan of the whole list finds,
-//! bit for bit, on every machine. [`slab`] says why no box hides a hit.
+//! bit for bit, on every machine. `slab` says why no box hides a hit.
 
 mod build;
 mod lanes;
