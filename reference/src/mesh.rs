@@ -14,14 +14,22 @@ use crate::world::Search;
 /// A mesh in object space.
 #[derive(Clone, Debug)]
 pub struct Mesh<T> {
-    /// Those with area, in the order of the tree; the others are never met. Each has corners of its own: those of a leaf lie side by side.
-    triangles: Vec<Triangle<T>>,
+    /// Those with area, in the order of the tree; the others are never met.
+    triangles: Triangles<T>,
     /// The mesh's own numbers of those.
     numbers: Vec<u32>,
     /// Where the mesh carries any.
     normals: Option<Normals<T>>,
     tree: Option<Bvh<T>>,
     bounds: Bounds<T>,
+}
+
+/// Triangles, each with corners of its own, so that those of a leaf lie side by side.
+#[derive(Clone, Debug)]
+enum Triangles<T> {
+    /// Where single precision holds every coordinate exactly, as those of most files are.
+    Single(Vec<Triangle<f32>>),
+    Full(Vec<Triangle<T>>),
 }
 
 /// Normals at vertices.
@@ -49,7 +57,7 @@ impl<T: Real> Mesh<T> {
             }
         };
         Self {
-            triangles: numbers.par_iter().map(triangle).collect(),
+            triangles: Triangles::of(numbers.par_iter().map(triangle).collect()),
             normals: mesh.normals.as_ref().map(|list| Normals::of(list, &mesh.triangles, &numbers)),
             numbers,
             tree,
@@ -84,7 +92,7 @@ impl<T: Real> Mesh<T> {
         match &self.tree {
             Some(tree) => tree.walk(ray, tally, visitor),
             None => {
-                (0..self.triangles.len() as u32).fold(ray.t_max, |limit, n| {
+                (0..self.numbers.len() as u32).fold(ray.t_max, |limit, n| {
                     tally.thing();
                     visitor.visit(tally, n, limit)
                 });
@@ -99,7 +107,7 @@ impl<T: Real> Mesh<T> {
 
     /// The place of a meeting, with the triangle's own unit normal. [rule 16]
     pub fn place<R: RuleSource>(&self, rules: R, met: &Meeting<T>) -> Spot<T> {
-        let triangle = &self.triangles[met.part as usize];
+        let triangle = self.triangles.get(met.part);
         on_triangle(&triangle.corners, met.weights, triangle.normal(rules))
     }
 
@@ -115,12 +123,47 @@ impl<T: Real> Mesh<T> {
         let of = |normals: &Normals<T>| size_of_val(&*normals.list) + size_of_val(&*normals.corners);
         let normals = self.normals.as_ref().map_or(0, of);
         let tree = self.tree.as_ref().map_or(0, Bvh::bytes);
-        size_of_val(&*self.triangles) + size_of_val(&*self.numbers) + normals + tree
+        self.triangles.bytes() + size_of_val(&*self.numbers) + normals + tree
     }
 
     /// The least box around it.
     pub fn bounds(&self) -> Bounds<T> {
         self.bounds
+    }
+}
+
+impl<T: Real> Triangles<T> {
+    fn of(triangles: Vec<Triangle<T>>) -> Self {
+        let single = |x: T| x.f64() as f32;
+        let is_single = |x: T| f64::from(single(x)) == x.f64();
+        let fits = |triangle: &Triangle<T>| {
+            triangle.corners.iter().all(|c| is_single(c.x) && is_single(c.y) && is_single(c.z))
+        };
+        if size_of::<T>() == size_of::<f32>() || !triangles.par_iter().all(fits) {
+            return Self::Full(triangles);
+        }
+        let corner = |c: Vec3<T>| Vec3::new(single(c.x), single(c.y), single(c.z));
+        Self::Single(triangles.par_iter().map(|triangle| Triangle { corners: triangle.corners.map(corner) }).collect())
+    }
+
+    #[inline(always)]
+    fn get(&self, n: u32) -> Triangle<T> {
+        let full = |x: f32| T::of(f64::from(x));
+        match self {
+            Self::Full(triangles) => triangles[n as usize],
+            Self::Single(triangles) => {
+                let corner = |c: Vec3<f32>| Vec3::new(full(c.x), full(c.y), full(c.z));
+                let [a, b, c] = triangles[n as usize].corners;
+                Triangle { corners: [corner(a), corner(b), corner(c)] }
+            }
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        match self {
+            Self::Single(triangles) => size_of_val(&**triangles),
+            Self::Full(triangles) => size_of_val(&**triangles),
+        }
     }
 }
 
@@ -155,7 +198,7 @@ struct First<'a, T, R> {
 impl<T: Real, R: RuleSource, Y> Visit<T, Y> for First<'_, T, R> {
     #[inline(always)]
     fn visit(&mut self, _: &mut Y, n: u32, limit: T) -> T {
-        match self.mesh.triangles[n as usize].meet(self.rules, self.ray, &self.shear, n) {
+        match self.mesh.triangles.get(n).meet(self.rules, self.ray, &self.shear, n) {
             Some(met) if self.best.is_none_or(|b| met.t < b.t || (met.t == b.t && self.mesh.is_earlier(met, b))) => {
                 *self.best = Some(met);
                 met.t
@@ -177,8 +220,7 @@ struct Any<'a, T, R> {
 impl<T: Real, R: RuleSource, Y> Visit<T, Y> for Any<'_, T, R> {
     #[inline(always)]
     fn visit(&mut self, _: &mut Y, n: u32, limit: T) -> T {
-        *self.is_met =
-            *self.is_met || self.mesh.triangles[n as usize].meet(self.rules, self.ray, &self.shear, n).is_some();
+        *self.is_met = *self.is_met || self.mesh.triangles.get(n).meet(self.rules, self.ray, &self.shear, n).is_some();
         if *self.is_met { -T::INFINITY } else { limit }
     }
 }
