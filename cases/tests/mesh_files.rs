@@ -83,6 +83,17 @@ fn every_encoding_gives_the_same_mesh() {
 }
 
 #[test]
+fn no_digit_of_a_whole_number_is_lost() {
+    for (kind, number) in [("int", -16_777_217.0), ("uint", 4_294_967_295.0), ("short", -32_768.0), ("double", 0.1)] {
+        let text = format!(
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty {kind} x\nproperty int y\nproperty int z\n\
+             element face 1\nproperty list uchar int vertex_indices\nend_header\n{number} 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
+        );
+        assert_eq!(load(text.as_bytes()).unwrap().vertices[0].x, number, "{kind}");
+    }
+}
+
+#[test]
 fn what_is_no_mesh_is_refused() {
     let text = String::from_utf8(text()).unwrap();
     for (old, new, says) in [

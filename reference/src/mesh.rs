@@ -241,3 +241,27 @@ pub fn interpolate<T: Real, R: RuleSource>(rules: R, weights: Vec3<T>, normals: 
         Interpolation::NearestVertex => Some(if w.y >= w.z { normals[1] } else { normals[2] }),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(x: f64, is_single: bool) {
+        let corners = [[x, 0.0, -0.0], [1.0, 2.5, 0.0], [0.0, 1.0, f64::from(f32::MIN_POSITIVE)]]
+            .map(|[x, y, z]| Vec3::new(x, y, z));
+        let triangles = Triangles::of(vec![Triangle { corners }]);
+        assert_eq!(matches!(triangles, Triangles::Single(_)), is_single, "{x}");
+        let bits = |corners: [Vec3<f64>; 3]| corners.map(|c| [c.x, c.y, c.z].map(f64::to_bits));
+        assert_eq!(bits(triangles.get(0).corners), bits(corners), "{x}");
+    }
+
+    #[test]
+    fn corners_keep_every_bit() {
+        check(0.5, true);
+        check(16_777_216.0, true);
+        check(16_777_217.0, false);
+        check(0.1, false);
+        check(1e300, false);
+        check(1e-300, false);
+    }
+}

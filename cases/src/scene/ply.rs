@@ -84,9 +84,14 @@ impl PropertyAccess for Vertex {
     }
 
     fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        match property.to_f32_lossy() {
-            Some(number) => self.set(name, f64::from(number)),
-            None => PropertyAccessResult::Ignored,
+        match property {
+            Property::Int(number) => self.set(name, f64::from(number)),
+            Property::UInt(number) => self.set(name, f64::from(number)),
+            Property::Double(number) => self.set(name, number),
+            // of 24 bits at most: nothing is lost
+            other => {
+                other.to_f32_lossy().map_or(PropertyAccessResult::Ignored, |number| self.set(name, f64::from(number)))
+            }
         }
     }
 }

@@ -323,3 +323,37 @@ fn merge(mut one: Bins, other: Bins) -> Bins {
     }
     one
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vec3::Vec3;
+
+    /// More boxes than make threads share the bins; some lie one in the other, some in one place.
+    fn boxes() -> Vec<Bounds<f64>> {
+        let mut state = 1_u32;
+        let mut next = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(state >> 12) / 1_048_576.0
+        };
+        let mut one = |n: usize| {
+            let (at, size) = (Vec3::new(next(), next(), next()), next() * 0.01);
+            let min = if n % 7 == 0 { Vec3::ZERO } else { at };
+            Bounds { min, max: min + Vec3::ONE * size }
+        };
+        (0..10 * FORK).map(&mut one).collect()
+    }
+
+    #[test]
+    fn one_thread_and_five_build_the_same_tree() {
+        let bounds = boxes();
+        let built = |n_threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(n_threads).build().unwrap();
+            pool.install(|| build(&bounds, &Space::of(&bounds)))
+        };
+        let ((nodes, mut order), other) = (built(1), built(5));
+        assert!(nodes == other.0 && order == other.1, "the trees differ");
+        order.sort_unstable();
+        assert!(order.iter().enumerate().all(|(n, number)| n as u32 == *number), "something is lost, or held twice");
+    }
+}

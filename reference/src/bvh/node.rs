@@ -15,7 +15,7 @@ pub(super) const MOST_THINGS: usize = 8;
 pub(super) const DEEPEST: usize = 64;
 
 /// A node: eight lanes of boxes, lanes without a child last, with planes that no ray meets.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub(super) struct Node {
     /// Least x of the eight, greatest x, least y and so on.
@@ -24,7 +24,7 @@ pub(super) struct Node {
 }
 
 /// What a box holds: a node, or things that are numbered one after another.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Child(u32);
 
 impl Child {
