@@ -30,13 +30,60 @@ impl<T: Real> Cuboid<T> {
         Some(Meeting::with(met.0, met.1))
     }
 
-    /// Where the ray's line enters and where it leaves: t and the face.
+    /// Where the ray's line enters and where it leaves: t and the face; `None` where it does neither, or the box lies behind the ray.
     ///
     /// A t is off by a difference and a quotient, 2u of itself, u half a ulp: which of two is the greater is certain where they differ by more than
-    /// 4u of either. 8u is asked for, and where that leaves an order open, the second step is taken.
+    /// 4u of either. 8u is asked for, and where that leaves an order open, the second step is taken. The sign of a difference is certain.
     #[inline(always)]
     fn cut(&self, ray: &Ray<T>, is_certified: bool) -> Option<[(T, u32); 2]> {
-        let apart = |a: T, b: T| (a - b).abs() > a.abs() * (T::of(4.0) * T::ULP) + T::ULP * T::SAFE[0];
+        let (to_min, to_max, along) = (self.min - ray.origin, self.max - ray.origin, ray.direction);
+        let leaves = |axis: usize| {
+            (to_min[axis] > T::ZERO) & (along[axis] <= T::ZERO) | (to_max[axis] < T::ZERO) & (along[axis] >= T::ZERO)
+        };
+        if (leaves(0) | leaves(1) | leaves(2)) && ray.is_before(T::ZERO) {
+            return None;
+        }
+        if (along.x == T::ZERO) | (along.y == T::ZERO) | (along.z == T::ZERO) {
+            return self.cut_one_by_one(ray, is_certified);
+        }
+        let ts = |axis: usize| {
+            let (to_min, to_max) = (to_min[axis] / along[axis], to_max[axis] / along[axis]);
+            if along[axis] > T::ZERO { [to_min, to_max] } else { [to_max, to_min] }
+        };
+        let [x, y, z] = [ts(0), ts(1), ts(2)];
+        let later = |a: T, b: T| if b > a { b } else { a };
+        let earlier = |a: T, b: T| if b < a { b } else { a };
+        let (enters, leaves) = ([x[0], later(x[0], y[0])], [x[1], earlier(x[1], y[1])]);
+        let (enter, leave) = (later(enters[1], z[0]), earlier(leaves[1], z[1]));
+        let is_missed = enter > leave;
+        if is_missed && (!is_certified || apart(enter, leave)) {
+            return None;
+        }
+        let axis = |n: usize, t: T| {
+            if t == x[n] {
+                0
+            } else if t == y[n] {
+                1
+            } else {
+                2
+            }
+        };
+        let (first, last) = (axis(0, enter), axis(1, leave));
+        let is_certain = || {
+            let is_begun = x[0].is_finite() & x[1].is_finite();
+            let is_clear = |n: usize, so_far: [T; 2]| apart(y[n], so_far[0]) & apart(z[n], so_far[1]);
+            is_begun & is_clear(0, enters) & is_clear(1, leaves) & ((first == last) | apart(enter, leave))
+        };
+        if is_certified && !is_certain() {
+            return settle::cuboid(self, ray);
+        }
+        Some([(enter, face(first, along[first] < T::ZERO)), (leave, face(last, along[last] > T::ZERO))])
+    }
+
+    /// The same slab by slab, for a ray that runs along one.
+    #[cold]
+    #[inline(never)]
+    fn cut_one_by_one(&self, ray: &Ray<T>, is_certified: bool) -> Option<[(T, u32); 2]> {
         let (mut enter, mut leave) = ((-T::INFINITY, 0), (T::INFINITY, 0));
         let mut is_certain = true;
         for axis in 0..3 {
@@ -66,6 +113,12 @@ impl<T: Real> Cuboid<T> {
         let axis = Vec3::axis(part as usize / 2);
         if part % 2 == 1 { axis } else { -axis }
     }
+}
+
+/// Whether rounding cannot have put two parameters of faces in this order.
+#[inline(always)]
+fn apart<T: Real>(a: T, b: T) -> bool {
+    (a - b).abs() > a.abs() * (T::of(4.0) * T::ULP) + T::ULP * T::SAFE[0]
 }
 
 fn face(axis: usize, is_max: bool) -> u32 {

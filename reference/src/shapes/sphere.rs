@@ -44,7 +44,8 @@ impl<T: Real> Sphere<T> {
     /// changes ‖n‖² only in second order.) So the gap is off by 4u‖f‖‖n‖ + 6u‖n‖² + 2u r² + u‖f‖² at most; as ‖n‖ ≤ ‖f‖, twice that is below
     /// 24u (‖f‖² + r²). c = ‖f‖² − r² is off by 6u‖f‖² + 2u r² at most. Where that leaves a sign open, or few digits of a root that may count,
     /// the second step is taken. A ray from outside that turns its back on the centre is done at once: where rounding hides that b = −f·d
-    /// is above 0, by 4u‖f‖‖d‖ at most, b² is too small against (d·d) c for a root.
+    /// is above 0, by 4u‖f‖‖d‖ at most, b² is too small against (d·d) c for a root. So is one that passes the sphere widely: b² is off by
+    /// 10u‖f‖²(d·d), (d·d) c by 12u (d·d)(‖f‖² + r²) at most, and their difference shows it without a division.
     #[inline(always)]
     fn certified(&self, ray: &Ray<T>) -> Option<[T; 2]> {
         let d = ray.direction;
@@ -57,6 +58,9 @@ impl<T: Real> Sphere<T> {
         }
         let (leaves, in_doubt) = (b < T::ZERO, size * (T::of(3.0) * T::ULP));
         if leaves && c > in_doubt && ray.is_before(T::ZERO) {
+            return None;
+        }
+        if a * c - b * b > a * size * (T::of(16.0) * T::ULP) {
             return None;
         }
         let nearest = f + d * (b / a);
