@@ -20,7 +20,8 @@ pub struct Object<T> {
     /// Index into [`World::materials`](crate::world::World::materials).
     pub material: usize,
     pub(crate) shape: Form<T>,
-    pub(crate) frame: Option<Frame<T>>,
+    /// Apart from the rest, which a search goes through.
+    pub(crate) frame: Option<Box<Frame<T>>>,
 }
 
 /// The shape of an object.
@@ -34,7 +35,7 @@ pub(crate) enum Form<T> {
 impl<T: Real> Object<T> {
     /// The object in the precision `T`.
     pub fn of(object: &cases::Object) -> Self {
-        let frame = || Frame::of(&object.world_from_object, &object.object_from_world);
+        let frame = || Box::new(Frame::of(&object.world_from_object, &object.object_from_world));
         Self {
             name: object.name.clone(),
             material: object.material,

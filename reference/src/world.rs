@@ -158,7 +158,7 @@ impl<T: Real> World<T> {
         if inside.iter().map(|i| self.objects[*i as usize].cost()).sum::<usize>() <= FEW {
             return;
         }
-        let loss = self.objects.iter().filter_map(|object| object.frame.as_ref()).map(Frame::loss);
+        let loss = self.objects.iter().filter_map(|object| object.frame.as_deref()).map(Frame::loss);
         let (tree, order) = Bvh::build(&bounds);
         let inside = order.into_iter().map(|n| inside[n as usize]).collect();
         self.tree = Some((inside, tree.with_loss(loss.fold(T::ONE, T::greatest))));
@@ -293,7 +293,8 @@ impl<T: Real> World<T> {
     pub fn bytes(&self) -> usize {
         let lists = size_of_val(&*self.lights) + size_of_val(&*self.materials) + size_of_val(&*self.objects);
         let tree = self.tree.as_ref().map_or(0, |(inside, tree)| size_of_val(&**inside) + tree.bytes());
-        lists + self.meshes.iter().map(Mesh::bytes).sum::<usize>() + size_of_val(&*self.endless) + tree
+        let frames = self.objects.iter().filter(|object| object.frame.is_some()).count() * size_of::<Frame<T>>();
+        lists + frames + self.meshes.iter().map(Mesh::bytes).sum::<usize>() + size_of_val(&*self.endless) + tree
     }
 
     /// A meeting with an object, its place and normals worked out; the interpolated normal where `is_smooth`, else the geometric one.
@@ -306,7 +307,7 @@ impl<T: Real> World<T> {
         tally: &mut impl Tally,
     ) -> Hit<T> {
         let object = &self.objects[index];
-        let frame = object.frame.as_ref();
+        let frame = object.frame.as_deref();
         let mut moved = || object.ray_in_frame(rules, ray, tally).unwrap_or(*ray);
         let places_hits = rules.get().places_hits();
         let (place, n_shading) = match &object.shape {
