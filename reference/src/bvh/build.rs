@@ -338,7 +338,7 @@ mod tests {
         };
         let mut one = |n: usize| {
             let (at, size) = (Vec3::new(next(), next(), next()), next() * 0.01);
-            let min = if n % 7 == 0 { Vec3::ZERO } else { at };
+            let min = if n.is_multiple_of(7) { Vec3::ZERO } else { at };
             Bounds { min, max: min + Vec3::ONE * size }
         };
         (0..10 * FORK).map(&mut one).collect()
