@@ -7,7 +7,7 @@
 //! | [`rules`], [`misconceptions`] | the rules as a value, and the ways in which they are got wrong |
 //! | [`ray`], [`roots`] | where a ray's interval begins and ends; the one solver of quadratics |
 //! | [`shapes`], [`mesh`] | where a ray meets a shape; no materials |
-//! | [`frame`], [`bounds`], [`bvh`], [`object`], [`world`] | the nearest hit |
+//! | [`frame`], [`bounds`], [`bvh`], [`object`], [`world`], [`search`] | the nearest hit |
 //! | [`camera`], [`lights`], [`shade`], [`optics`], [`snell`] | formulas; they cast no ray |
 //! | [`trace`], [`render`], [`simulated`], [`watch`], [`work`] | the kernel, pictures, and who looks on |
 //! | [`cutoff`] | how far a ray that is not cast can matter |
@@ -36,6 +36,7 @@ pub mod real;
 pub mod render;
 pub mod roots;
 pub mod rules;
+pub mod search;
 pub mod shade;
 pub mod shapes;
 pub mod simulated;

@@ -76,7 +76,7 @@ impl<T: Real> Object<T> {
         tally: &mut impl Tally,
     ) -> Option<Meeting<T>> {
         if FRAMES && self.frame.is_some() {
-            return self.meet_there(rules, ray, meshes, tally);
+            return self.meet_there(rules, ray, meshes, tally).map(Meeting::apart);
         }
         self.meet_here(rules, ray, meshes, tally)
     }
@@ -92,7 +92,7 @@ impl<T: Real> Object<T> {
     ) -> Option<Meeting<T>> {
         match &self.shape {
             Form::Solid(solid) => solid.meet(rules, ray),
-            Form::Mesh(mesh) => meshes[*mesh].meet(rules, ray, &mut OfTriangles(tally)),
+            Form::Mesh(mesh) => meshes[*mesh].meet(rules, ray, &mut OfTriangles(tally)).map(Meeting::apart),
         }
     }
 
@@ -107,6 +107,30 @@ impl<T: Real> Object<T> {
         tally: &mut impl Tally,
     ) -> Option<Meeting<T>> {
         self.meet_here(rules, &self.ray_in_frame(rules, ray, tally)?, meshes, tally)
+    }
+
+    /// Every crossing of the ray with it, told to `found` in order of t, where it may have a space of its own if `FRAMES` says so. [rule 6]
+    #[inline(always)]
+    pub(crate) fn crossings<R: RuleSource, Y: Tally, const FRAMES: bool>(
+        &self,
+        rules: R,
+        ray: &Ray<T>,
+        meshes: &[Mesh<T>],
+        tally: &mut Y,
+        mut found: impl FnMut(&mut Y, T),
+    ) {
+        let moved = if FRAMES { self.ray_in_frame(rules, ray, tally) } else { None };
+        let there = moved.as_ref().unwrap_or(ray);
+        match &self.shape {
+            Form::Solid(solid) => solid.crossings(rules, there, ray, |t| found(tally, t)),
+            Form::Mesh(mesh) => {
+                let mut rest = *ray;
+                while let Some(met) = meshes[*mesh].meet(rules, &rest.along(there), &mut OfTriangles(tally)) {
+                    found(tally, met.t);
+                    rest = rest.beyond(rules, met.t);
+                }
+            }
+        }
     }
 
     /// Whether the ray meets it, where it may have a space of its own if `FRAMES` says so.

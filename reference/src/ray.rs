@@ -121,6 +121,22 @@ impl<T: Real> Ray<T> {
         Self { t_min: t + step, ..*self }
     }
 
+    /// Another ray over the interval of this one.
+    #[inline(always)]
+    pub fn along(&self, other: &Self) -> Self {
+        Self { t_min: self.t_min, t_max: self.t_max, ..*other }
+    }
+
+    /// Has `found` told of every crossing: `first` gives the first in the interval of a ray like this one.
+    #[inline(always)]
+    pub fn cross<R: RuleSource>(&self, rules: R, first: impl Fn(&Self) -> Option<T>, mut found: impl FnMut(T)) {
+        let mut rest = *self;
+        while let Some(t) = first(&rest) {
+            found(t);
+            rest = rest.beyond(rules, t);
+        }
+    }
+
     /// The point at parameter `t`.
     #[inline(always)]
     pub fn at(&self, t: T) -> Vec3<T> {
@@ -142,7 +158,11 @@ impl<T: Real> Ray<T> {
     /// The first of `ts` that counts; they come in ascending order.
     #[inline(always)]
     pub fn first(&self, ts: [T; 2]) -> Option<T> {
-        ts.into_iter().find(|t| self.contains(*t))
+        let [first, second] = ts;
+        if self.contains(first) {
+            return Some(first);
+        }
+        self.contains(second).then_some(second)
     }
 
     /// This ray in the precision `T`.

@@ -12,6 +12,7 @@ use crate::rules::{
     Ambient, Cutoff, Depth, InsideBy, LightOrder, MirrorWeight, RuleSource, ShadowReach, Tint, TotalReflection,
     TransmitWeight, Turning,
 };
+use crate::search::Crossings;
 use crate::shade;
 use crate::simulated::{Any, EffectSource};
 use crate::vec3::Vec3;
@@ -312,7 +313,10 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         let tint = self.rules.get().tint;
         let kt = |object: usize| self.world.materials[self.world.objects[object].material].kt;
         let blocks = |object| tint != Tint::FirstCrossing && kt(object) == Vec3::ZERO;
-        let Some(crossings) = self.world.crossings(self.rules, ray, blocks, tally) else { return Vec3::ZERO };
+        let mut crossings = Crossings::none();
+        if !self.world.crossings(self.rules, ray, blocks, &mut crossings, tally) {
+            return Vec3::ZERO;
+        }
         let counts = |n: usize| match tint {
             Tint::PerObject => crossings[..n].iter().all(|before| before.1 != crossings[n].1),
             Tint::FirstCrossing => n == 0,

@@ -10,10 +10,10 @@ use crate::object::Form;
 pub use crate::object::Object;
 use crate::ray::{Ray, Spot};
 use crate::real::Real;
-use crate::rules::{Nearest, RuleSource};
+use crate::rules::RuleSource;
 use crate::shapes::Meeting;
 use crate::vec3::Vec3;
-use crate::work::{OfObjects, Tally, Work};
+use crate::work::{Tally, Work};
 
 /// A tree finds the nearest of objects that would cost more than this to ask, one after another, in units of `Object::cost`: measured on the public cases.
 const FEW: usize = 4;
@@ -45,13 +45,13 @@ pub struct World<T> {
     pub materials: Vec<Material<T>>,
     /// In the scene's order.
     pub objects: Vec<Object<T>>,
-    meshes: Vec<Mesh<T>>,
+    pub(crate) meshes: Vec<Mesh<T>>,
     /// Whether some object has a space of its own. Where none has, searches do not ask each.
-    has_frames: bool,
+    pub(crate) has_frames: bool,
     /// Objects without an end, which no tree can hold.
-    endless: Vec<u32>,
+    pub(crate) endless: Vec<u32>,
     /// The objects in the tree, and the tree over them.
-    tree: Option<(Vec<u32>, Bvh<T>)>,
+    pub(crate) tree: Option<(Vec<u32>, Bvh<T>)>,
 }
 
 /// How a surface answers light. [rule 3]
@@ -165,130 +165,6 @@ impl<T: Real> World<T> {
         self.endless = endless;
     }
 
-    /// The nearest hit in the ray's interval; at one t the earlier object wins. [rule 2]
-    pub fn nearest<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> Option<Hit<T>> {
-        let (object, met) = self.first(rules, ray, tally)?;
-        Some(self.hit(rules, ray, (object, met), true, tally))
-    }
-
-    /// The object of the nearest hit, and where; without the normals.
-    #[inline]
-    pub fn first<R: RuleSource, Y: Tally>(&self, rules: R, ray: &Ray<T>, tally: &mut Y) -> Option<(usize, Meeting<T>)> {
-        match self.has_frames {
-            true => self.first_of::<R, Y, true>(rules, ray, tally),
-            false => self.first_of::<R, Y, false>(rules, ray, tally),
-        }
-    }
-
-    #[inline]
-    fn first_of<R: RuleSource, Y: Tally, const FRAMES: bool>(
-        &self,
-        rules: R,
-        ray: &Ray<T>,
-        tally: &mut Y,
-    ) -> Option<(usize, Meeting<T>)> {
-        let mut best: Option<(usize, Meeting<T>)> = None;
-        let wins = |i: usize, t: T, best: &Option<(usize, Meeting<T>)>| match best {
-            None => true,
-            Some((j, met)) => match rules.get().nearest {
-                Nearest::LeastT => t < met.t || (t == met.t && i < *j),
-                Nearest::FirstListed => i < *j,
-                Nearest::LastListed => i > *j,
-            },
-        };
-        let mut visit = |tally: &mut Y, i: u32, limit: T| match self.objects[i as usize].meet::<R, FRAMES>(
-            rules,
-            ray,
-            &self.meshes,
-            tally,
-        ) {
-            Some(met) if wins(i as usize, met.t, &best) => {
-                best = Some((i as usize, met));
-                if rules.get().nearest == Nearest::LeastT { met.t } else { limit }
-            }
-            _ => limit,
-        };
-        self.each::<_, false>(ray, tally, &mut visit);
-        best
-    }
-
-    /// Whether anything lies in the ray's interval; the first thing found ends the search. [rule 5]
-    #[inline]
-    pub fn occluded<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> bool {
-        match self.has_frames {
-            true => self.occluded_by::<R, _, true>(rules, ray, tally),
-            false => self.occluded_by::<R, _, false>(rules, ray, tally),
-        }
-    }
-
-    #[inline]
-    fn occluded_by<R: RuleSource, Y: Tally, const FRAMES: bool>(&self, rules: R, ray: &Ray<T>, tally: &mut Y) -> bool {
-        let mut found = false;
-        self.each::<_, true>(ray, tally, &mut |tally, i, limit| {
-            found = found || self.objects[i as usize].is_met::<R, FRAMES>(rules, ray, &self.meshes, tally);
-            if found { -T::INFINITY } else { limit }
-        });
-        found
-    }
-
-    /// Every crossing of the ray with a surface, as (t, object) in order of t, at one t in the scene's order; `None` where an object
-    /// that `blocks` is crossed. [rule 6]
-    pub fn crossings<R: RuleSource>(
-        &self,
-        rules: R,
-        ray: &Ray<T>,
-        blocks: impl Fn(usize) -> bool,
-        tally: &mut impl Tally,
-    ) -> Option<Vec<(T, usize)>> {
-        let mut crossings = Vec::new();
-        let mut is_blocked = false;
-        self.each::<_, true>(ray, tally, &mut |tally, i, limit| {
-            let (object, mut rest) = (i as usize, *ray);
-            while !is_blocked && let Some(met) = self.objects[object].meet::<R, true>(rules, &rest, &self.meshes, tally)
-            {
-                is_blocked = blocks(object);
-                if !is_blocked {
-                    tally.did(Work::TintedCrossing);
-                }
-                crossings.push((met.t, object));
-                rest = rest.beyond(rules, met.t);
-            }
-            if is_blocked { -T::INFINITY } else { limit }
-        });
-        crossings.sort_by(|(t, i), (u, j)| t.f64().total_cmp(&u.f64()).then(i.cmp(j)));
-        (!is_blocked).then_some(crossings)
-    }
-
-    /// Calls `visit` for every object that the ray may meet before the limit; `visit` returns the new limit, −∞ to end the search where it
-    /// `ENDS` early.
-    #[inline(always)]
-    fn each<Y: Tally, const ENDS: bool>(
-        &self,
-        ray: &Ray<T>,
-        tally: &mut Y,
-        visit: &mut impl FnMut(&mut Y, u32, T) -> T,
-    ) {
-        let mut limit = ray.t_max;
-        let mut goes_on = |tally: &mut Y, i: u32| {
-            tally.did(Work::Object);
-            limit = visit(tally, i, limit);
-            !ENDS || limit != -T::INFINITY
-        };
-        match &self.tree {
-            None => {
-                let _ = (0..self.objects.len() as u32).all(|i| goes_on(tally, i));
-            }
-            Some((inside, tree)) => {
-                if self.endless.iter().all(|i| goes_on(tally, *i)) {
-                    let rest = Ray { t_max: limit, ..*ray };
-                    tree.walk(&rest, &mut OfObjects(tally), |of: &mut OfObjects<'_, Y>, n, limit| {
-                        visit(of.0, inside[n as usize], limit)
-                    });
-                }
-            }
-        }
-    }
-
     /// Bytes that lights, materials, objects, meshes and trees take; names are not counted.
     pub fn bytes(&self) -> usize {
         let lists = size_of_val(&*self.lights) + size_of_val(&*self.materials) + size_of_val(&*self.objects);
@@ -298,6 +174,7 @@ impl<T: Real> World<T> {
     }
 
     /// A meeting with an object, its place and normals worked out; the interpolated normal where `is_smooth`, else the geometric one.
+    #[inline(always)]
     pub fn hit<R: RuleSource>(
         &self,
         rules: R,
@@ -308,13 +185,16 @@ impl<T: Real> World<T> {
     ) -> Hit<T> {
         let object = &self.objects[index];
         let frame = object.frame.as_deref();
-        let mut moved = || object.ray_in_frame(rules, ray, tally).unwrap_or(*ray);
         let places_hits = rules.get().places_hits();
         let (place, n_shading) = match &object.shape {
-            Form::Solid(solid) if places_hits => (solid.place(rules, &moved(), &met), None),
             Form::Solid(solid) => {
-                let ray = moved();
-                (Spot::along(&ray, met.t, solid.normal_where(rules, &ray, &met)), None)
+                let moved = object.ray_in_frame(rules, ray, tally);
+                let ray = moved.as_ref().unwrap_or(ray);
+                let place = match places_hits {
+                    true => solid.place(rules, ray, &met),
+                    false => Spot::along(ray, met.t, solid.normal_where(rules, ray, &met)),
+                };
+                (place, None)
             }
             Form::Mesh(mesh) => {
                 let mesh = &self.meshes[*mesh];

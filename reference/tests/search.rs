@@ -14,6 +14,7 @@ use reference::ray::Ray;
 use reference::real::Real;
 use reference::render::{Options, render};
 use reference::rules::Lecture;
+use reference::search::Crossings;
 use reference::vec3::Vec3;
 use reference::work::Amounts;
 use reference::world::{Search, World};
@@ -93,8 +94,9 @@ impl<T: Real> Ways<T> {
             let mut work = Amounts::default();
             let hit = format!("{:?}", world.nearest(Lecture, ray, &mut work));
             let is_met = world.occluded(Lecture, ray, &mut work);
-            let crossings = world.crossings(Lecture, ray, |_| false, &mut work);
-            ((hit, is_met, crossings.map(|all| format!("{all:?}"))), work)
+            let mut crossings = Crossings::none();
+            assert!(world.crossings(Lecture, ray, |_| false, &mut crossings, &mut work), "nothing blocks {ray:?}");
+            ((hit, is_met, format!("{crossings:?}")), work)
         };
         let (found, _) = search(&self.scan);
         let steps: Vec<Amounts> = self

@@ -22,12 +22,19 @@ impl<T: Real> Cuboid<T> {
     /// along; to run within a face is to be inside. On an edge the face of the lower axis is met.
     #[inline(always)]
     pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
-        let [enter, leave] = self.cut(ray, rules.get().style.robustness == Robustness::Certified)?;
-        let met = [enter, leave].into_iter().find(|(t, _)| ray.contains(*t))?;
-        if rules.get().box_roots == BoxRoots::NearOnly && met != enter {
-            return None;
+        let ends = self.cut(ray, rules.get().style.robustness == Robustness::Certified)?;
+        self.first(rules, ray, ends)
+    }
+
+    /// Which of the places where the ray enters and leaves is met in its interval.
+    #[inline(always)]
+    pub(super) fn first<R: RuleSource>(&self, rules: R, ray: &Ray<T>, ends: [(T, u32); 2]) -> Option<Meeting<T>> {
+        let [enter, leave] = ends;
+        if ray.contains(enter.0) {
+            return Some(Meeting::with(enter.0, enter.1));
         }
-        Some(Meeting::with(met.0, met.1))
+        (rules.get().box_roots == BoxRoots::NearThenFar && ray.contains(leave.0))
+            .then(|| Meeting::with(leave.0, leave.1))
     }
 
     /// Where the ray's line enters and where it leaves: t and the face; `None` where it does neither, or the box lies behind the ray.
@@ -35,7 +42,7 @@ impl<T: Real> Cuboid<T> {
     /// A t is off by a difference and a quotient, 2u of itself, u half a ulp: which of two is the greater is certain where they differ by more than
     /// 4u of either. 8u is asked for, and where that leaves an order open, the second step is taken. The sign of a difference is certain.
     #[inline(always)]
-    fn cut(&self, ray: &Ray<T>, is_certified: bool) -> Option<[(T, u32); 2]> {
+    pub(super) fn cut(&self, ray: &Ray<T>, is_certified: bool) -> Option<[(T, u32); 2]> {
         let (to_min, to_max, along) = (self.min - ray.origin, self.max - ray.origin, ray.direction);
         let leaves = |axis: usize| {
             (to_min[axis] > T::ZERO) & (along[axis] <= T::ZERO) | (to_max[axis] < T::ZERO) & (along[axis] >= T::ZERO)
@@ -44,7 +51,8 @@ impl<T: Real> Cuboid<T> {
             return None;
         }
         if (along.x == T::ZERO) | (along.y == T::ZERO) | (along.z == T::ZERO) {
-            return self.cut_one_by_one(ray, is_certified);
+            let [(enter, first), (leave, last)] = self.cut_one_by_one(ray, is_certified)?;
+            return Some([(enter, first), (leave, last)]);
         }
         let ts = |axis: usize| {
             let (to_min, to_max) = (to_min[axis] / along[axis], to_max[axis] / along[axis]);
@@ -75,7 +83,9 @@ impl<T: Real> Cuboid<T> {
             is_begun & is_clear(0, enters) & is_clear(1, leaves) & ((first == last) | apart(enter, leave))
         };
         if is_certified && !is_certain() {
-            return settle::cuboid(self, ray);
+            // taken apart, so that what is certain stays in registers
+            let [(enter, first), (leave, last)] = settle::cuboid(self, ray)?;
+            return Some([(enter, first), (leave, last)]);
         }
         Some([(enter, face(first, along[first] < T::ZERO)), (leave, face(last, along[last] > T::ZERO))])
     }

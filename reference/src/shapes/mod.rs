@@ -21,7 +21,7 @@ pub use triangle::{Shear, Triangle, barycentric};
 use crate::bounds::Bounds;
 use crate::ray::Ray;
 use crate::real::Real;
-use crate::rules::RuleSource;
+use crate::rules::{Robustness, RuleSource};
 use crate::vec3::Vec3;
 
 /// Where a ray meets a shape: enough to tell which of two is nearer, and to work out the normal of the winner later.
@@ -40,6 +40,13 @@ impl<T: Real> Meeting<T> {
     #[inline(always)]
     pub fn with(t: T, part: u32) -> Self {
         Self { t, part, weights: Vec3::ZERO }
+    }
+
+    /// The same, taken apart and put together: where a call has left it in memory, those that no call has made stay in registers.
+    #[inline(always)]
+    pub(crate) fn apart(self) -> Self {
+        let Self { t, part, weights: Vec3 { x, y, z } } = self;
+        Self { t, part, weights: Vec3::new(x, y, z) }
     }
 }
 
@@ -67,7 +74,34 @@ impl<T: Real> Solid<T> {
             Self::Plane(plane) => plane.meet(rules, ray),
             Self::Square(square) => square.meet(rules, ray),
             Self::Cuboid(cuboid) => cuboid.meet(rules, ray),
-            Self::Round(round) => round.meet(rules, ray),
+            Self::Round(round) => round.meet(rules, ray).map(Meeting::apart),
+        }
+    }
+
+    /// Every crossing of the ray with it, told to `found` in order of t: `ray` in the space of the shape, its interval that of the ray as it was
+    /// cast, from which beginnings behind a crossing are counted. [rule 6]
+    #[inline(always)]
+    pub fn crossings<R: RuleSource>(&self, rules: R, ray: &Ray<T>, cast: &Ray<T>, mut found: impl FnMut(T)) {
+        match self {
+            Self::Sphere(sphere) => {
+                if let Some(roots) = sphere.roots(rules, ray) {
+                    cast.cross(rules, |rest| sphere.first(rules, rest, roots), found);
+                }
+            }
+            Self::Cuboid(cuboid) => {
+                if let Some(ends) = cuboid.cut(ray, rules.get().style.robustness == Robustness::Certified) {
+                    cast.cross(rules, |rest| cuboid.first(rules, rest, ends).map(|met| met.t), found);
+                }
+            }
+            Self::Plane(_) | Self::Square(_) => {
+                if let Some(met) = self.meet(rules, ray) {
+                    found(met.t);
+                }
+            }
+            Self::Round(round) => {
+                let first = |rest: &Ray<T>| round.meet(rules, &rest.along(ray)).map(|met| met.t);
+                cast.cross(rules, first, found);
+            }
         }
     }
 

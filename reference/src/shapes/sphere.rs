@@ -24,17 +24,28 @@ impl<T: Real> Sphere<T> {
     /// A touching ray meets it once. A sphere without radius is met by the rays through its centre.
     #[inline(always)]
     pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
+        let roots = self.roots(rules, ray)?;
+        self.first(rules, ray, roots).map(|t| Meeting::with(t, 0))
+    }
+
+    /// Where the ray's line meets it, in ascending order; `None` where it does not, or neither counts.
+    #[inline(always)]
+    pub(super) fn roots<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<[T; 2]> {
         let style = &rules.get().style;
         let is_certified = style.robustness == Robustness::Certified
             && style.quadratic == Quadratic::NearestPoint
             && rules.get().sphere_roots != SphereRoots::UnitDirection;
-        let roots = if is_certified { self.certified(ray) } else { self.plain(rules, ray) }?;
-        let t = match rules.get().sphere_roots {
-            SphereRoots::NearThenFar | SphereRoots::UnitDirection => ray.first(roots)?,
-            SphereRoots::NearOnly => ray.first([roots[0]; 2])?,
-            SphereRoots::FarFirst => ray.first([roots[1], roots[0]])?,
-        };
-        Some(Meeting::with(t, 0))
+        if is_certified { self.certified(ray) } else { self.plain(rules, ray) }
+    }
+
+    /// Which of the roots is met in the ray's interval.
+    #[inline(always)]
+    pub(super) fn first<R: RuleSource>(&self, rules: R, ray: &Ray<T>, roots: [T; 2]) -> Option<T> {
+        match rules.get().sphere_roots {
+            SphereRoots::NearThenFar | SphereRoots::UnitDirection => ray.first(roots),
+            SphereRoots::NearOnly => ray.first([roots[0]; 2]),
+            SphereRoots::FarFirst => ray.first([roots[1], roots[0]]),
+        }
     }
 
     /// Both roots, by the point n of the ray's line that is nearest to the centre (Haines et al., Ray Tracing Gems, chapter 7), whose
@@ -54,7 +65,7 @@ impl<T: Real> Sphere<T> {
         let (ff, rr) = (f.dot(f), self.radius * self.radius);
         let (c, size) = (ff - rr, ff + rr);
         if !(a.is_safe() && size.is_safe()) {
-            return Ball::new(self, ray)?.ts();
+            return self.settled(ray);
         }
         let (leaves, in_doubt) = (b < T::ZERO, size * (T::of(3.0) * T::ULP));
         if leaves && c > in_doubt && ray.is_before(T::ZERO) {
@@ -72,7 +83,14 @@ impl<T: Real> Sphere<T> {
         if gap > doubt * T::MARGIN && (c.abs() > size * T::of(0.25) || (c < -in_doubt && !leaves)) {
             return roots::ascending(a, b, c, a * gap);
         }
-        Ball::new(self, ray)?.ts()
+        self.settled(ray)
+    }
+
+    /// Both roots in two words; taken apart, so that those which one word gives stay in registers.
+    #[inline(always)]
+    fn settled(&self, ray: &Ray<T>) -> Option<[T; 2]> {
+        let [near, far] = Ball::new(self, ray)?.ts()?;
+        Some([near, far])
     }
 
     /// Both roots as students compute them, whatever rounding makes of them.

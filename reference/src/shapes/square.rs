@@ -15,6 +15,12 @@ impl Square {
     /// The meeting in the ray's interval; a ray within the plane of the square never meets it. [rule 15]
     #[inline(always)]
     pub fn meet<T: Real, R: RuleSource>(self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
+        self.first(rules, ray).map(|t| Meeting::with(t, 0))
+    }
+
+    /// t of the meeting. All of it is the ray's alone: were it part of a search, it would be worked out for every ray, whether or not there is a square.
+    #[inline(never)]
+    fn first<T: Real, R: RuleSource>(self, rules: R, ray: &Ray<T>) -> Option<T> {
         if ray.direction.z == T::ZERO {
             return None;
         }
@@ -29,7 +35,7 @@ impl Square {
             SquareSize::One => is_within(T::ONE),
             SquareSize::Disc => at.x * at.x + at.y * at.y <= T::HALF * T::HALF,
         };
-        (is_inside && ray.contains(t)).then(|| Meeting::with(t, 0))
+        (is_inside && ray.contains(t)).then_some(t)
     }
 
     /// Whether the ray's line passes within `half` of both axes, `at` for `t`.
