@@ -45,6 +45,7 @@ mod stream;
 #[cfg(test)]
 mod testing;
 pub mod trace;
+mod triangles;
 pub mod two;
 pub mod variations;
 pub mod vary;

@@ -1,13 +1,16 @@
 //! Triangles with a tree over them, and the normals at their corners. [rule 16] [rule 18]
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use crate::bounds::Bounds;
-use crate::bvh::{Bvh, Lanes, Tally, Visit};
+use crate::bvh::{Across, Bvh, Lanes, Tally, Test, Visit};
 use crate::ray::{Ray, Spot};
 use crate::real::Real;
 use crate::rules::{Interpolation, RuleSource, Weights};
-use crate::shapes::{Meeting, Shear, Triangle, on_triangle};
+use crate::shapes::{self, Meeting, Shear, Triangle, on_triangle};
+use crate::triangles::Triangles;
 use crate::vec3::Vec3;
 use crate::world::Search;
 
@@ -15,21 +18,13 @@ use crate::world::Search;
 #[derive(Clone, Debug)]
 pub struct Mesh<T> {
     /// Those with area, in the order of the tree; the others are never met.
-    triangles: Triangles<T>,
-    /// The mesh's own numbers of those.
+    triangles: Triangles,
+    /// The mesh's own numbers of those, that of the last of a leaf also where a leaf of four has room for more.
     numbers: Vec<u32>,
     /// Where the mesh carries any.
     normals: Option<Normals<T>>,
-    tree: Option<Bvh<T>>,
+    tree: Option<Bvh>,
     bounds: Bounds<T>,
-}
-
-/// Triangles, each with corners of its own, so that those of a leaf lie side by side.
-#[derive(Clone, Debug)]
-enum Triangles<T> {
-    /// Where single precision holds every coordinate exactly, as those of most files are.
-    Single(Vec<Triangle<f32>>),
-    Full(Vec<Triangle<T>>),
 }
 
 /// Normals at vertices.
@@ -52,12 +47,12 @@ impl<T: Real> Mesh<T> {
         let (tree, numbers) = match search {
             Search::Scan => (None, numbers),
             Search::Tree => {
-                let (tree, order) = Bvh::build(&bounds);
+                let (tree, order) = Bvh::build_in_fours(&bounds);
                 (Some(tree), order.into_iter().map(|n| numbers[n as usize]).collect())
             }
         };
         Self {
-            triangles: Triangles::of(numbers.par_iter().map(triangle).collect()),
+            triangles: Triangles::of(&numbers, triangle),
             normals: mesh.normals.as_ref().map(|list| Normals::of(list, &mesh.triangles, &numbers)),
             numbers,
             tree,
@@ -72,17 +67,15 @@ impl<T: Real> Mesh<T> {
 
     /// The first meeting in the ray's interval; at one t the lower index wins.
     pub fn meet<R: RuleSource, Y: Tally>(&self, rules: R, ray: &Ray<T>, tally: &mut Y) -> Option<Meeting<T>> {
-        let shear = Shear::of(ray).within(ray, self.bounds);
         let mut first = None;
-        self.each(ray, tally, First { mesh: self, rules, ray, shear, best: &mut first });
+        self.each(ray, tally, First { asked: Asked::new(self, rules, ray), best: &mut first });
         first
     }
 
     /// Whether anything is met in the ray's interval; the first triangle found ends the search.
     pub fn is_met<R: RuleSource, Y: Tally>(&self, rules: R, ray: &Ray<T>, tally: &mut Y) -> bool {
-        let shear = Shear::of(ray).within(ray, self.bounds);
         let mut is_met = false;
-        self.each(ray, tally, Any { mesh: self, rules, ray, shear, is_met: &mut is_met });
+        self.each(ray, tally, Any { asked: Asked::new(self, rules, ray), is_met: &mut is_met });
         is_met
     }
 
@@ -132,41 +125,6 @@ impl<T: Real> Mesh<T> {
     }
 }
 
-impl<T: Real> Triangles<T> {
-    fn of(triangles: Vec<Triangle<T>>) -> Self {
-        let single = |x: T| x.f64() as f32;
-        let is_single = |x: T| f64::from(single(x)) == x.f64();
-        let fits = |triangle: &Triangle<T>| {
-            triangle.corners.iter().all(|c| is_single(c.x) && is_single(c.y) && is_single(c.z))
-        };
-        if size_of::<T>() == size_of::<f32>() || !triangles.par_iter().all(fits) {
-            return Self::Full(triangles);
-        }
-        let corner = |c: Vec3<T>| Vec3::new(single(c.x), single(c.y), single(c.z));
-        Self::Single(triangles.par_iter().map(|triangle| Triangle { corners: triangle.corners.map(corner) }).collect())
-    }
-
-    #[inline(always)]
-    fn get(&self, n: u32) -> Triangle<T> {
-        let full = |x: f32| T::of(f64::from(x));
-        match self {
-            Self::Full(triangles) => triangles[n as usize],
-            Self::Single(triangles) => {
-                let corner = |c: Vec3<f32>| Vec3::new(full(c.x), full(c.y), full(c.z));
-                let [a, b, c] = triangles[n as usize].corners;
-                Triangle { corners: [corner(a), corner(b), corner(c)] }
-            }
-        }
-    }
-
-    fn bytes(&self) -> usize {
-        match self {
-            Self::Single(triangles) => size_of_val(&**triangles),
-            Self::Full(triangles) => size_of_val(&**triangles),
-        }
-    }
-}
-
 impl<T: Real> Normals<T> {
     /// Those of the triangles with these numbers; normals that none of them has go.
     fn of(list: &[glam::DVec3], triangles: &[[u32; 3]], numbers: &[u32]) -> Self {
@@ -186,42 +144,88 @@ impl<T: Real> Normals<T> {
     }
 }
 
-/// Looks for the first meeting.
-struct First<'a, T, R> {
+/// A mesh asked for what a ray meets.
+struct Asked<'a, T, R> {
     mesh: &'a Mesh<T>,
     rules: R,
     ray: &'a Ray<T>,
-    shear: Shear<T>,
+    /// Worked out where the first triangle is asked.
+    shear: Option<(Shear<T>, Across)>,
+}
+
+impl<'a, T: Real, R: RuleSource> Asked<'a, T, R> {
+    #[inline(always)]
+    fn new(mesh: &'a Mesh<T>, rules: R, ray: &'a Ray<T>) -> Self {
+        Self { mesh, rules, ray, shear: None }
+    }
+
+    #[inline(always)]
+    fn shear(&mut self) -> &(Shear<T>, Across) {
+        self.shear.get_or_insert_with(|| {
+            let shear = Shear::of(self.ray).within(self.ray, self.mesh.bounds);
+            (shear, shear.across(self.ray))
+        })
+    }
+
+    #[inline(always)]
+    fn meet(&mut self, n: u32) -> Option<Meeting<T>> {
+        let (shear, _) = *self.shear();
+        self.mesh.triangles.get(n).meet(self.rules, self.ray, &shear, n)
+    }
+
+    /// A bit for each triangle of a leaf that the ray does not certainly miss.
+    #[inline(always)]
+    fn left<P: Test>(&mut self, things: &Range<u32>) -> u32 {
+        let all = (1 << things.len()) - 1;
+        if !shapes::misses_certainly(self.rules) {
+            return all;
+        }
+        let (_, across) = *self.shear();
+        self.mesh.triangles.left::<P>(things.start, &across) & all
+    }
+}
+
+/// Looks for the first meeting.
+struct First<'a, T, R> {
+    asked: Asked<'a, T, R>,
     best: &'a mut Option<Meeting<T>>,
 }
 
 impl<T: Real, R: RuleSource, Y> Visit<T, Y> for First<'_, T, R> {
     #[inline(always)]
     fn visit(&mut self, _: &mut Y, n: u32, limit: T) -> T {
-        match self.mesh.triangles.get(n).meet(self.rules, self.ray, &self.shear, n) {
-            Some(met) if self.best.is_none_or(|b| met.t < b.t || (met.t == b.t && self.mesh.is_earlier(met, b))) => {
+        let mesh = self.asked.mesh;
+        match self.asked.meet(n) {
+            Some(met) if self.best.is_none_or(|b| met.t < b.t || (met.t == b.t && mesh.is_earlier(met, b))) => {
                 *self.best = Some(met);
                 met.t
             }
             _ => limit,
         }
     }
+
+    #[inline(always)]
+    fn left<P: Test>(&mut self, things: &Range<u32>) -> u32 {
+        self.asked.left::<P>(things)
+    }
 }
 
 /// Looks for any meeting.
 struct Any<'a, T, R> {
-    mesh: &'a Mesh<T>,
-    rules: R,
-    ray: &'a Ray<T>,
-    shear: Shear<T>,
+    asked: Asked<'a, T, R>,
     is_met: &'a mut bool,
 }
 
 impl<T: Real, R: RuleSource, Y> Visit<T, Y> for Any<'_, T, R> {
     #[inline(always)]
     fn visit(&mut self, _: &mut Y, n: u32, limit: T) -> T {
-        *self.is_met = *self.is_met || self.mesh.triangles.get(n).meet(self.rules, self.ray, &self.shear, n).is_some();
+        *self.is_met = *self.is_met || self.asked.meet(n).is_some();
         if *self.is_met { -T::INFINITY } else { limit }
+    }
+
+    #[inline(always)]
+    fn left<P: Test>(&mut self, things: &Range<u32>) -> u32 {
+        self.asked.left::<P>(things)
     }
 }
 
@@ -239,29 +243,5 @@ pub fn interpolate<T: Real, R: RuleSource>(rules: R, weights: Vec3<T>, normals: 
         Interpolation::Absent => None,
         Interpolation::NearestVertex if w.x >= w.y && w.x >= w.z => Some(normals[0]),
         Interpolation::NearestVertex => Some(if w.y >= w.z { normals[1] } else { normals[2] }),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn check(x: f64, is_single: bool) {
-        let corners = [[x, 0.0, -0.0], [1.0, 2.5, 0.0], [0.0, 1.0, f64::from(f32::MIN_POSITIVE)]]
-            .map(|[x, y, z]| Vec3::new(x, y, z));
-        let triangles = Triangles::of(vec![Triangle { corners }]);
-        assert_eq!(matches!(triangles, Triangles::Single(_)), is_single, "{x}");
-        let bits = |corners: [Vec3<f64>; 3]| corners.map(|c| [c.x, c.y, c.z].map(f64::to_bits));
-        assert_eq!(bits(triangles.get(0).corners), bits(corners), "{x}");
-    }
-
-    #[test]
-    fn corners_keep_every_bit() {
-        check(0.5, true);
-        check(16_777_216.0, true);
-        check(16_777_217.0, false);
-        check(0.1, false);
-        check(1e300, false);
-        check(1e-300, false);
     }
 }

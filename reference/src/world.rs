@@ -51,7 +51,7 @@ pub struct World<T> {
     /// Objects without an end, which no tree can hold.
     pub(crate) endless: Vec<u32>,
     /// The objects in the tree, and the tree over them.
-    pub(crate) tree: Option<(Vec<u32>, Bvh<T>)>,
+    pub(crate) tree: Option<(Vec<u32>, Bvh)>,
 }
 
 /// How a surface answers light. [rule 3]
@@ -161,7 +161,7 @@ impl<T: Real> World<T> {
         let loss = self.objects.iter().filter_map(|object| object.frame.as_deref()).map(Frame::loss);
         let (tree, order) = Bvh::build(&bounds);
         let inside = order.into_iter().map(|n| inside[n as usize]).collect();
-        self.tree = Some((inside, tree.with_loss(loss.fold(T::ONE, T::greatest))));
+        self.tree = Some((inside, tree.with_loss(loss.fold(T::ONE, T::greatest).f64())));
         self.endless = endless;
     }
 

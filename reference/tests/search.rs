@@ -137,6 +137,22 @@ fn trees_find_what_lists_find_along_axes_and_within_planes() {
     trees_find_what_lists_find_among_flat_things::<f32>();
 }
 
+#[test]
+fn trees_find_what_lists_find_from_afar() {
+    let ways = Ways::<f64>::of(&order());
+    let mut n_hits = 0;
+    for (axis, distance) in (0..3).flat_map(|axis| [1e3_f64, -1e5, 1e7, -1e9].map(|distance| (axis, distance))) {
+        let mut direction = DVec3::ZERO;
+        direction[axis] = -distance.signum();
+        for (a, b) in (-8..=8).flat_map(|a| (-8..=8).map(move |b| (f64::from(a) / 4.0, f64::from(b) / 4.0))) {
+            let mut origin = DVec3::splat(distance);
+            (origin[(axis + 1) % 3], origin[(axis + 2) % 3]) = (a, b);
+            n_hits += usize::from(ways.meets(&Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(direction))));
+        }
+    }
+    assert!(n_hits > 1000, "only {n_hits} rays hit anything: the scene tests nothing");
+}
+
 fn trees_find_what_lists_find<T: Real>() {
     let mut random = Random(0x0dd_b1a5_ed00_d1ce);
     let mut n_hits = 0;

@@ -10,8 +10,6 @@ use super::slab::Space;
 use crate::bounds::Bounds;
 use crate::real::Real;
 
-/// At most this many things a leaf.
-const LEAF: usize = 2;
 /// Most places at which a split is tried.
 const BINS: usize = 16;
 /// Deeper than this, ranges are split in halves: 2^28 things are then one each well above [`DEEPEST`].
@@ -96,8 +94,8 @@ impl Around {
     }
 }
 
-/// The nodes of a tree over things with these bounds, and the order in which it holds them.
-pub(super) fn build<T: Real>(bounds: &[Bounds<T>], space: &Space<T>) -> (Vec<Node>, Vec<u32>) {
+/// The nodes of a tree over things with these bounds, at most `most` a leaf, and the order in which it holds them.
+pub(super) fn build<T: Real>(bounds: &[Bounds<T>], space: &Space, most: usize) -> (Vec<Node>, Vec<u32>) {
     if bounds.is_empty() {
         return (Vec::new(), Vec::new());
     }
@@ -108,20 +106,29 @@ pub(super) fn build<T: Real>(bounds: &[Bounds<T>], space: &Space<T>) -> (Vec<Nod
     let mut items: Vec<Item> = bounds.par_iter().enumerate().with_min_len(FORK).map(item).collect();
     let around = Around::of(&items);
     let mut nodes = Vec::with_capacity(items.len() / 4 + 1);
-    grow(&mut items, 0, around, 0, &mut nodes);
+    grow(&mut items, 0, around, Bottom { most, depth: 0 }, &mut nodes);
     (nodes, items.iter().map(|item| item.number).collect())
+}
+
+/// Where a tree ends.
+#[derive(Clone, Copy)]
+struct Bottom {
+    /// At most this many things a leaf.
+    most: usize,
+    /// How deep the splits have come.
+    depth: usize,
 }
 
 /// A part of a range of things: how many, and what is around them.
 type Part = (usize, Around);
 
 /// Appends the node over `items`, which are those from `first` on, and all below it.
-fn grow(items: &mut [Item], first: usize, around: Around, depth: usize, nodes: &mut Vec<Node>) {
-    let (parts, depth) = divide(items, around, depth);
+fn grow(items: &mut [Item], first: usize, around: Around, bottom: Bottom, nodes: &mut Vec<Node>) {
+    let (parts, bottom) = divide(items, around, bottom);
     let at = nodes.len();
     nodes.push(Node::of([]));
     let mut children = ArrayVec::<_, WIDTH>::new();
-    let is_leaf = |count: usize| count <= LEAF;
+    let is_leaf = |count: usize| count <= bottom.most;
     if items.len() <= FORK {
         let mut begin = 0;
         for (count, around) in parts {
@@ -129,7 +136,7 @@ fn grow(items: &mut [Item], first: usize, around: Around, depth: usize, nodes: &
                 Child::of_things(first + begin, count)
             } else {
                 let child = Child::of_node(nodes.len());
-                grow(&mut items[begin..begin + count], first + begin, around, depth, nodes);
+                grow(&mut items[begin..begin + count], first + begin, around, bottom, nodes);
                 child
             };
             children.push((around.all, child));
@@ -149,7 +156,7 @@ fn grow(items: &mut [Item], first: usize, around: Around, depth: usize, nodes: &
                 return (Child::of_things(first, items.len()), around, nodes);
             }
             nodes.reserve(items.len() / 4 + 1);
-            grow(items, first, around, depth, &mut nodes);
+            grow(items, first, around, bottom, &mut nodes);
             (Child::ROOT, around, nodes)
         };
         let grown: Vec<_> = jobs
@@ -169,19 +176,20 @@ fn grow(items: &mut [Item], first: usize, around: Around, depth: usize, nodes: &
 
 /// Parts that the children of a node over `items` hold, in order, and how deep the splits have come: the part with the greatest box is split again, while
 /// there is room.
-fn divide(items: &mut [Item], around: Around, depth: usize) -> (ArrayVec<Part, WIDTH>, usize) {
+fn divide(items: &mut [Item], around: Around, bottom: Bottom) -> (ArrayVec<Part, WIDTH>, Bottom) {
+    let Bottom { most, depth } = bottom;
     let mut parts = ArrayVec::<Part, WIDTH>::new();
-    if items.len() <= WIDTH {
+    if items.len() <= WIDTH && most < WIDTH / 2 {
         parts.extend(items.iter().map(|item| (1, Around::NOTHING.join(item))));
-        return (parts, depth);
+        return (parts, bottom);
     }
     parts.push((items.len(), around));
     while !parts.is_full() {
-        let weight = |(count, around): &Part| if *count > LEAF { around.all.half_area() } else { -1.0 };
+        let weight = |(count, around): &Part| if *count > most { around.all.half_area() } else { -1.0 };
         let largest =
             (0..parts.len()).fold(0, |best, n| if weight(&parts[n]) > weight(&parts[best]) { n } else { best });
         let (count, around) = parts[largest];
-        if count <= LEAF {
+        if count <= most {
             break;
         }
         let begin: usize = parts[..largest].iter().map(|part| part.0).sum();
@@ -189,7 +197,7 @@ fn divide(items: &mut [Item], around: Around, depth: usize) -> (ArrayVec<Part, W
         parts[largest] = left;
         parts.insert(largest + 1, right);
     }
-    (parts, depth + 1)
+    (parts, Bottom { depth: depth + 1, ..bottom })
 }
 
 /// Splits a range of two things at least in two, each with something in it.
@@ -349,7 +357,7 @@ mod tests {
         let bounds = boxes();
         let built = |n_threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(n_threads).build().unwrap();
-            pool.install(|| build(&bounds, &Space::of(&bounds)))
+            pool.install(|| build(&bounds, &Space::of(&bounds), 2))
         };
         let ((nodes, mut order), other) = (built(1), built(5));
         assert!(nodes == other.0 && order == other.1, "the trees differ");

@@ -4,16 +4,41 @@
 //! the same bits. NEON needs no path of its own: it is part of every 64-bit ARM processor, so that the portable path uses it there.
 #![allow(unsafe_code, reason = "functions for some processors alone are unsafe to call; here it is known which")]
 
+#[cfg(target_arch = "x86_64")]
+use std::arch::x86_64::*;
+
 use super::slab::Slab;
 
 /// Numbers side by side.
 pub(super) type Eight = [f32; 8];
 
 /// Eight boxes against a ray.
-pub(super) trait Test {
+pub(crate) trait Test {
     /// At which τ from 0 on the ray enters each box, and a bit for each that it leaves no earlier, and enters no later than `reach`. The planes come axis
     /// by axis, those met first, then those met last.
     fn boxes(planes: [[&Eight; 2]; 3], ray: &Slab, reach: f32) -> (Eight, u32);
+
+    /// A bit for each triangle that the ray does not certainly miss.
+    fn singles(corners: &Four<f32>, ray: &Across) -> u32;
+
+    /// The same for corners in double precision.
+    fn doubles(corners: &Four<f64>, ray: &Across) -> u32;
+}
+
+/// Four triangles side by side: for each corner and axis, the coordinate of each of the four.
+pub(crate) type Four<S> = [[[S; 4]; 3]; 3];
+
+/// A ray as triangles see it, which all but a few miss by far: [`crate::shapes::Shear`] in f64.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Across {
+    /// Where the ray starts.
+    pub origin: [f64; 3],
+    /// Two axes across it, and the one that it mostly runs along.
+    pub axes: [usize; 3],
+    /// By how much the first two are sheared for each step along the third.
+    pub shear: [f64; 2],
+    /// By how much any area may be off.
+    pub doubt: f64,
 }
 
 /// What to run.
@@ -39,6 +64,30 @@ impl Test for Portable {
         let bit = |lane: usize| u32::from(enter[lane] <= leave[lane]) << lane;
         (enter, (0..8).fold(0, |entered, lane| entered | bit(lane)))
     }
+
+    #[inline(always)]
+    fn singles(corners: &Four<f32>, ray: &Across) -> u32 {
+        (0..4).fold(0, |left, n| left | one(corners.map(|corner| corner.map(|axis| f64::from(axis[n]))), ray) << n)
+    }
+
+    #[inline(always)]
+    fn doubles(corners: &Four<f64>, ray: &Across) -> u32 {
+        (0..4).fold(0, |left, n| left | one(corners.map(|corner| corner.map(|axis| axis[n])), ray) << n)
+    }
+}
+
+/// 1 for a triangle that the ray does not certainly miss, else 0.
+#[inline(always)]
+fn one(corners: [[f64; 3]; 3], ray: &Across) -> u32 {
+    let [x, y, z] = ray.axes;
+    let [a, b, c] = corners.map(|corner| {
+        let from = |axis: usize| corner[axis] - ray.origin[axis];
+        [from(x) - ray.shear[0] * from(z), from(y) - ray.shear[1] * from(z)]
+    });
+    let area = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];
+    let [u, v, w] = [area(b, c), area(c, a), area(a, b)];
+    let is_far = |sign: f64| sign * u > ray.doubt || sign * v > ray.doubt || sign * w > ray.doubt;
+    u32::from(!(is_far(1.0) && is_far(-1.0)))
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -48,7 +97,6 @@ struct Wide;
 impl Test for Wide {
     #[inline(always)]
     fn boxes(planes: [[&Eight; 2]; 3], ray: &Slab, reach: f32) -> (Eight, u32) {
-        use std::arch::x86_64::*;
         let mut all = [0.0; 8];
         // SAFETY: `Lanes` runs this where the processor has AVX2; what is read and written is as long as a register.
         let entered = unsafe {
@@ -66,6 +114,79 @@ impl Test for Wide {
         };
         (all, entered.cast_unsigned())
     }
+
+    #[inline(always)]
+    fn singles(corners: &Four<f32>, ray: &Across) -> u32 {
+        // SAFETY: as for boxes.
+        unsafe { singles(corners, ray) }
+    }
+
+    #[inline(always)]
+    fn doubles(corners: &Four<f64>, ray: &Across) -> u32 {
+        // SAFETY: as for boxes.
+        unsafe { doubles(corners, ray) }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[inline]
+#[target_feature(enable = "avx2")]
+fn singles(corners: &Four<f32>, ray: &Across) -> u32 {
+    // SAFETY: what is read is as long as a register.
+    let load = |corner: usize, axis: usize| _mm256_cvtps_pd(unsafe { _mm_loadu_ps(corners[corner][axis].as_ptr()) });
+    let [x, y, z] = ray.axes;
+    let a = seen(load(0, x), load(0, y), load(0, z), ray);
+    let b = seen(load(1, x), load(1, y), load(1, z), ray);
+    let c = seen(load(2, x), load(2, y), load(2, z), ray);
+    not_missed(a, b, c, ray.doubt)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[inline]
+#[target_feature(enable = "avx2")]
+fn doubles(corners: &Four<f64>, ray: &Across) -> u32 {
+    // SAFETY: what is read is as long as a register.
+    let load = |corner: usize, axis: usize| unsafe { _mm256_loadu_pd(corners[corner][axis].as_ptr()) };
+    let [x, y, z] = ray.axes;
+    let a = seen(load(0, x), load(0, y), load(0, z), ray);
+    let b = seen(load(1, x), load(1, y), load(1, z), ray);
+    let c = seen(load(2, x), load(2, y), load(2, z), ray);
+    not_missed(a, b, c, ray.doubt)
+}
+
+/// Four corners as seen along the ray, across it.
+#[cfg(target_arch = "x86_64")]
+#[inline]
+#[target_feature(enable = "avx2")]
+fn seen(x: __m256d, y: __m256d, z: __m256d, ray: &Across) -> (__m256d, __m256d) {
+    let ([at_x, at_y, at_z], [shear_x, shear_y]) = (ray.axes, ray.shear);
+    let along = _mm256_sub_pd(z, _mm256_set1_pd(ray.origin[at_z]));
+    let x = _mm256_sub_pd(x, _mm256_set1_pd(ray.origin[at_x]));
+    let y = _mm256_sub_pd(y, _mm256_set1_pd(ray.origin[at_y]));
+    let sheared_x = _mm256_sub_pd(x, _mm256_mul_pd(_mm256_set1_pd(shear_x), along));
+    let sheared_y = _mm256_sub_pd(y, _mm256_mul_pd(_mm256_set1_pd(shear_y), along));
+    (sheared_x, sheared_y)
+}
+
+/// Twice the signed areas of four triangles with a corner at 0.
+#[cfg(target_arch = "x86_64")]
+#[inline]
+#[target_feature(enable = "avx2")]
+fn area(p: (__m256d, __m256d), q: (__m256d, __m256d)) -> __m256d {
+    _mm256_sub_pd(_mm256_mul_pd(p.0, q.1), _mm256_mul_pd(p.1, q.0))
+}
+
+/// A bit for each of four triangles whose areas do not all tell that the ray misses it.
+#[cfg(target_arch = "x86_64")]
+#[inline]
+#[target_feature(enable = "avx2")]
+fn not_missed(a: (__m256d, __m256d), b: (__m256d, __m256d), c: (__m256d, __m256d), doubt: f64) -> u32 {
+    let (u, v, w) = (area(b, c), area(c, a), area(a, b));
+    let most = _mm256_max_pd(_mm256_max_pd(u, v), w);
+    let least = _mm256_min_pd(_mm256_min_pd(u, v), w);
+    let is_above = _mm256_cmp_pd::<_CMP_GT_OQ>(most, _mm256_set1_pd(doubt));
+    let is_below = _mm256_cmp_pd::<_CMP_LT_OQ>(least, _mm256_set1_pd(-doubt));
+    !_mm256_movemask_pd(_mm256_and_pd(is_above, is_below)).cast_unsigned() & 0b1111
 }
 
 /// A set of instructions that this processor has.

@@ -8,13 +8,19 @@ mod lanes;
 mod node;
 mod slab;
 
+use std::ops::Range;
+
 use crate::bounds::Bounds;
 use crate::ray::Ray;
 use crate::real::Real;
 pub use lanes::Lanes;
-use lanes::{Test, Work};
+use lanes::Work;
+pub(crate) use lanes::{Across, Four, Test};
 use node::{Child, Node};
 use slab::{Slab, Space};
+
+/// At most this many things a leaf, where each is asked alone.
+const FEW: usize = 2;
 
 /// Is told of the work that a search does; `()` counts nothing.
 pub trait Tally {
@@ -34,20 +40,28 @@ impl Tally for () {
 
 /// The tree, eight children a node.
 #[derive(Clone, Debug)]
-pub struct Bvh<T> {
+pub struct Bvh {
     nodes: Vec<Node>,
-    space: Space<T>,
-    loss: T,
+    space: Space,
     lanes: Lanes,
 }
 
-impl<T: Real> Bvh<T> {
+impl Bvh {
     /// The tree over `bounds.len()` things, and the order in which it numbers them: its thing n is the one with `bounds[order[n]]`. Split where the
     /// surface-area heuristic finds it cheapest, on all threads of the current `rayon` pool; the same bounds give the same tree on any number of them.
-    pub fn build(bounds: &[Bounds<T>]) -> (Self, Vec<u32>) {
+    pub fn build<T: Real>(bounds: &[Bounds<T>]) -> (Self, Vec<u32>) {
         let space = Space::of(bounds);
-        let (nodes, order) = build::build(bounds, &space);
-        (Self { nodes, space, loss: T::ONE, lanes: Lanes::best() }, order)
+        let (nodes, order) = build::build(bounds, &space, FEW);
+        (Self { nodes, space, lanes: Lanes::best() }, order)
+    }
+
+    /// The same over things that are asked four at a time: leaves hold up to four, which are numbered from a multiple of four on. Numbers between leaves
+    /// are never visited; in the order the last thing before them stands for them.
+    pub fn build_in_fours<T: Real>(bounds: &[Bounds<T>]) -> (Self, Vec<u32>) {
+        let space = Space::of(bounds);
+        let (mut nodes, order) = build::build(bounds, &space, 4);
+        let order = node::in_fours(&mut nodes, &order);
+        (Self { nodes, space, lanes: Lanes::best() }, order)
     }
 
     /// Bytes it takes.
@@ -56,8 +70,8 @@ impl<T: Real> Bvh<T> {
     }
 
     /// The tree over things that are asked in frames of their own, on the way to which roundings grow by up to this factor, 1 or more.
-    pub fn with_loss(self, loss: T) -> Self {
-        Self { loss, ..self }
+    pub fn with_loss(self, loss: f64) -> Self {
+        Self { space: self.space.with_loss(loss), ..self }
     }
 
     /// The tree walked by other instructions, which finds the same by the same steps.
@@ -67,7 +81,7 @@ impl<T: Real> Bvh<T> {
 
     /// Has `visitor` visit every thing whose box the ray enters before the limit, nearer boxes first.
     #[inline]
-    pub fn walk<Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, visitor: impl Visit<T, Y>) {
+    pub(crate) fn walk<T: Real, Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, visitor: impl Visit<T, Y>) {
         if !self.nodes.is_empty() {
             self.lanes.run(Walk { tree: self, ray, tally, visitor });
         }
@@ -75,10 +89,16 @@ impl<T: Real> Bvh<T> {
 }
 
 /// Visits things by their numbers.
-pub trait Visit<T, Y> {
+pub(crate) trait Visit<T, Y> {
     /// Visits a thing; gets the limit before which something may still be met, and returns the new one: a lower one where it has met something, −∞ to
     /// end the walk.
     fn visit(&mut self, tally: &mut Y, thing: u32, limit: T) -> T;
+
+    /// A bit for each thing of a leaf, all but those of which it is known at once that visiting them would change nothing.
+    #[inline(always)]
+    fn left<P: Test>(&mut self, things: &Range<u32>) -> u32 {
+        (1 << things.len()) - 1
+    }
 }
 
 impl<T, Y, F: FnMut(&mut Y, u32, T) -> T> Visit<T, Y> for F {
@@ -89,7 +109,7 @@ impl<T, Y, F: FnMut(&mut Y, u32, T) -> T> Visit<T, Y> for F {
 }
 
 struct Walk<'a, T, Y, V> {
-    tree: &'a Bvh<T>,
+    tree: &'a Bvh,
     ray: &'a Ray<T>,
     tally: &'a mut Y,
     visitor: V,
@@ -99,7 +119,7 @@ impl<T: Real, Y: Tally, V: Visit<T, Y>> Work for Walk<'_, T, Y, V> {
     #[inline(always)]
     fn run<P: Test>(self) {
         let Self { tree, ray, tally, mut visitor } = self;
-        let Some(slab) = Slab::new(ray, &tree.space, tree.loss) else { return };
+        let Some(slab) = Slab::new(ray, &tree.space) else { return };
         let (mut limit, mut reach) = (ray.t_max, slab.reach(ray.t_max));
         let mut open = node::Open::new();
         let mut at = Child::ROOT;
@@ -110,9 +130,11 @@ impl<T: Real, Y: Tally, V: Visit<T, Y>> Work for Walk<'_, T, Y, V> {
                     tree.nodes[at.node()].enter::<P>(&slab, reach, &mut open)
                 }
                 Some(things) => {
-                    for thing in things {
-                        tally.thing();
-                        limit = visitor.visit(tally, thing, limit);
+                    things.clone().for_each(|_| tally.thing());
+                    let mut left = visitor.left::<P>(&things);
+                    while left != 0 {
+                        limit = visitor.visit(tally, things.start + left.trailing_zeros(), limit);
+                        left &= left - 1;
                     }
                     if limit == -T::INFINITY {
                         return;

@@ -106,6 +106,20 @@ impl Node {
     }
 }
 
+/// Has every leaf begin at a multiple of four: gives the things of the leaves new numbers, and their order by these.
+pub(super) fn in_fours(nodes: &mut [Node], order: &[u32]) -> Vec<u32> {
+    let mut padded = Vec::with_capacity(order.len() + order.len() / 2);
+    for child in nodes.iter_mut().flat_map(|node| &mut node.children) {
+        if let Some(things) = child.things() {
+            let things = things.start as usize..things.end as usize;
+            *child = Child::of_things(padded.len(), things.len());
+            padded.extend(&order[things.clone()]);
+            padded.resize(padded.len().next_multiple_of(4), order[things.end - 1]);
+        }
+    }
+    padded
+}
+
 /// Children still to visit, each with the τ at which the ray enters it.
 pub(super) struct Open(ArrayVec<(Child, f32), { DEEPEST * (WIDTH - 1) + 1 }>);
 

@@ -8,14 +8,12 @@
 //! root, by f64, to which the pad belongs too; from there its coordinates stay below 1.3, its direction's greatest component lies between 1 and 2, and so
 //! all of its way within the root is τ < 2.6. Then a coordinate on the ray at τ is off by
 //! - u for its start and u for the pad in it, rounded to f32;
-//! - 2.6u for its direction, rounded to f32, and u/8 where a component below 2⁻³⁰ is taken for that, so that nothing is divided by 0;
+//! - u/8 where a component of its direction below 2⁻³⁰ is taken for that, so that nothing is divided by 0;
 //! - 7.5u for the three roundings of (plane − start) · inverse, where planes are less than 2.5 away;
 //! - u for the plane itself, rounded to f32:
 //!
-//! less than 14u in all. Boxes grow by [`PAD`] = 32u, so that τ of their entry comes out at least 9u too small, more than the 4u that are lost in the
+//! less than 11u in all. Boxes grow by [`PAD`] = 32u, so that τ of their entry comes out at least 10u too small, more than the 4u that are lost in the
 //! limit's τ, and that of their exit too great. (After Ize, Robust BVH ray traversal, 2013, with one bound for all boxes instead of one a box.)
-
-use glam::DVec3;
 
 use crate::bounds::Bounds;
 use crate::ray::Ray;
@@ -27,33 +25,50 @@ use crate::vec3::Vec3;
 pub(super) const PAD: f64 = 32.0 / 16_777_216.0;
 /// Boxes that would have to grow by more than this share of the tree are all entered.
 const BLIND: f64 = 0.125;
-/// Less than this of a direction is taken for this.
-const LEAST: f64 = 1.0 / 1_073_741_824.0;
+/// More than this of 1/direction is taken for this where the ray enters the tree, so that nothing is infinite.
+const FINITE: f64 = 1e300;
+/// More than this of 1/direction is taken for this within the tree.
+const MOST: f64 = 1_073_741_824.0;
+/// The bits that hold the exponent.
+const EXPONENT: u64 = 0x7ff << 52;
+
+/// Three coordinates, and one more that makes them a register.
+type Four = [f64; 4];
 
 /// Where a tree lies.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Space<T> {
-    middle: DVec3,
+pub(super) struct Space {
+    middle: Four,
     scale: f64,
-    all: Bounds<T>,
+    /// The greatest coordinate of its things.
+    farthest: f64,
+    /// What the test of a thing loses, in this space, for every unit of the greatest coordinate in play.
+    loss: f64,
 }
 
-impl<T: Real> Space<T> {
+impl Space {
     /// The space of a tree over these things.
-    pub(super) fn of(bounds: &[Bounds<T>]) -> Self {
+    pub(super) fn of<T: Real>(bounds: &[Bounds<T>]) -> Self {
         let all = bounds.iter().fold(Bounds::empty(), |all, one| all.join(*one));
         let (min, max) = (all.min.f64(), all.max.f64());
         let middle = min * 0.5 + max * 0.5;
         let half = (max - middle).max(middle - min).max_element();
         let scale = scaled(1.0, (-exponent(half) - 1).clamp(-1000, 1000));
-        Self { middle, scale, all }
+        let farthest = all.min.abs().greatest(all.max.abs()).max_element().f64();
+        Self { middle: [middle.x, middle.y, middle.z, 0.0], scale, farthest, loss: 256.0 * T::ULP.f64() * scale }
+    }
+
+    /// The same over things whose tests lose `loss` times as much, as they would in world space.
+    pub(super) fn with_loss(self, loss: f64) -> Self {
+        Self { loss: self.loss * loss, ..self }
     }
 
     /// A box within it, grown by [`PAD`]; all of the space where the box has no numbers.
     #[inline]
-    pub(super) fn place(&self, bounds: &Bounds<T>) -> ([f32; 3], [f32; 3]) {
-        let lo = ((bounds.min.f64() - self.middle) * self.scale - PAD).to_array();
-        let hi = ((bounds.max.f64() - self.middle) * self.scale + PAD).to_array();
+    pub(super) fn place<T: Real>(&self, bounds: &Bounds<T>) -> ([f32; 3], [f32; 3]) {
+        let [min, max] = [four(bounds.min), four(bounds.max)];
+        let lo = [0, 1, 2].map(|axis| (min[axis] - self.middle[axis]) * self.scale - PAD);
+        let hi = [0, 1, 2].map(|axis| (max[axis] - self.middle[axis]) * self.scale + PAD);
         if (0..3).all(|axis| -2.0 < lo[axis] && lo[axis] < hi[axis] && hi[axis] < 2.0) {
             (lo.map(|x| x as f32), hi.map(|x| x as f32))
         } else {
@@ -62,64 +77,59 @@ impl<T: Real> Space<T> {
     }
 }
 
-/// A ray in a tree's space: a start within it and a direction, for τ ≥ 0.
+/// A ray in a tree's space: a start within it and a direction, for τ ≥ 0. Only the first three numbers of each count.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Slab {
+pub(crate) struct Slab {
     /// For each axis the number of the plane that is met first, that of x from below being 0, from above 1, then y and z.
     pub(super) near: [usize; 3],
     /// The start, moved by the pad away from the plane that is met first.
-    pub(super) from_near: [f32; 3],
+    pub(super) from_near: [f32; 4],
     /// The same for the plane that is met last.
-    pub(super) from_far: [f32; 3],
+    pub(super) from_far: [f32; 4],
     /// 1/direction, finite.
-    pub(super) inverse: [f32; 3],
+    pub(super) inverse: [f32; 4],
     /// τ = t · rate − base.
     rate: f64,
     base: f64,
 }
 
 impl Slab {
-    /// For a tree over things whose tests lose up to `loss` times what they lose in world space; `None` where the ray misses all of it.
+    /// The ray in that space; `None` where it misses all of it.
     ///
     /// A test loses up to 256 last places of the greatest coordinate in play. Where that is much of the tree, or where numbers leave their range, the
     /// ray enters every box.
     #[inline(always)]
-    pub(super) fn new<T: Real>(ray: &Ray<T>, space: &Space<T>, loss: T) -> Option<Self> {
-        let coordinates = ray.origin.abs().greatest(space.all.min.abs().greatest(space.all.max.abs()));
-        let pad = coordinates.max_element().f64() * (loss.f64() * 256.0 * T::ULP.f64()) * space.scale;
-        let origin = three(ray.origin);
-        let origin = [0, 1, 2].map(|axis| (origin[axis] - space.middle[axis]) * space.scale);
-        let size = ray.direction.abs().max_element().f64();
-        let to_one = f64::from_bits((2046_u64 << 52).wrapping_sub(size.to_bits() & (0x7ff << 52)));
-        let rate = space.scale / to_one;
-        let direction = three(ray.direction).map(|d| d * to_one);
-        let direction = direction.map(|d| if d.abs() < LEAST { LEAST.copysign(d) } else { d });
-        let is_sound = pad <= BLIND && (1.0..2.0).contains(&(size * to_one)) && rate.is_normal();
-        if !is_sound {
+    pub(super) fn new<T: Real>(ray: &Ray<T>, space: &Space) -> Option<Self> {
+        let (origin, direction) = (four(ray.origin), four(ray.direction));
+        let inverse = each(|axis| 1.0 / direction[axis]);
+        let size = greatest(direction);
+        let unit = f64::from_bits(size.to_bits() & EXPONENT);
+        let rate = space.scale * unit;
+        let pad = more(greatest(origin), space.farthest) * space.loss;
+        if !(pad <= BLIND && size.is_normal() && rate.is_normal()) {
             return Some(Self::blind());
         }
-        let half = 1.0 + 2.0 * pad + 1.0 / 1024.0;
-        let (mut base, mut leave) = (ray.t_min.f64() * rate, f64::INFINITY);
-        for axis in 0..3 {
-            let inverse = 1.0 / direction[axis];
-            let side = half.copysign(inverse);
-            let (near, far) = ((-side - origin[axis]) * inverse, (side - origin[axis]) * inverse);
-            base = if near > base { near } else { base };
-            leave = if far < leave { far } else { leave };
-        }
-        if base > leave {
+        let origin = each(|axis| (origin[axis] - space.middle[axis]) * space.scale);
+        let inverse = each(|axis| less((inverse[axis] * unit).abs(), FINITE).copysign(direction[axis]));
+        let half = 2.0 * pad + (1.0 + 1.0 / 1024.0);
+        let middle = each(|axis| -origin[axis] * inverse[axis]);
+        let reach = each(|axis| half * inverse[axis].abs());
+        let [near, far] = [each(|axis| middle[axis] - reach[axis]), each(|axis| middle[axis] + reach[axis])];
+        let base = more(more(near[0], near[1]), more(near[2], ray.t_min.f64() * rate));
+        if base > less(less(far[0], far[1]), far[2]) {
             return None;
         }
-        let start = [0, 1, 2].map(|axis| origin[axis] + direction[axis] * base);
-        if !start.iter().all(|x| x.abs() < 1.5) {
+        let way = base / unit;
+        let start = each(|axis| origin[axis] + direction[axis] * way);
+        if !start[..3].iter().all(|x| x.abs() < 1.5) {
             return Some(Self::blind());
         }
-        let side = |axis: usize| pad.copysign(direction[axis]);
+        let side = each(|axis| pad.copysign(direction[axis]));
         Some(Self {
-            near: [0, 1, 2].map(|axis| 2 * axis + usize::from(direction[axis] < 0.0)),
-            from_near: [0, 1, 2].map(|axis| (start[axis] + side(axis)) as f32),
-            from_far: [0, 1, 2].map(|axis| (start[axis] - side(axis)) as f32),
-            inverse: direction.map(|d| 1.0 / d as f32),
+            near: [0, 1, 2].map(|axis| 2 * axis + usize::from(direction[axis].is_sign_negative())),
+            from_near: each(|axis| start[axis] + side[axis]).map(|x| x as f32),
+            from_far: each(|axis| start[axis] - side[axis]).map(|x| x as f32),
+            inverse: inverse.map(|x| less(x.abs(), MOST).copysign(x) as f32),
             rate,
             base,
         })
@@ -128,7 +138,7 @@ impl Slab {
     /// Enters every box.
     #[cold]
     fn blind() -> Self {
-        Self { near: [0, 2, 4], from_near: [8.0; 3], from_far: [-8.0; 3], inverse: [1.0; 3], rate: 0.0, base: -64.0 }
+        Self { near: [0, 2, 4], from_near: [8.0; 4], from_far: [-8.0; 4], inverse: [1.0; 4], rate: 0.0, base: -64.0 }
     }
 
     /// The τ of a limit of t.
@@ -139,6 +149,29 @@ impl Slab {
 }
 
 #[inline(always)]
-fn three<T: Real>(v: Vec3<T>) -> [f64; 3] {
-    [v.x.f64(), v.y.f64(), v.z.f64()]
+fn four<T: Real>(v: Vec3<T>) -> Four {
+    [v.x.f64(), v.y.f64(), v.z.f64(), 0.0]
+}
+
+#[inline(always)]
+fn each(f: impl Fn(usize) -> f64) -> Four {
+    [f(0), f(1), f(2), f(3)]
+}
+
+/// The greatest of the first three, whatever their signs.
+#[inline(always)]
+fn greatest(v: Four) -> f64 {
+    more(more(v[0].abs(), v[1].abs()), v[2].abs())
+}
+
+/// The greater; where one is NaN, the second.
+#[inline(always)]
+fn more(p: f64, q: f64) -> f64 {
+    if p > q { p } else { q }
+}
+
+/// The lesser; where one is NaN, the second.
+#[inline(always)]
+fn less(p: f64, q: f64) -> f64 {
+    if p < q { p } else { q }
 }

@@ -2,6 +2,7 @@
 
 use super::{Meeting, settle};
 use crate::bounds::Bounds;
+use crate::bvh::Across;
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::rules::{Robustness, RuleSource, TriangleFormula, TriangleNormal, TriangleTest};
@@ -49,6 +50,21 @@ impl<T: Real> Shear<T> {
         let doubt = far * far * (T::of(144.0) * T::ULP);
         Self { doubt: if doubt.is_safe() { doubt } else { T::INFINITY }, ..self }
     }
+
+    /// What the test of four triangles at once needs to know of `ray`.
+    #[inline(always)]
+    pub(crate) fn across(&self, ray: &Ray<T>) -> Across {
+        let origin = [ray.origin.x.f64(), ray.origin.y.f64(), ray.origin.z.f64()];
+        Across { origin, axes: self.axes, shear: self.shear.map(T::f64), doubt: self.doubt.f64() }
+    }
+}
+
+/// Whether by these rules a triangle is not met where all its areas, whatever they are off by, tell that it is missed.
+#[inline(always)]
+pub(crate) fn misses_certainly<R: RuleSource>(rules: R) -> bool {
+    let style = &rules.get().style;
+    let is_certified = style.triangle == TriangleFormula::Sheared && style.robustness == Robustness::Certified;
+    is_certified && rules.get().triangle != TriangleTest::TwoEdges
 }
 
 impl<T: Real> Triangle<T> {

@@ -1,0 +1,104 @@
+//! The triangles of a mesh, four side by side.
+
+use rayon::prelude::*;
+
+use crate::bvh::{Across, Four, Test};
+use crate::real::Real;
+use crate::shapes::Triangle;
+use crate::vec3::Vec3;
+
+/// Triangles, each with corners of its own, so that those of a leaf lie in one place.
+#[derive(Clone, Debug)]
+pub(crate) enum Triangles {
+    /// Where single precision holds every coordinate exactly, as those of most files are.
+    Single(Vec<Four<f32>>),
+    Double(Vec<Four<f64>>),
+}
+
+impl Triangles {
+    /// Those with these numbers, in that order.
+    pub(crate) fn of<T: Real>(numbers: &[u32], triangle: impl Fn(&u32) -> Triangle<T> + Sync) -> Self {
+        let is_single = |x: T| f64::from(x.f64() as f32) == x.f64();
+        let fits = |n: &u32| triangle(n).corners.iter().all(|c| is_single(c.x) && is_single(c.y) && is_single(c.z));
+        match numbers.par_iter().all(fits) {
+            true => Self::Single(in_fours(numbers, triangle, |x| x.f64() as f32)),
+            false => Self::Double(in_fours(numbers, triangle, |x| x.f64())),
+        }
+    }
+
+    /// The triangle with that number.
+    #[inline(always)]
+    pub(crate) fn get<T: Real>(&self, n: u32) -> Triangle<T> {
+        match self {
+            Self::Single(fours) => one(&fours[n as usize / 4], n as usize % 4),
+            Self::Double(fours) => one(&fours[n as usize / 4], n as usize % 4),
+        }
+    }
+
+    /// A bit for each of the four from `first` on, a multiple of four, that the ray does not certainly miss.
+    #[inline(always)]
+    pub(crate) fn left<P: Test>(&self, first: u32, ray: &Across) -> u32 {
+        match self {
+            Self::Single(fours) => P::singles(&fours[first as usize / 4], ray),
+            Self::Double(fours) => P::doubles(&fours[first as usize / 4], ray),
+        }
+    }
+
+    /// Bytes they take.
+    pub(crate) fn bytes(&self) -> usize {
+        match self {
+            Self::Single(fours) => size_of_val(&**fours),
+            Self::Double(fours) => size_of_val(&**fours),
+        }
+    }
+}
+
+#[inline(always)]
+fn one<S: Real, T: Real>(four: &Four<S>, lane: usize) -> Triangle<T> {
+    let corner = |[x, y, z]: &[[S; 4]; 3]| Vec3::new(T::of(x[lane].f64()), T::of(y[lane].f64()), T::of(z[lane].f64()));
+    Triangle { corners: [corner(&four[0]), corner(&four[1]), corner(&four[2])] }
+}
+
+fn in_fours<T: Real, S: Real>(
+    numbers: &[u32],
+    triangle: impl Fn(&u32) -> Triangle<T> + Sync,
+    stored: impl Fn(T) -> S + Sync,
+) -> Vec<Four<S>> {
+    let four = |numbers: &[u32]| {
+        let mut four = [[[S::ZERO; 4]; 3]; 3];
+        for (lane, n) in numbers.iter().enumerate() {
+            for (corner, of) in four.iter_mut().zip(triangle(n).corners) {
+                for (axis, x) in corner.iter_mut().zip([of.x, of.y, of.z]) {
+                    axis[lane] = stored(x);
+                }
+            }
+        }
+        four
+    };
+    numbers.par_chunks(4).map(four).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of one triangle with that coordinate.
+    fn check(x: f64, is_single: bool) {
+        let corners = [[x, 0.0, -0.0], [1.0, 2.5, 0.0], [0.0, 1.0, f64::from(f32::MIN_POSITIVE)]]
+            .map(|[x, y, z]| Vec3::new(x, y, z));
+        let triangles = Triangles::of(&[0], |_| Triangle { corners });
+        assert_eq!(matches!(triangles, Triangles::Single(_)), is_single, "{x}");
+        let bits = |corners: [Vec3<f64>; 3]| corners.map(|c| [c.x, c.y, c.z].map(f64::to_bits));
+        assert_eq!(bits(triangles.get(0).corners), bits(corners), "{x}");
+    }
+
+    #[test]
+    fn corners_keep_every_bit() {
+        check(0.5, true);
+        check(16_777_216.0, true);
+        check(16_777_217.0, false);
+        check(0.1, false);
+        check(1e300, false);
+        check(1e-300, false);
+    }
+}
