@@ -5,7 +5,7 @@
 //!
 //! **No box hides a hit.** With u = 2⁻²⁴, half a last place of 1, a hit lies at r(t) within its thing's box, but for what the test of the thing itself
 //! loses: the `pad` of a [`Slab`], by which every box grows. What is left is what the test of the box loses. The ray is moved to where it enters the
-//! root, by f64, to which the pad belongs too; from there its coordinates stay below 1.3, its direction's greatest component lies between 1 and 2, and so
+//! root, by f64, to which the pad belongs too, and by its direction as it is; from there its coordinates stay below 1.3, its direction's greatest component lies between 1 and 2, and so
 //! all of its way within the root is τ < 2.6. Then a coordinate on the ray at τ is off by
 //! - u for its start and u for the pad in it, rounded to f32;
 //! - u/8 where a component of its direction below 2⁻³⁰ is taken for that, so that nothing is divided by 0;
