@@ -31,7 +31,7 @@ impl<T: Real> World<T> {
     }
 
     /// The object of the nearest hit, and where; without the normals.
-    #[inline]
+    #[inline(always)]
     pub fn first<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> Option<(usize, Meeting<T>)> {
         match self.has_frames {
             true => self.first_of::<R, _, true>(rules, ray, tally),
@@ -39,7 +39,7 @@ impl<T: Real> World<T> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn first_of<R: RuleSource, Y: Tally, const FRAMES: bool>(
         &self,
         rules: R,
@@ -52,7 +52,7 @@ impl<T: Real> World<T> {
     }
 
     /// Whether anything lies in the ray's interval; the first thing found ends the search. [rule 5]
-    #[inline]
+    #[inline(always)]
     pub fn occluded<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> bool {
         match self.has_frames {
             true => self.occluded_by::<R, _, true>(rules, ray, tally),
@@ -60,7 +60,7 @@ impl<T: Real> World<T> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn occluded_by<R: RuleSource, Y: Tally, const FRAMES: bool>(&self, rules: R, ray: &Ray<T>, tally: &mut Y) -> bool {
         let mut found = false;
         self.each::<_, true>(ray, tally, Any::<_, _, FRAMES> { world: self, rules, ray, found: &mut found });
@@ -68,7 +68,7 @@ impl<T: Real> World<T> {
     }
 
     /// Whether the ray crosses no object that `blocks`; then `all`, which holds none before, holds every crossing with a surface. [rule 6]
-    #[inline]
+    #[inline(always)]
     pub fn crossings<R: RuleSource>(
         &self,
         rules: R,
