@@ -53,9 +53,10 @@ impl<T: Real> Object<T> {
         Some(self.frame.as_ref().map_or(bounds, |frame| frame.bounds_to_world(bounds)))
     }
 
-    /// What it costs to ask it, about, in questions to a bare solid: a matrix or a tree of its own makes it two.
+    /// What it costs to ask it, about, in questions to a bare solid: a matrix is one more, a tree of its own makes it four.
     pub(crate) fn cost(&self) -> usize {
-        1 + usize::from(self.frame.is_some() || matches!(self.shape, Form::Mesh(_)))
+        let of_shape = if matches!(self.shape, Form::Mesh(_)) { 4 } else { 1 };
+        of_shape + usize::from(self.frame.is_some())
     }
 
     /// The ray in the object's own space; `None` where that is the world.

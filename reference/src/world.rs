@@ -16,7 +16,7 @@ use crate::vec3::Vec3;
 use crate::work::{Tally, Work};
 
 /// A tree finds the nearest of objects that would cost more than this to ask, one after another, in units of `Object::cost`: measured on the public cases.
-const FEW: usize = 4;
+const FEW: usize = 7;
 
 /// How the nearest hit is found; both ways give the same bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
