@@ -46,9 +46,22 @@ impl<T: Real> World<T> {
         ray: &Ray<T>,
         tally: &mut Y,
     ) -> Option<(usize, Meeting<T>)> {
-        let mut best = None;
-        self.each::<_, false>(ray, tally, First::<_, _, FRAMES> { world: self, rules, ray, best: &mut best });
-        best
+        // one for each way: the one that a walk through a tree is told of lies in memory
+        let (mut of_tree, mut of_list) = (None, None);
+        if self.tree.is_some() {
+            self.each_of_tree(
+                ray,
+                tally,
+                ByCall(First::<_, _, FRAMES> { world: self, rules, ray, best: &mut of_tree }),
+            );
+            return of_tree;
+        }
+        self.each_of_list::<_, false>(
+            ray,
+            tally,
+            First::<_, _, FRAMES> { world: self, rules, ray, best: &mut of_list },
+        );
+        of_list
     }
 
     /// Whether anything lies in the ray's interval; the first thing found ends the search. [rule 5]
@@ -62,9 +75,13 @@ impl<T: Real> World<T> {
 
     #[inline(always)]
     fn occluded_by<R: RuleSource, Y: Tally, const FRAMES: bool>(&self, rules: R, ray: &Ray<T>, tally: &mut Y) -> bool {
-        let mut found = false;
-        self.each::<_, true>(ray, tally, Any::<_, _, FRAMES> { world: self, rules, ray, found: &mut found });
-        found
+        let (mut by_tree, mut by_list) = (false, false);
+        if self.tree.is_some() {
+            self.each_of_tree(ray, tally, ByCall(Any::<_, _, FRAMES> { world: self, rules, ray, found: &mut by_tree }));
+            return by_tree;
+        }
+        self.each_of_list::<_, true>(ray, tally, Any::<_, _, FRAMES> { world: self, rules, ray, found: &mut by_list });
+        by_list
     }
 
     /// Whether the ray crosses no object that `blocks`; then `all`, which holds none before, holds every crossing with a surface. [rule 6]
@@ -80,21 +97,27 @@ impl<T: Real> World<T> {
         let mut is_blocked = false;
         if self.has_frames {
             let visitor = All::<_, _, _, true> { world: self, rules, ray, blocks, all, is_blocked: &mut is_blocked };
-            self.each::<_, true>(ray, tally, visitor);
+            self.each(ray, tally, visitor);
         } else {
             let visitor = All::<_, _, _, false> { world: self, rules, ray, blocks, all, is_blocked: &mut is_blocked };
-            self.each::<_, true>(ray, tally, visitor);
+            self.each(ray, tally, visitor);
         }
         all.sort();
         !is_blocked
     }
 
-    /// Has `visitor` visit every object that the ray may meet before the limit; it returns −∞ to end the search where it `ENDS` early.
+    /// Has `visitor` visit every object that the ray may meet before the limit; it returns −∞ to end the search.
     #[inline(always)]
-    fn each<Y: Tally, const ENDS: bool>(&self, ray: &Ray<T>, tally: &mut Y, mut visitor: impl Visit<T, Y>) {
-        if self.tree.is_some() {
-            return self.each_of_tree(ray, tally, ByCall(visitor));
+    fn each<Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, visitor: impl Visit<T, Y>) {
+        match self.tree.is_some() {
+            true => self.each_of_tree(ray, tally, ByCall(visitor)),
+            false => self.each_of_list::<_, true>(ray, tally, visitor),
         }
+    }
+
+    /// The same where there is no tree, and the search ends early only if it `ENDS`.
+    #[inline(always)]
+    fn each_of_list<Y: Tally, const ENDS: bool>(&self, ray: &Ray<T>, tally: &mut Y, mut visitor: impl Visit<T, Y>) {
         let mut limit = ray.t_max;
         for i in 0..self.objects.len() as u32 {
             tally.did(Work::Object);
@@ -105,6 +128,7 @@ impl<T: Real> World<T> {
         }
     }
 
+    /// The same where there is a tree.
     #[inline]
     fn each_of_tree<Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, mut visitor: impl Visit<T, Y>) {
         let Some((inside, tree)) = &self.tree else { return };
@@ -144,23 +168,24 @@ struct First<'a, T, R, const FRAMES: bool> {
 impl<T: Real, R: RuleSource, Y: Tally, const FRAMES: bool> Visit<T, Y> for First<'_, T, R, FRAMES> {
     #[inline(always)]
     fn visit(&mut self, tally: &mut Y, i: u32, limit: T) -> T {
-        let nearest = self.rules.get().nearest;
-        let (i, object) = (i as usize, &self.world.objects[i as usize]);
-        let met = object.meet::<R, FRAMES>(self.rules, self.ray, &self.world.meshes, tally);
-        let Some(met) = met else { return limit };
-        let wins = match &*self.best {
-            None => true,
-            Some((j, best)) => match nearest {
-                Nearest::LeastT => met.t < best.t || (met.t == best.t && i < *j),
-                Nearest::FirstListed => i < *j,
-                Nearest::LastListed => i > *j,
-            },
+        let (nearest, i, mut limit) = (self.rules.get().nearest, i as usize, limit);
+        let best = &mut *self.best;
+        let note = |met: Meeting<T>| {
+            let wins = match &*best {
+                None => true,
+                Some((j, best)) => match nearest {
+                    Nearest::LeastT => met.t < best.t || (met.t == best.t && i < *j),
+                    Nearest::FirstListed => i < *j,
+                    Nearest::LastListed => i > *j,
+                },
+            };
+            if wins {
+                limit = if nearest == Nearest::LeastT { met.t } else { limit };
+                *best = Some((i, met));
+            }
         };
-        if !wins {
-            return limit;
-        }
-        *self.best = Some((i, met));
-        if nearest == Nearest::LeastT { met.t } else { limit }
+        self.world.objects[i].meet::<R, FRAMES>(self.rules, self.ray, &self.world.meshes, tally, note);
+        limit
     }
 }
 

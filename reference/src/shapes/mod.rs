@@ -42,13 +42,6 @@ impl<T: Real> Meeting<T> {
     pub fn with(t: T, part: u32) -> Self {
         Self { t, part, weights: Vec3::ZERO }
     }
-
-    /// The same, taken apart and put together: where a call has left it in memory, those that no call has made stay in registers.
-    #[inline(always)]
-    pub(crate) fn apart(self) -> Self {
-        let Self { t, part, weights: Vec3 { x, y, z } } = self;
-        Self { t, part, weights: Vec3::new(x, y, z) }
-    }
 }
 
 /// A shape that is no mesh.
@@ -75,7 +68,7 @@ impl<T: Real> Solid<T> {
             Self::Plane(plane) => plane.meet(rules, ray),
             Self::Square(square) => square.meet(rules, ray),
             Self::Cuboid(cuboid) => cuboid.meet(rules, ray),
-            Self::Round(round) => round.meet(rules, ray).map(Meeting::apart),
+            Self::Round(round) => round.meet(rules, ray),
         }
     }
 

@@ -53,7 +53,14 @@ impl<T: Real> Round<T> {
     }
 
     /// The first meeting in the ray's interval; on a rim the side is met. The ends belong to it.
+    #[inline(always)]
     pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
+        self.first(rules, ray).map(|(t, part)| Meeting::with(t, part))
+    }
+
+    /// t of the first meeting, and its part.
+    #[inline(never)]
+    fn first<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<(T, u32)> {
         let style = &rules.get().style;
         let is_own = style.quadratic == Quadratic::NearestPoint || style.quadratic == Quadratic::Geometric;
         if style.robustness == Robustness::Certified && is_own {
@@ -69,12 +76,12 @@ impl<T: Real> Round<T> {
     }
 
     /// The nearest of the meetings with the side and, if they are closed, with the ends.
-    fn nearest(&self, side: Option<T>, caps: [(u32, Option<T>); 2]) -> Option<Meeting<T>> {
-        let mut met = side.map(|t| Meeting::with(t, SIDE));
+    fn nearest(&self, side: Option<T>, caps: [(u32, Option<T>); 2]) -> Option<(T, u32)> {
+        let mut met = side.map(|t| (t, SIDE));
         for (part, t) in caps.into_iter().filter(|_| self.is_capped) {
-            let cap = t.map(|t| Meeting::with(t, part));
+            let cap = t.map(|t| (t, part));
             met = match (met, cap) {
-                (Some(side), Some(cap)) if cap.t < side.t => Some(cap),
+                (Some(side), Some(cap)) if cap.0 < side.0 => Some(cap),
                 (side, cap) => side.or(cap),
             };
         }
@@ -82,7 +89,7 @@ impl<T: Real> Round<T> {
     }
 
     /// The first meeting, if no rounding can decide it.
-    fn certified(&self, ray: &Ray<T>) -> Result<Option<Meeting<T>>, Doubt> {
+    fn certified(&self, ray: &Ray<T>) -> Result<Option<(T, u32)>, Doubt> {
         let side = self.certified_side(ray)?;
         let [bottom, top] = self.caps();
         let cap = |(part, z, radius)| Ok((part, if self.is_capped { certified_cap(ray, z, radius)? } else { None }));
@@ -92,7 +99,7 @@ impl<T: Real> Round<T> {
     /// The first meeting in two words: on a rim, where both are met as far as can be told, the side.
     #[cold]
     #[inline(never)]
-    fn settled(&self, ray: &Ray<T>) -> Option<Meeting<T>> {
+    fn settled(&self, ray: &Ray<T>) -> Option<(T, u32)> {
         let coil = Coil::new(self, ray)?;
         let counts = |t: &Two| ray.contains(coil.t(*t));
         let mut first = coil.side().into_iter().find(counts).map(|t| (t, SIDE));
@@ -101,7 +108,7 @@ impl<T: Real> Round<T> {
             let is_nearer = |(best, _): (Two, u32)| (best - t).certain(best.f64().abs() + t.f64().abs()) > Two::ZERO;
             first = if first.is_none_or(is_nearer) { Some((t, part)) } else { first };
         }
-        first.map(|(t, part)| Meeting::with(coil.t(t), part))
+        first.map(|(t, part)| (coil.t(t), part))
     }
 
     /// t of the first meeting with the side.
