@@ -10,6 +10,8 @@ use super::slab::Space;
 use crate::bounds::Bounds;
 use crate::real::Real;
 
+/// At most this many things a leaf, where each is asked alone.
+const FEW: usize = 2;
 /// Most places at which a split is tried.
 const BINS: usize = 16;
 /// Deeper than this, ranges are split in halves: 2^28 things are then one each well above [`DEEPEST`].
@@ -94,8 +96,8 @@ impl Around {
     }
 }
 
-/// The nodes of a tree over things with these bounds, at most `most` a leaf, and the order in which it holds them.
-pub(super) fn build<T: Real>(bounds: &[Bounds<T>], space: &Space, most: usize) -> (Vec<Node>, Vec<u32>) {
+/// The nodes of a tree over things with these bounds, of which so many are asked at once as one, and the order in which it holds them.
+pub(super) fn build<T: Real>(bounds: &[Bounds<T>], space: &Space, at_once: usize) -> (Vec<Node>, Vec<u32>) {
     if bounds.is_empty() {
         return (Vec::new(), Vec::new());
     }
@@ -106,7 +108,7 @@ pub(super) fn build<T: Real>(bounds: &[Bounds<T>], space: &Space, most: usize) -
     let mut items: Vec<Item> = bounds.par_iter().enumerate().with_min_len(FORK).map(item).collect();
     let around = Around::of(&items);
     let mut nodes = Vec::with_capacity(items.len() / 4 + 1);
-    grow(&mut items, 0, around, Bottom { most, depth: 0 }, &mut nodes);
+    grow(&mut items, 0, around, Bottom { most: at_once.max(FEW), at_once, depth: 0 }, &mut nodes);
     (nodes, items.iter().map(|item| item.number).collect())
 }
 
@@ -115,6 +117,8 @@ pub(super) fn build<T: Real>(bounds: &[Bounds<T>], space: &Space, most: usize) -
 struct Bottom {
     /// At most this many things a leaf.
     most: usize,
+    /// As many things are asked at once as one.
+    at_once: usize,
     /// How deep the splits have come.
     depth: usize,
 }
@@ -177,9 +181,9 @@ fn grow(items: &mut [Item], first: usize, around: Around, bottom: Bottom, nodes:
 /// Parts that the children of a node over `items` hold, in order, and how deep the splits have come: the part with the greatest box is split again, while
 /// there is room.
 fn divide(items: &mut [Item], around: Around, bottom: Bottom) -> (ArrayVec<Part, WIDTH>, Bottom) {
-    let Bottom { most, depth } = bottom;
+    let Bottom { most, at_once, .. } = bottom;
     let mut parts = ArrayVec::<Part, WIDTH>::new();
-    if items.len() <= WIDTH && most < WIDTH / 2 {
+    if items.len() <= WIDTH && at_once == 1 {
         parts.extend(items.iter().map(|item| (1, Around::NOTHING.join(item))));
         return (parts, bottom);
     }
@@ -193,17 +197,17 @@ fn divide(items: &mut [Item], around: Around, bottom: Bottom) -> (ArrayVec<Part,
             break;
         }
         let begin: usize = parts[..largest].iter().map(|part| part.0).sum();
-        let (left, right) = split(&mut items[begin..begin + count], around, depth);
+        let (left, right) = split(&mut items[begin..begin + count], around, bottom);
         parts[largest] = left;
         parts.insert(largest + 1, right);
     }
-    (parts, Bottom { depth: depth + 1, ..bottom })
+    (parts, Bottom { depth: bottom.depth + 1, ..bottom })
 }
 
 /// Splits a range of two things at least in two, each with something in it.
-fn split(items: &mut [Item], around: Around, depth: usize) -> (Part, Part) {
-    if depth < DEEP
-        && let Some(cut) = cheapest(items, &around)
+fn split(items: &mut [Item], around: Around, bottom: Bottom) -> (Part, Part) {
+    if bottom.depth < DEEP
+        && let Some(cut) = cheapest(items, &around, bottom.at_once)
     {
         let (count, left, right) = part(items, |item| cut.bin(item) <= cut.last);
         return ((count, left), (items.len() - count, right));
@@ -268,7 +272,7 @@ struct Bin {
 type Bins = [[Bin; BINS]; 3];
 
 /// The cheapest split with something on both sides; `None` where all middles are one.
-fn cheapest(items: &[Item], around: &Around) -> Option<Cut> {
+fn cheapest(items: &[Item], around: &Around, at_once: usize) -> Option<Cut> {
     let n_bins = (4 + items.len() / 4).min(BINS);
     let Span { lo: least, hi: most } = around.middles;
     let per_width = [0, 1, 2, 3].map(|axis| {
@@ -281,18 +285,19 @@ fn cheapest(items: &[Item], around: &Around) -> Option<Cut> {
     } else {
         fill(items, grid)
     };
+    let cost = |bin: &Bin| bin.all.half_area() * bin.count.div_ceil(at_once) as f32;
     let mut best = (f32::INFINITY, 0, 0);
     for axis in (0..3).filter(|axis| per_width[*axis] > 0.0) {
         let mut right = [(0.0, 0); BINS];
         let mut so_far = Bin { all: Span::EMPTY, count: 0 };
         for n in (1..n_bins).rev() {
             so_far = join(so_far, bins[axis][n]);
-            right[n - 1] = (so_far.all.half_area() * so_far.count as f32, so_far.count);
+            right[n - 1] = (cost(&so_far), so_far.count);
         }
         let mut so_far = Bin { all: Span::EMPTY, count: 0 };
         for n in 0..n_bins - 1 {
             so_far = join(so_far, bins[axis][n]);
-            let cost = so_far.all.half_area() * so_far.count as f32 + right[n].0;
+            let cost = cost(&so_far) + right[n].0;
             if so_far.count > 0 && right[n].1 > 0 && cost < best.0 {
                 best = (cost, axis, n);
             }
@@ -357,7 +362,7 @@ mod tests {
         let bounds = boxes();
         let built = |n_threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(n_threads).build().unwrap();
-            pool.install(|| build(&bounds, &Space::of(&bounds), 2))
+            pool.install(|| build(&bounds, &Space::of(&bounds), 4))
         };
         let ((nodes, mut order), other) = (built(1), built(5));
         assert!(nodes == other.0 && order == other.1, "the trees differ");

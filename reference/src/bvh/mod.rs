@@ -19,9 +19,6 @@ pub(crate) use lanes::{Across, Four, Test};
 use node::{Child, Node};
 use slab::{Slab, Space};
 
-/// At most this many things a leaf, where each is asked alone.
-const FEW: usize = 2;
-
 /// Is told of the work that a search does; `()` counts nothing.
 pub trait Tally {
     /// A node of a tree is visited.
@@ -51,7 +48,7 @@ impl Bvh {
     /// surface-area heuristic finds it cheapest, on all threads of the current `rayon` pool; the same bounds give the same tree on any number of them.
     pub fn build<T: Real>(bounds: &[Bounds<T>]) -> (Self, Vec<u32>) {
         let space = Space::of(bounds);
-        let (nodes, order) = build::build(bounds, &space, FEW);
+        let (nodes, order) = build::build(bounds, &space, 1);
         (Self { nodes, space, lanes: Lanes::best() }, order)
     }
 

@@ -125,11 +125,12 @@ impl Slab {
             return Some(Self::blind());
         }
         let side = each(|axis| pad.copysign(direction[axis]));
+        let near_of = |axis: usize| 2 * axis + usize::from(direction[axis].is_sign_negative());
         Some(Self {
-            near: [0, 1, 2].map(|axis| 2 * axis + usize::from(direction[axis].is_sign_negative())),
-            from_near: each(|axis| start[axis] + side[axis]).map(|x| x as f32),
-            from_far: each(|axis| start[axis] - side[axis]).map(|x| x as f32),
-            inverse: inverse.map(|x| less(x.abs(), MOST).copysign(x) as f32),
+            near: [near_of(0), near_of(1), near_of(2)],
+            from_near: single(each(|axis| start[axis] + side[axis])),
+            from_far: single(each(|axis| start[axis] - side[axis])),
+            inverse: single(each(|axis| less(inverse[axis].abs(), MOST).copysign(inverse[axis]))),
             rate,
             base,
         })
@@ -156,6 +157,11 @@ fn four<T: Real>(v: Vec3<T>) -> Four {
 #[inline(always)]
 fn each(f: impl Fn(usize) -> f64) -> Four {
     [f(0), f(1), f(2), f(3)]
+}
+
+#[inline(always)]
+fn single(v: Four) -> [f32; 4] {
+    [v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32]
 }
 
 /// The greatest of the first three, whatever their signs.
