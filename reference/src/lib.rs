@@ -6,6 +6,7 @@
 //! | [`two`] | two words a number, for what one cannot decide |
 //! | [`rules`], [`misconceptions`] | the rules as a value, and the ways in which they are got wrong |
 //! | [`ray`], [`roots`] | where a ray's interval begins and ends; the one solver of quadratics |
+//! | [`packet`] | rays from one point, searched for together |
 //! | [`shapes`], [`mesh`] | where a ray meets a shape; no materials |
 //! | [`frame`], [`bounds`], [`bvh`], [`object`], [`world`], [`search`] | the nearest hit |
 //! | [`camera`], [`lights`], [`shade`], [`optics`], [`snell`] | formulas; they cast no ray |
@@ -31,6 +32,7 @@ pub mod mesh;
 pub mod misconceptions;
 pub mod object;
 pub mod optics;
+pub mod packet;
 pub mod ray;
 pub mod real;
 pub mod render;

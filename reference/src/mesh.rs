@@ -1,5 +1,7 @@
 //! Triangles with a tree over them, and the normals at their corners. [rule 16] [rule 18]
 
+mod together;
+
 use std::ops::Range;
 
 use rayon::prelude::*;

@@ -67,7 +67,7 @@ pub trait Real:
     #[inline(always)]
     fn is_safe(self) -> bool {
         let size = self.abs();
-        Self::SAFE[0] < size && size < Self::SAFE[1]
+        (Self::SAFE[0] < size) & (size < Self::SAFE[1])
     }
 }
 

@@ -6,6 +6,7 @@ use cases::{Effects, film::Image};
 use rayon::prelude::*;
 use serde::Serialize;
 
+use crate::packet;
 use crate::real::Real;
 use crate::rules::{Lecture, RuleSource, Rules};
 use crate::simulated::{Any, EffectSource, EyeAlone, WithShadows};
@@ -17,6 +18,8 @@ use crate::world::World;
 
 /// Side of a tile in pixels.
 const TILE: u32 = 16;
+/// Side of the part of a tile in pixels whose rays are searched for together, at one ray a pixel as many as a packet holds.
+const BLOCK: u32 = 4;
 
 /// What to simulate, and how finely.
 #[derive(Clone, Copy, Debug)]
@@ -151,11 +154,59 @@ fn render_tile<T: Real, R: RuleSource, E: EffectSource, B: Book>(
     rows: Range<u32>,
 ) -> (Vec<Vec3<T>>, B) {
     let mut book = B::default();
+    if kernel.gains_together() {
+        return (render_in_blocks(kernel, samples, columns, rows, &mut book), book);
+    }
     let pixels = rows
         .flat_map(|j| columns.clone().map(move |i| (i, j)))
         .map(|pixel| render_pixel(kernel, samples, pixel, &mut book))
         .collect();
     (pixels, book)
+}
+
+/// The pixels of a tile, row by row, where the rays of neighbours are searched for together.
+fn render_in_blocks<T: Real, R: RuleSource, E: EffectSource>(
+    kernel: &Kernel<'_, T, R, E>,
+    samples: u32,
+    columns: Range<u32>,
+    rows: Range<u32>,
+    book: &mut impl Book,
+) -> Vec<Vec3<T>> {
+    let mut pixels = vec![Vec3::ZERO; columns.len() * rows.len()];
+    for j in rows.clone().step_by(BLOCK as usize) {
+        for i in columns.clone().step_by(BLOCK as usize) {
+            let block = (i..(i + BLOCK).min(columns.end), j..(j + BLOCK).min(rows.end));
+            render_block(kernel, samples, block, book, |(i, j), colour| {
+                pixels[(j - rows.start) as usize * columns.len() + (i - columns.start) as usize] = colour;
+            });
+        }
+    }
+    pixels
+}
+
+/// The pixels of a block, told to `tell`: the rays of one pixel after those of another, as many together as a packet holds.
+fn render_block<T: Real, R: RuleSource, E: EffectSource>(
+    kernel: &Kernel<'_, T, R, E>,
+    samples: u32,
+    (columns, rows): (Range<u32>, Range<u32>),
+    book: &mut impl Book,
+    mut tell: impl FnMut((u32, u32), Vec3<T>),
+) {
+    let pixels = rows.flat_map(|j| columns.clone().map(move |i| (i, j)));
+    let mut points = pixels.clone().flat_map(|pixel| grid(samples).map(move |at| (pixel, at))).peekable();
+    let (mut done, mut sum, mut n_rays) = (pixels, Vec3::ZERO, 0);
+    while points.peek().is_some() {
+        kernel.eyes(points.by_ref().take(packet::MOST), book, |book, colour| {
+            sum += colour;
+            n_rays += 1;
+            if n_rays == samples * samples
+                && let Some(pixel) = done.next()
+            {
+                tell(pixel, end_pixel(samples, sum, book));
+                (sum, n_rays) = (Vec3::ZERO, 0);
+            }
+        });
+    }
 }
 
 /// The mean over a regular grid of `samples` × `samples` points; the centre alone for 1.
@@ -165,13 +216,21 @@ fn render_pixel<T: Real, R: RuleSource, E: EffectSource>(
     pixel: (u32, u32),
     book: &mut impl Book,
 ) -> Vec3<T> {
-    let at = |n: u32| T::of((f64::from(n) + 0.5) / f64::from(samples));
     let mut sum = Vec3::ZERO;
-    for y in 0..samples {
-        for x in 0..samples {
-            sum += kernel.eye(pixel, (at(x), at(y)), book);
-        }
+    for at in grid(samples) {
+        sum += kernel.eye(pixel, at, book);
     }
+    end_pixel(samples, sum, book)
+}
+
+/// The points of a pixel that are asked, row by row.
+fn grid<T: Real>(samples: u32) -> impl Iterator<Item = (T, T)> {
+    let at = move |n: u32| T::of((f64::from(n) + 0.5) / f64::from(samples));
+    (0..samples).flat_map(move |y| (0..samples).map(move |x| (at(x), at(y))))
+}
+
+/// The mean of a pixel's rays, whose light comes to `sum`.
+fn end_pixel<T: Real>(samples: u32, sum: Vec3<T>, book: &mut impl Book) -> Vec3<T> {
     book.notes().end_pixel(f64::from(samples) * f64::from(samples));
     if samples == 1 { sum } else { sum * T::of(1.0 / (f64::from(samples) * f64::from(samples))) }
 }

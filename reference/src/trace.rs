@@ -1,11 +1,13 @@
 //! The kernel: rays, and the light they bring back. [rule 2] [rule 5] to [rule 13]
 
+use arrayvec::ArrayVec;
 use cases::ray_tree::RayKind;
 use cases::{Effect, Effects};
 
 use crate::camera::Lens;
 use crate::lights::Light;
 use crate::optics;
+use crate::packet;
 use crate::ray::{Ray, Spot};
 use crate::real::Real;
 use crate::rules::{
@@ -14,6 +16,7 @@ use crate::rules::{
 };
 use crate::search::Crossings;
 use crate::shade;
+use crate::shapes::Meeting;
 use crate::simulated::{Any, EffectSource};
 use crate::vec3::Vec3;
 use crate::watch::{Met, Watch};
@@ -30,6 +33,9 @@ pub struct Kernel<'w, T, R, E = Any> {
     lens: Lens<T>,
     effects: E,
 }
+
+/// A point of the picture: a pixel, and where in it, see [`Kernel::eye`].
+pub type Point<T> = ((u32, u32), (T, T));
 
 /// A ray on its way.
 #[derive(Clone, Copy, Debug)]
@@ -108,23 +114,57 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
     /// The light through the point (`dx`, `dy`), both from 0 to 1, of the picture's pixel in column i from the left and row j from the top.
     /// [rule 1]
     pub fn eye(&self, (i, j): (u32, u32), at: (T, T), watch: &mut impl Watch) -> Vec3<T> {
+        self.trace(&self.eye_ray((i, j), at), Path::eye(0), watch)
+    }
+
+    fn eye_ray(&self, (i, j): (u32, u32), at: (T, T)) -> Ray<T> {
         let row = if self.rules.get().picture_from_top { j } else { self.world.render.height - 1 - j };
-        let ray = self.lens.eye_ray(self.rules, (i, row), at);
-        self.trace(&ray, Path::eye(0), watch)
+        self.lens.eye_ray(self.rules, (i, row), at)
+    }
+
+    /// Whether [`Kernel::eyes`] can be asked, and is faster than [`Kernel::eye`].
+    pub fn gains_together(&self) -> bool {
+        R::IS_LECTURE && self.world.gains_together()
+    }
+
+    /// What [`Kernel::eye`] gives at each of some points, [`packet::MOST`] at most, by the rules of the lecture: what they see is searched for together,
+    /// then lit one after another.
+    pub fn eyes<W: Watch>(
+        &self,
+        points: impl Iterator<Item = Point<T>>,
+        watch: &mut W,
+        mut light: impl FnMut(&mut W, Vec3<T>),
+    ) {
+        let rays: ArrayVec<Ray<T>, { packet::MOST }> = points.map(|(pixel, at)| self.eye_ray(pixel, at)).collect();
+        for (ray, found) in rays.iter().zip(self.world.first_together(&rays, watch)) {
+            watch.enter(RayKind::Eye, 0, ray);
+            let colour = self.light_of(ray, Path::eye(0), found, watch);
+            watch.leave(colour);
+            light(watch, colour);
+        }
     }
 
     /// The light that `ray` brings back: shade + kr · trace(R) + kt · trace(T). [rule 7] [rule 8]
     pub fn trace(&self, ray: &Ray<T>, path: Path<T>, watch: &mut impl Watch) -> Vec3<T> {
         watch.enter(path.kind, path.depth, ray);
-        let colour = match self.world.first(self.rules, ray, watch) {
-            Some(found) => {
-                let hit = self.world.hit(self.rules, ray, found, self.effects.has(Effect::SmoothNormals), watch);
-                self.light_at(ray, path, hit, watch)
-            }
-            None => self.world.background,
-        };
+        let found = self.world.first(self.rules, ray, watch);
+        let colour = self.light_of(ray, path, found, watch);
         watch.leave(colour);
         colour
+    }
+
+    /// The light of what a ray has met.
+    #[inline(always)]
+    fn light_of(
+        &self,
+        ray: &Ray<T>,
+        path: Path<T>,
+        found: Option<(usize, Meeting<T>)>,
+        watch: &mut impl Watch,
+    ) -> Vec3<T> {
+        let Some(found) = found else { return self.world.background };
+        let hit = self.world.hit(self.rules, ray, found, self.effects.has(Effect::SmoothNormals), watch);
+        self.light_at(ray, path, hit, watch)
     }
 
     fn light_at(&self, ray: &Ray<T>, path: Path<T>, hit: Hit<T>, watch: &mut impl Watch) -> Vec3<T> {

@@ -44,6 +44,24 @@ impl Triangles {
         }
     }
 
+    /// For each of the four from `first` on, a multiple of four, between which slopes its corners lie as seen from `origin`.
+    #[inline(always)]
+    pub(crate) fn slopes(&self, first: u32, origin: [f64; 3], axes: [usize; 3]) -> Slopes {
+        match self {
+            Self::Single(fours) => slopes(&fours[first as usize / 4], origin, axes),
+            Self::Double(fours) => slopes(&fours[first as usize / 4], origin, axes),
+        }
+    }
+
+    /// Has the four from `first` on, a multiple of four, brought near.
+    #[inline(always)]
+    pub(crate) fn fetch<P: Test>(&self, first: u32) {
+        match self {
+            Self::Single(fours) => P::fetch(&fours[first as usize / 4]),
+            Self::Double(fours) => P::fetch(&fours[first as usize / 4]),
+        }
+    }
+
     /// Bytes they take.
     pub(crate) fn bytes(&self) -> usize {
         match self {
@@ -51,6 +69,38 @@ impl Triangles {
             Self::Double(fours) => size_of_val(&**fours),
         }
     }
+}
+
+/// Of four triangles seen from a point, two axes across and one along: how far their corners lie along the first two for each step along the third.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slopes {
+    /// The least and the greatest along the first axis, then along the second.
+    pub span: [[[f64; 4]; 2]; 2],
+    /// The least and the greatest step along the third axis.
+    pub depth: [[f64; 4]; 2],
+}
+
+#[inline(always)]
+#[allow(clippy::needless_range_loop, reason = "many lists side by side, which the compiler takes lane by lane")]
+fn slopes<S: Real>(four: &Four<S>, origin: [f64; 3], [x, y, z]: [usize; 3]) -> Slopes {
+    let nothing = [[f64::INFINITY; 4], [-f64::INFINITY; 4]];
+    let mut all = Slopes { span: [nothing; 2], depth: nothing };
+    for corner in four {
+        for lane in 0..4 {
+            let depth = corner[z][lane].f64() - origin[z];
+            let inverse = 1.0 / depth;
+            widen(&mut all.depth, lane, depth);
+            widen(&mut all.span[0], lane, (corner[x][lane].f64() - origin[x]) * inverse);
+            widen(&mut all.span[1], lane, (corner[y][lane].f64() - origin[y]) * inverse);
+        }
+    }
+    all
+}
+
+#[inline(always)]
+fn widen([least, most]: &mut [[f64; 4]; 2], lane: usize, x: f64) {
+    least[lane] = if x < least[lane] { x } else { least[lane] };
+    most[lane] = if x > most[lane] { x } else { most[lane] };
 }
 
 #[inline(always)]

@@ -1,5 +1,7 @@
 //! The scene made ready for rays: numbers in one precision, trees built, nearest hits found. [rule 2]
 
+mod together;
+
 use cases::{Effects, Scene};
 
 use crate::bvh::{Bvh, Lanes};

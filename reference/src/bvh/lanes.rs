@@ -23,6 +23,13 @@ pub(crate) trait Test {
 
     /// The same for corners in double precision.
     fn doubles(corners: &Four<f64>, ray: &Across) -> u32;
+
+    /// A bit for each of eight points of a plane, x and y side by side, that lies between `least` and `most`; none for NaN.
+    fn within(points: [&Eight; 2], least: [f32; 2], most: [f32; 2]) -> u32;
+
+    /// Has memory that is soon to be read brought near. It changes nothing but time.
+    #[inline(always)]
+    fn fetch<A>(_soon: &A) {}
 }
 
 /// Four triangles side by side: for each corner and axis, the coordinate of each of the four.
@@ -50,6 +57,14 @@ pub(super) trait Work {
 struct Portable;
 
 impl Test for Portable {
+    #[inline(always)]
+    fn within([x, y]: [&Eight; 2], least: [f32; 2], most: [f32; 2]) -> u32 {
+        (0..8).fold(0, |all, lane| {
+            let is_within = |at: f32, n: usize| least[n] <= at && at <= most[n];
+            all | u32::from(is_within(x[lane], 0) && is_within(y[lane], 1)) << lane
+        })
+    }
+
     #[inline(always)]
     fn boxes(planes: [[&Eight; 2]; 3], ray: &Slab, reach: f32) -> (Eight, u32) {
         let (mut enter, mut leave) = ([0.0; 8], [reach; 8]);
@@ -95,6 +110,29 @@ struct Wide;
 
 #[cfg(target_arch = "x86_64")]
 impl Test for Wide {
+    #[inline(always)]
+    fn within([x, y]: [&Eight; 2], least: [f32; 2], most: [f32; 2]) -> u32 {
+        // SAFETY: as for boxes.
+        let within = unsafe {
+            let (x, y) = (_mm256_loadu_ps(x.as_ptr()), _mm256_loadu_ps(y.as_ptr()));
+            let from_x = _mm256_cmp_ps::<_CMP_GE_OQ>(x, _mm256_set1_ps(least[0]));
+            let to_x = _mm256_cmp_ps::<_CMP_LE_OQ>(x, _mm256_set1_ps(most[0]));
+            let from_y = _mm256_cmp_ps::<_CMP_GE_OQ>(y, _mm256_set1_ps(least[1]));
+            let to_y = _mm256_cmp_ps::<_CMP_LE_OQ>(y, _mm256_set1_ps(most[1]));
+            _mm256_movemask_ps(_mm256_and_ps(_mm256_and_ps(from_x, to_x), _mm256_and_ps(from_y, to_y)))
+        };
+        within.cast_unsigned()
+    }
+
+    #[inline(always)]
+    fn fetch<A>(soon: &A) {
+        for line in 0..size_of::<A>().div_ceil(64) {
+            let line = std::ptr::from_ref(soon).cast::<i8>().wrapping_add(64 * line);
+            // SAFETY: fetching reads nothing, whatever the address.
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(line) };
+        }
+    }
+
     #[inline(always)]
     fn boxes(planes: [[&Eight; 2]; 3], ray: &Slab, reach: f32) -> (Eight, u32) {
         let mut all = [0.0; 8];

@@ -4,6 +4,7 @@
 //! bit for bit, on every machine. `slab` says why no box hides a hit.
 
 mod build;
+mod frustum;
 mod lanes;
 mod node;
 mod slab;
@@ -13,6 +14,7 @@ use std::ops::Range;
 use crate::bounds::Bounds;
 use crate::ray::Ray;
 use crate::real::Real;
+pub(crate) use frustum::VisitTogether;
 pub use lanes::Lanes;
 use lanes::Work;
 pub(crate) use lanes::{Across, Four, Test};

@@ -90,7 +90,29 @@ impl Node {
     #[inline(always)]
     pub(super) fn enter<P: Test>(&self, ray: &Slab, reach: f32, open: &mut Open) -> Option<Child> {
         let planes = ray.near.map(|near| [&self.planes[near], &self.planes[near ^ 1]]);
-        let (enter, mut entered) = P::boxes(planes, ray, reach);
+        let (enter, entered) = P::boxes(planes, ray, reach);
+        self.open(enter, entered, open)
+    }
+
+    /// Least x of the eight boxes, greatest x, least y and so on.
+    #[inline(always)]
+    pub(super) fn planes(&self) -> &[Eight; 6] {
+        &self.planes
+    }
+
+    /// The children with these bits.
+    #[inline(always)]
+    pub(super) fn children(&self, mut bits: u32) -> impl Iterator<Item = Child> {
+        std::iter::from_fn(move || {
+            let lane = bits.trailing_zeros() as usize;
+            bits &= bits.wrapping_sub(1);
+            (lane < WIDTH).then(|| self.children[lane % WIDTH])
+        })
+    }
+
+    /// The nearest of the children with the bits `entered`, by where they are entered; the others are put among the open ones, the nearest last.
+    #[inline(always)]
+    pub(super) fn open(&self, enter: Eight, mut entered: u32, open: &mut Open) -> Option<Child> {
         let mut next = || {
             let lane = entered.trailing_zeros() as usize;
             entered &= entered.wrapping_sub(1);

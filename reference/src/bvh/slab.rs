@@ -63,6 +63,20 @@ impl Space {
         Self { loss: self.loss * loss, ..self }
     }
 
+    /// A point within it, and what the tests of things that are asked from there lose, see [`Slab::new`].
+    #[inline(always)]
+    pub(super) fn point<T: Real>(&self, point: Vec3<T>) -> (Four, f64) {
+        let point = four(point);
+        let pad = more(greatest(point), self.farthest) * self.loss;
+        (each(|axis| (point[axis] - self.middle[axis]) * self.scale), pad)
+    }
+
+    /// How long a unit is within it.
+    #[inline(always)]
+    pub(super) fn scale(&self) -> f64 {
+        self.scale
+    }
+
     /// A box within it, grown by [`PAD`]; all of the space where the box has no numbers.
     #[inline]
     pub(super) fn place<T: Real>(&self, bounds: &Bounds<T>) -> ([f32; 3], [f32; 3]) {

@@ -16,6 +16,9 @@ use crate::real::Real;
 
 /// Where the kernel finds the rules it follows.
 pub trait RuleSource: Copy + Send + Sync {
+    /// Whether they are known to be those of [`Lecture`].
+    const IS_LECTURE: bool = false;
+
     /// The rules.
     fn get(&self) -> &Rules;
 
@@ -34,6 +37,8 @@ pub trait RuleSource: Copy + Send + Sync {
 pub struct Lecture;
 
 impl RuleSource for Lecture {
+    const IS_LECTURE: bool = true;
+
     #[inline(always)]
     fn get(&self) -> &Rules {
         const { &Rules::LECTURE }

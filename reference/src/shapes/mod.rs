@@ -16,7 +16,7 @@ pub use plane::Plane;
 pub use round::Round;
 pub use sphere::Sphere;
 pub use square::Square;
-pub(crate) use triangle::misses_certainly;
+pub(crate) use triangle::{Look, misses_certainly};
 pub use triangle::{Shear, Triangle, barycentric};
 
 use crate::bounds::Bounds;

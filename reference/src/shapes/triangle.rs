@@ -42,6 +42,36 @@ impl<T: Real> Shear<T> {
         Self { axes: [x, y, z], shear: [d[x] / d[z], d[y] / d[z]], scale: T::ONE / d[z], doubt: T::INFINITY }
     }
 
+    /// Two axes across the ray, and the one along which its direction is longest.
+    #[inline(always)]
+    pub(crate) fn axes(&self) -> [usize; 3] {
+        self.axes
+    }
+
+    /// How far along the first two the ray goes for each step along the third.
+    #[inline(always)]
+    pub(crate) fn slopes(&self) -> [T; 2] {
+        self.shear
+    }
+
+    /// 1 over the direction along the third axis.
+    #[inline(always)]
+    pub(crate) fn scale(&self) -> T {
+        self.scale
+    }
+
+    /// Whether one bound settles nearly everything: all coordinates in play, their products and quotients are far from leaving the range of numbers.
+    #[inline(always)]
+    pub(crate) fn is_bounded(&self) -> bool {
+        self.doubt.is_finite()
+    }
+
+    /// That of another ray from the same origin along the same axis.
+    #[inline(always)]
+    pub(crate) fn of_other(&self, slopes: [T; 2], scale: T) -> Self {
+        Self { shear: slopes, scale, ..*self }
+    }
+
     /// The same for triangles within `all`: one bound for all of them settles nearly everything, see [`Triangle::meet`].
     ///
     /// With f the greatest coordinate of a corner as seen from the origin, sheared ones are 2f at most and so their bound 48u 2f (2f + f).
@@ -106,41 +136,26 @@ impl<T: Real> Triangle<T> {
 
     /// The same for a triangle that is not missed by far.
     ///
-    /// With u half a ulp, x the greatest of sheared coordinates and z that along the ray: a sheared coordinate is off by u (2x + 6z), so an area by
-    /// u x (12x + 24z) at most, twice that below 48u x (x + z); and Σ area·z by z times the three of them and 4u Σ|area|. Where that leaves a sign
-    /// open, or few digits of the weights or of t, the second step is taken.
+    /// Where the first look leaves open whether it is met, or few digits of the weights or of t, the second step is taken.
     #[inline(never)]
     fn nearly_met(
         &self,
         ray: &Ray<T>,
         shear: &Shear<T>,
         corners: [Seen<T>; 3],
-        [u, v, w]: [T; 3],
+        areas: [T; 3],
         tests_bc: bool,
     ) -> Option<(T, Vec3<T>)> {
-        let [a, b, c] = corners;
-        let across = |p: Seen<T>| greater(p.0.abs(), p.1.abs());
-        let x = greater(across(a), greater(across(b), across(c)));
-        let z = greater(a.2.abs(), greater(b.2.abs(), c.2.abs()));
-        let doubt = x * (x + z) * (T::of(24.0) * T::ULP);
-        let (least, most) = extremes([u, v, w], tests_bc);
-        let sum = u + v + w;
-        if doubt.is_safe() && least < -doubt && most > doubt {
+        let look = Look::at(corners, areas, shear.scale, tests_bc);
+        if look.is_missed {
             return None;
         }
-        let is_inside = (least > doubt || most < -doubt) && sum.abs() > doubt * T::MARGIN;
-        if doubt.is_safe() && is_inside && shear.scale.is_safe() {
-            let along = u * a.2 + v * b.2 + w * c.2;
-            let in_doubt = z * (T::of(4.0) * (doubt + T::ULP * sum.abs()));
-            let scaled = shear.scale * along; // of five factors: it may leave the range where none of them does
-            let t = scaled / sum;
-            if along.abs() > in_doubt * T::MARGIN && scaled.is_safe() {
-                return Some((t, Vec3::new(u, v, w) * (T::ONE / sum)));
-            }
-            let is_behind = along.abs() > in_doubt && t < T::ZERO;
-            if (is_behind || self.is_left(ray)) && ray.is_before(T::ZERO) {
-                return None;
-            }
+        if look.is_sure {
+            return Some((look.t, look.weights));
+        }
+        let is_behind = look.is_inside && (look.is_behind || self.is_left(ray));
+        if is_behind && ray.is_before(T::ZERO) {
+            return None;
         }
         settle::triangle(self, ray, shear.axes, tests_bc)
     }
@@ -231,6 +246,57 @@ impl<T: Real> Triangle<T> {
         };
         let n = n.normalised();
         if rules.get().triangle_normal == TriangleNormal::Left { -n } else { n }
+    }
+}
+
+/// What the first look at a triangle tells, in plain numbers and with a bound of their error.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Look<T> {
+    /// Whether the ray's line certainly misses it.
+    pub is_missed: bool,
+    /// Whether the line certainly meets it, and the weights are right to most of their digits.
+    is_inside: bool,
+    /// Whether t is as well.
+    pub is_sure: bool,
+    /// Whether it certainly lies behind the origin, if it is met.
+    is_behind: bool,
+    /// Where the line meets it, if that is sure.
+    pub t: T,
+    /// (α, β, γ) there.
+    pub weights: Vec3<T>,
+}
+
+impl<T: Real> Look<T> {
+    /// A look at `corners`, as seen along a ray: without a branch, so that many rays can be looked along at once.
+    ///
+    /// With u half a ulp, x the greatest of sheared coordinates and z that along the ray: a sheared coordinate is off by u (2x + 6z), so an area by
+    /// u x (12x + 24z) at most, twice that below 48u x (x + z); and Σ area·z by z times the three of them and 4u Σ|area|.
+    #[inline(always)]
+    fn at([a, b, c]: [Seen<T>; 3], [u, v, w]: [T; 3], scale: T, tests_bc: bool) -> Self {
+        let across = |p: Seen<T>| greater(p.0.abs(), p.1.abs());
+        let x = greater(across(a), greater(across(b), across(c)));
+        let z = greater(a.2.abs(), greater(b.2.abs(), c.2.abs()));
+        let doubt = x * (x + z) * (T::of(24.0) * T::ULP);
+        let (least, most) = extremes([u, v, w], tests_bc);
+        let sum = u + v + w;
+        let is_missed = doubt.is_safe() & (least < -doubt) & (most > doubt);
+        let is_inside = ((least > doubt) | (most < -doubt)) & (sum.abs() > doubt * T::MARGIN);
+        let is_inside = is_inside & doubt.is_safe() & scale.is_safe();
+        let along = u * a.2 + v * b.2 + w * c.2;
+        let in_doubt = z * (T::of(4.0) * (doubt + T::ULP * sum.abs()));
+        let scaled = scale * along; // of five factors: it may leave the range where none of them does
+        let t = scaled / sum;
+        let is_sure = is_inside & (along.abs() > in_doubt * T::MARGIN) & scaled.is_safe();
+        let is_behind = (along.abs() > in_doubt) & (t < T::ZERO);
+        Self { is_missed, is_inside, is_sure, is_behind, t, weights: Vec3::new(u, v, w) * (T::ONE / sum) }
+    }
+
+    /// The same along a ray with that shear, for corners as they lie from its origin along the shear's axes.
+    #[inline(always)]
+    pub(crate) fn along([x, y]: [T; 2], scale: T, corners: [[T; 3]; 3]) -> Self {
+        let seen = |from: [T; 3]| (from[0] - x * from[2], from[1] - y * from[2], from[2]);
+        let corners = [seen(corners[0]), seen(corners[1]), seen(corners[2])];
+        Self::at(corners, areas(corners), scale, true)
     }
 }
 
