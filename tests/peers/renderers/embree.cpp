@@ -140,6 +140,13 @@ static void one_by_one(RTCScene scene, const Set &set, float *answers) {
     }
 }
 
+/* The place of the i-th primary ray of a picture of 640 x 480 in packets of 4 x 4 pixels; of other rays their own. */
+static size_t place(size_t i, bool is_coherent, size_t n) {
+    if (!is_coherent || n != 640 * 480) return i;
+    size_t block = i / 16, k = i % 16;
+    return (block / 160 * 4 + k / 4) * 640 + block % 160 * 4 + k % 4;
+}
+
 static void by_packets(RTCScene scene, const Set &set, bool is_coherent, float *answers) {
     Arguments arguments = {};
     arguments.flags = is_coherent ? COHERENT : 0;
@@ -149,7 +156,7 @@ static void by_packets(RTCScene scene, const Set &set, bool is_coherent, float *
         RayHit16 ray = {};
         int valid[16];
         for (size_t k = 0; k < 16; k++) {
-            const float *r = &set.rays[7 * (first + k < n ? first + k : first)];
+            const float *r = &set.rays[7 * place(first + k < n ? first + k : first, is_coherent, n)];
             valid[k] = first + k < n ? -1 : 0;
             for (int axis = 0; axis < 3; axis++) { ray.org[axis][k] = r[axis]; ray.dir[axis][k] = r[3 + axis]; }
             ray.tfar[k] = r[6];
@@ -159,8 +166,9 @@ static void by_packets(RTCScene scene, const Set &set, bool is_coherent, float *
         if (set.is_any_hit) rtcOccluded16(valid, scene, &ray, &arguments);
         else rtcIntersect16(valid, scene, &ray, &arguments);
         for (size_t k = 0; k < 16 && first + k < n; k++) {
-            if (set.is_any_hit) answers[first + k] = ray.tfar[k] < 0 ? 0 : INFINITY;
-            else answers[first + k] = ray.geom[k] == NONE ? INFINITY : ray.tfar[k];
+            float &answer = answers[place(first + k, is_coherent, n)];
+            if (set.is_any_hit) answer = ray.tfar[k] < 0 ? 0 : INFINITY;
+            else answer = ray.geom[k] == NONE ? INFINITY : ray.tfar[k];
         }
     }
 }

@@ -101,7 +101,7 @@ fn searching(rows: &[search::Row], picture: &str) -> String {
     let mut out = format!(
         "## What a ray meets\n\nMillion rays a second on one thread, the same rays for all, read from a file: those through the pixels; from what they meet to the light (anything in the way ends the search); \
          from there in random directions; and from anywhere to anywhere\nin a box about the mesh. Different: answers that are not ours (met or missed, or a distance by more than a thousandth), of all sets. \
-         Building: CPU milliseconds on one thread. Bytes a triangle: tree, corners and what else the library keeps.\n\n\
+         Building: CPU milliseconds on one thread. Bytes a triangle: tree, corners and what else the library keeps. Packets hold\nprimary rays through 4 × 4 pixels; other rays come 16 at a time as they stand in the file, to this reference one by one.\n\n\
          | mesh | | {} | different | of | building ms | bytes a triangle |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n",
         NAMES.join(" | "),
     );

@@ -61,6 +61,13 @@ pub fn sets(scene: &Scene) -> [Set; 4] {
     [set(first, false, primary), set(second, true, shadow), set(third, false, diffuse), set(fourth, false, random)]
 }
 
+/// The places of the primary rays of a picture, 16 after 16 those through 4 × 4 pixels: packets that are wide and high, for all who ask by packets.
+pub fn in_blocks((width, height): (u32, u32)) -> Vec<usize> {
+    let blocks = (0..height / 4).flat_map(|row| (0..width / 4).map(move |column| (4 * column, 4 * row)));
+    let place = |i: u32, j: u32| (j * width + i) as usize;
+    blocks.flat_map(|(i, j)| (0..16).map(move |k| place(i + k % 4, j + k / 4))).collect()
+}
+
 /// How many eye rays of a scene meet something.
 pub fn n_met(scene: &Scene) -> u64 {
     let world = World::<f64>::new(scene);
@@ -147,6 +154,14 @@ mod tests {
         let read = decode(&bytes).expect("it is whole");
         assert_eq!(format!("{read:?}"), format!("{:?}", some()));
         assert!(decode(&bytes[..bytes.len() - 1]).is_none() && decode(&[&bytes[..], &[0]].concat()).is_none());
+    }
+
+    #[test]
+    fn blocks_hold_every_pixel_once() {
+        let places = in_blocks((12, 8));
+        assert_eq!(places[..6], [0, 1, 2, 3, 12, 13]);
+        assert_eq!(places[16..18], [4, 5]);
+        assert!((0..96).all(|place| places.contains(&place)) && places.len() == 96);
     }
 
     #[test]

@@ -20,6 +20,7 @@ const N_PASSES: usize = 2;
 #[allow(missing_docs, reason = "their names say it")]
 pub enum Library {
     Ours,
+    OursTogether,
     Embree,
     EmbreeRobust,
     EmbreePackets,
@@ -29,13 +30,22 @@ pub enum Library {
 }
 
 impl Library {
-    const ALL: [Self; 7] =
-        [Self::Ours, Self::Embree, Self::EmbreeRobust, Self::EmbreePackets, Self::Obvhs, Self::Parry3d, Self::Bvh];
+    const ALL: [Self; 8] = [
+        Self::Ours,
+        Self::OursTogether,
+        Self::Embree,
+        Self::EmbreeRobust,
+        Self::EmbreePackets,
+        Self::Obvhs,
+        Self::Parry3d,
+        Self::Bvh,
+    ];
 
     /// For people.
     pub fn name(self) -> &'static str {
         match self {
             Self::Ours => "this reference, f64",
+            Self::OursTogether => "this reference, primary rays by packets of 16, f64",
             Self::Embree => "Embree 4, f32",
             Self::EmbreeRobust => "Embree 4 robust, f32",
             Self::EmbreePackets => "Embree 4, packets of 16, f32",
@@ -49,7 +59,9 @@ impl Library {
     fn is_asked(self, mesh: &str) -> bool {
         match self {
             Self::Ours | Self::EmbreeRobust => true,
-            Self::Embree | Self::EmbreePackets | Self::Obvhs | Self::Parry3d => SHOWN.contains(&mesh),
+            Self::OursTogether | Self::Embree | Self::EmbreePackets | Self::Obvhs | Self::Parry3d => {
+                SHOWN.contains(&mesh)
+            }
             Self::Bvh => mesh == SHOWN[0],
         }
     }
@@ -60,12 +72,14 @@ impl Library {
             command.arg(word);
             command
         };
+        let ourselves = |job: &str| {
+            let mut command = Command::new(std::env::current_exe().map_err(|why| why.to_string())?);
+            command.args(["--worker", job]);
+            Ok::<_, String>(command)
+        };
         Ok(match self {
-            Self::Ours => {
-                let mut command = Command::new(std::env::current_exe().map_err(|why| why.to_string())?);
-                command.args(["--worker", "search"]);
-                command
-            }
+            Self::Ours => ourselves("search")?,
+            Self::OursTogether => ourselves("search-together")?,
             Self::Embree => with("embree", "default"),
             Self::EmbreeRobust => with("embree", "robust"),
             Self::EmbreePackets => with("embree", "packets"),

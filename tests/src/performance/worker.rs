@@ -5,6 +5,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use cases::Scene;
+use reference::packet;
 use reference::ray::Ray;
 use reference::render::{Options, render_by};
 use reference::rules::{Lecture, Rules};
@@ -13,16 +14,18 @@ use rustix::time::{ClockId, clock_gettime};
 use serde_json::{Value, json};
 
 use super::rays::{self, Set};
+use super::scenes;
 
-/// Does what `words` ask for: `render SCENE THREADS`, or `search MESH RAYS ANSWERS PASSES`; what came of it.
+/// Does what `words` ask for: `render SCENE THREADS`, or `search MESH RAYS ANSWERS PASSES`, `search-together` the same; what came of it.
 ///
 /// # Errors
 /// Words that ask for nothing known, files that cannot be read or written.
 pub fn work(words: &[String]) -> Result<Value, String> {
     match words {
         [job, scene, threads] if job == "render" => render(Path::new(scene), number(threads)?),
-        [job, mesh, rays, answers, passes] if job == "search" => {
-            search(Path::new(mesh), Path::new(rays), Path::new(answers), number(passes)?)
+        [job, mesh, rays, answers, passes] if job == "search" || job == "search-together" => {
+            let by_packets = job == "search-together";
+            search(Path::new(mesh), Path::new(rays), Path::new(answers), number(passes)?, by_packets)
         }
         _ => Err(format!("no work is called `{}`", words.join(" "))),
     }
@@ -78,8 +81,8 @@ fn mesh_alone(path: &Path) -> Result<Scene, String> {
     cases::scene::parse(&name, &text, folder).map_err(|why| why.to_string())
 }
 
-/// Looks for what rays meet, one ray at a time on one thread; the first pass over each set warms up.
-fn search(mesh: &Path, from: &Path, to: &Path, n_passes: usize) -> Result<Value, String> {
+/// Looks for what rays meet, one ray at a time on one thread, primary rays `by_packets` if asked; the first pass over each set warms up.
+fn search(mesh: &Path, from: &Path, to: &Path, n_passes: usize, by_packets: bool) -> Result<Value, String> {
     let wrong = |path: &Path, why: &dyn std::fmt::Display| format!("{}: {why}", path.display());
     let bytes = fs::read(from).map_err(|why| wrong(from, &why))?;
     let sets = rays::decode(&bytes).ok_or_else(|| wrong(from, &"no file of rays"))?;
@@ -87,11 +90,16 @@ fn search(mesh: &Path, from: &Path, to: &Path, n_passes: usize) -> Result<Value,
     let scene = scene?;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(|why| why.to_string())?;
     let (world, build_s) = timed(|| pool.install(|| World::<f64>::new(&scene)));
+    let blocks = rays::in_blocks(scenes::SIZE);
     let (mut all, mut seconds) = (vec![], vec![]);
     for set in &sets {
         let rays: Vec<Ray<f64>> = set.rays.iter().map(rays::ray).collect();
         let mut answers = vec![0.0; rays.len()];
-        let times: Vec<f64> = (0..=n_passes).map(|_| timed(|| ask(&world, set, &rays, &mut answers)).1).collect();
+        let mut asked = || match by_packets && set.name == rays::NAMES[0] {
+            true => ask_together(&world, &blocks, &rays, &mut answers),
+            false => ask(&world, set, &rays, &mut answers),
+        };
+        let times: Vec<f64> = (0..=n_passes).map(|_| timed(&mut asked).1).collect();
         seconds.push(times[1..].to_vec());
         all.extend(answers.iter().flat_map(|t| t.to_le_bytes()));
     }
@@ -107,5 +115,15 @@ fn ask(world: &World<f64>, set: &Set, rays: &[Ray<f64>], answers: &mut [f32]) {
             true => f32::INFINITY,
             false => world.first(Lecture, ray, &mut ()).map_or(f32::INFINITY, |(_, met)| met.t as f32),
         };
+    }
+}
+
+/// The same of the primary rays of a picture, by packets.
+fn ask_together(world: &World<f64>, blocks: &[usize], rays: &[Ray<f64>], answers: &mut [f32]) {
+    for places in blocks.as_chunks::<{ packet::MOST }>().0 {
+        let rays = places.map(|place| rays[place]);
+        for (place, found) in places.iter().zip(world.first_together(&rays, &mut ())) {
+            answers[*place] = found.map_or(f32::INFINITY, |(_, met)| met.t as f32);
+        }
     }
 }
