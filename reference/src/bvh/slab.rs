@@ -31,6 +31,8 @@ const FINITE: f64 = 1e300;
 const MOST: f64 = 1_073_741_824.0;
 /// The bits that hold the exponent.
 const EXPONENT: u64 = 0x7ff << 52;
+/// Those of a power of two and of its inverse, added.
+const ONES: u64 = 2046 << 52;
 
 /// Three coordinates, and one more that makes them a register.
 type Four = [f64; 4];
@@ -118,9 +120,10 @@ impl Slab {
         let inverse = each(|axis| 1.0 / direction[axis]);
         let size = greatest(direction);
         let unit = f64::from_bits(size.to_bits() & EXPONENT);
+        let per_unit = f64::from_bits(ONES.wrapping_sub(unit.to_bits()));
         let rate = space.scale * unit;
         let pad = more(greatest(origin), space.farthest) * space.loss;
-        if !(pad <= BLIND && size.is_normal() && rate.is_normal()) {
+        if !(pad <= BLIND && size.is_normal() && per_unit.is_normal() && rate.is_normal()) {
             return Some(Self::blind());
         }
         let origin = each(|axis| (origin[axis] - space.middle[axis]) * space.scale);
@@ -133,7 +136,7 @@ impl Slab {
         if base > less(less(far[0], far[1]), far[2]) {
             return None;
         }
-        let way = base / unit;
+        let way = base * per_unit;
         let start = each(|axis| origin[axis] + direction[axis] * way);
         if !start[..3].iter().all(|x| x.abs() < 1.5) {
             return Some(Self::blind());
