@@ -20,6 +20,7 @@ use crate::world::World;
 const TILE: u32 = 16;
 /// Side of the part of a tile in pixels whose rays are searched for together, at one ray a pixel as many as a packet holds.
 const BLOCK: u32 = 4;
+const _: () = assert!((BLOCK * BLOCK) as usize == packet::MOST && TILE.is_multiple_of(BLOCK));
 
 /// What to simulate, and how finely.
 #[derive(Clone, Copy, Debug)]

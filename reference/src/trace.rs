@@ -123,13 +123,13 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
     }
 
     /// Whether [`Kernel::eyes`] can be asked, and is faster than [`Kernel::eye`].
-    pub fn gains_together(&self) -> bool {
+    pub(crate) fn gains_together(&self) -> bool {
         R::IS_LECTURE && self.world.gains_together()
     }
 
     /// What [`Kernel::eye`] gives at each of some points, [`packet::MOST`] at most, by the rules of the lecture: what they see is searched for together,
     /// then lit one after another.
-    pub fn eyes<W: Watch>(
+    pub(crate) fn eyes<W: Watch>(
         &self,
         points: impl Iterator<Item = Point<T>>,
         watch: &mut W,

@@ -153,6 +153,20 @@ fn trees_find_what_lists_find_from_afar() {
     assert!(n_hits > 1000, "only {n_hits} rays hit anything: the scene tests nothing");
 }
 
+#[test]
+fn trees_find_what_lists_find_however_long_the_direction() {
+    let ways = Ways::<f64>::of(&order());
+    let mut random = Random(0x1e_46_7b);
+    let mut n_hits = 0;
+    for n in 0..4000 {
+        let size = [1e-308, 4.6e-308, 1e-292, 1e-280, 1e-100, 1e100, 1e280, 1e300][n % 8];
+        let slopes = DVec3::new(1.0, [0.12, 0.01, 1e-9][n % 3], if n % 2 == 0 { 0.0 } else { random.signed() });
+        let origin = DVec3::new(-3.0, random.signed() * 2.0, random.signed());
+        n_hits += usize::from(ways.meets(&Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(slopes * size))));
+    }
+    assert!(n_hits > 1000, "only {n_hits} rays hit anything: the scene tests nothing");
+}
+
 fn trees_find_what_lists_find<T: Real>() {
     let mut random = Random(0x0dd_b1a5_ed00_d1ce);
     let mut n_hits = 0;

@@ -133,6 +133,43 @@ fn rays_with_little_in_common_find_what_each_finds() {
     assert_eq!(changed(&|ray| ray.direction = Vec3::ZERO), 5);
 }
 
+/// Meshes that fill their leaves or do not, and one without area; single precision holds their corners.
+#[test]
+fn few_triangles_find_all_that_meet_them() {
+    let middle_and_rim = "[0, 0, 0], [1, 0, 0], [1, 1, 0.25], [0, 1, 0.5], [-1, 1, 0], [-1, 0, 0.25], [-1, -1, 0.5], [0, -1, 0], [1, -1, 0.25]";
+    let met = [0, 1, 2, 3, 4, 5, 6, 7].map(|n| {
+        let fan: Vec<[usize; 3]> = (0..n).map(|k| [0, k + 1, k + 2]).chain([[0, 0, 1]]).collect();
+        let mesh = format!("mesh = {{ vertices = [{middle_and_rim}], triangles = {fan:?} }}");
+        let text = format!("[scene.materials.m]\nkd = [1, 1, 1]\n[[scene.objects]]\nmaterial = \"m\"\n{mesh}\n");
+        let targets = [-0.75, -0.25, 0.25, 0.75].map(|x| [-0.7, -0.2, 0.3, 0.8].map(|y| DVec3::new(x, y, 0.2)));
+        Ways::<f64>::of(&scene(&text)).check(&to(DVec3::new(0.1, 0.2, 9.0), targets.into_iter().flatten()))
+    });
+    assert!(met.is_sorted() && met[0] == 0 && met[1] > 0 && met[7] > 12, "{met:?}");
+}
+
+/// A walk for sixteen rays takes far fewer steps than sixteen walks.
+fn steps_are_shared<T: Real>() {
+    let world = World::<T>::new(&stone(24, ""));
+    let (mut together, mut alone) = (Amounts::default(), Amounts::default());
+    for n in 0..64 {
+        let corner = DVec3::new(f64::from(n % 8) - 4.0, f64::from(n / 8) - 4.0, 0.0) * 0.2;
+        let targets = (0..MOST).map(|k| corner + DVec3::new((k % 4) as f64, (k / 4) as f64, 0.0) * 0.01);
+        let rays = to::<T>(DVec3::new(0.1, 0.2, 4.0), targets);
+        world.first_together(&rays, &mut together);
+        for ray in &rays {
+            world.first(Lecture, ray, &mut alone);
+        }
+    }
+    let (together, alone) = (together.mesh_nodes, alone.mesh_nodes);
+    assert!(0 < together && 4 * together < alone, "{together} nodes for all, {alone} one by one");
+}
+
+#[test]
+fn steps_are_shared_in_both_precisions() {
+    steps_are_shared::<f64>();
+    steps_are_shared::<f32>();
+}
+
 /// The eye rays of all public cases, in blocks that the picture's border cuts.
 #[test]
 fn eye_rays_find_what_each_finds_in_every_public_case() {

@@ -8,20 +8,17 @@
 //! the planes themselves; a bound that amounts to less than 4 by 2u for being rounded to f32, and a greater one decides nothing narrowly, as no box
 //! reaches so far: 7u in all, which the 32u by which boxes grow in `slab` more than cover. Depths are off by less.
 //!
-//! What the test of a thing loses, the pad of `slab`, counts once for x and |S| ≤ 1 times for z. As much again is left for what f64 loses here: 256 last
-//! places are many.
+//! What the test of a thing loses, the pad of `slab`, counts once for x and |S| ≤ 1 times for z. A third is left for what f64 loses here: 256 last places
+//! are many.
 
 use std::ops::Range;
 
 use super::lanes::{Eight, Test, Work};
 use super::node::{Child, Open};
-use super::slab::Space;
+use super::slab::{BLIND, Space};
 use super::{Bvh, Tally};
 use crate::packet::Packet;
 use crate::real::Real;
-
-/// Where boxes would have to grow by more than this share of the tree, rays are better asked one by one.
-const BLIND: f64 = 0.125;
 
 /// Visits things for a packet.
 pub(crate) trait VisitTogether<Y> {

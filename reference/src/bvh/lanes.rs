@@ -1,4 +1,4 @@
-//! The instructions that a walk is made of: eight boxes at once where the machine has registers for them.
+//! The instructions that a walk is made of: eight boxes or four triangles at once where the machine has registers for them.
 //!
 //! One source is compiled for each: lane by lane the same operations of IEEE 754, none of them fused, so that every path visits the same nodes and finds
 //! the same bits. NEON needs no path of its own: it is part of every 64-bit ARM processor, so that the portable path uses it there.

@@ -15,6 +15,8 @@
 //! less than 11u in all. Boxes grow by [`PAD`] = 32u, so that τ of their entry comes out at least 10u too small, more than the 4u that are lost in the
 //! limit's τ, and that of their exit too great. (After Ize, Robust BVH ray traversal, 2013, with one bound for all boxes instead of one a box.)
 
+use std::ops::Range;
+
 use crate::bounds::Bounds;
 use crate::ray::Ray;
 use crate::real::Real;
@@ -24,11 +26,13 @@ use crate::vec3::Vec3;
 /// By how much boxes grow: 32 roundings of 1.
 pub(super) const PAD: f64 = 32.0 / 16_777_216.0;
 /// Boxes that would have to grow by more than this share of the tree are all entered.
-const BLIND: f64 = 0.125;
+pub(super) const BLIND: f64 = 0.125;
 /// More than this of 1/direction is taken for this where the ray enters the tree, so that nothing is infinite.
 const FINITE: f64 = 1e300;
 /// More than this of 1/direction is taken for this within the tree.
 const MOST: f64 = 1_073_741_824.0;
+/// Rays whose direction is shorter or longer enter every box: with others all that is worked out of it is a number.
+const SIZES: Range<f64> = 1e-290..1e290;
 /// The bits that hold the exponent.
 const EXPONENT: u64 = 0x7ff << 52;
 /// Those of a power of two and of its inverse, added.
@@ -123,7 +127,7 @@ impl Slab {
         let per_unit = f64::from_bits(ONES.wrapping_sub(unit.to_bits()));
         let rate = space.scale * unit;
         let pad = more(greatest(origin), space.farthest) * space.loss;
-        if !(pad <= BLIND && size.is_normal() && per_unit.is_normal() && rate.is_normal()) {
+        if !(pad <= BLIND && SIZES.contains(&size) && rate.is_normal()) {
             return Some(Self::blind());
         }
         let origin = each(|axis| (origin[axis] - space.middle[axis]) * space.scale);
