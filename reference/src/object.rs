@@ -53,9 +53,9 @@ impl<T: Real> Object<T> {
         Some(self.frame.as_ref().map_or(bounds, |frame| frame.bounds_to_world(bounds)))
     }
 
-    /// What it costs to ask it, about, in questions to a bare solid: a matrix is one more, a tree of its own makes it four.
+    /// What it costs to ask it, about, in questions to a bare solid: a matrix is one more, a tree of its own makes it three.
     pub(crate) fn cost(&self) -> usize {
-        let of_shape = if matches!(self.shape, Form::Mesh(_)) { 4 } else { 1 };
+        let of_shape = if matches!(self.shape, Form::Mesh(_)) { 3 } else { 1 };
         of_shape + usize::from(self.frame.is_some())
     }
 
