@@ -11,7 +11,9 @@ const HEAD: &str = "render = { size = [1, 1] }\n[scene]\nmaterials = { m = {} }\
 fn load(bytes: &[u8]) -> Result<Mesh, String> {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("mesh.ply"), bytes).unwrap();
-    scene::parse("test", HEAD, folder.path()).map(|mut scene| scene.meshes.remove(0)).map_err(|why| why.to_string())
+    scene::parse("test", HEAD, folder.path(), &cases::Course::default())
+        .map(|mut scene| scene.meshes.remove(0))
+        .map_err(|why| why.to_string())
 }
 
 /// Four corners with normals, and what no mesh needs: a colour, an element of other things in between, another list.

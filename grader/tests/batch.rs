@@ -5,9 +5,11 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-use cases::answer::{ImageAnswer, image_answer_path};
+use cases::Course;
+use cases::answer::{Digest, ImageAnswer, image_answer_path, mistakes_path, mistakes_to_string};
 use cases::film::Image;
 use cases::glam::DVec3;
+use cases::stage::{Base, load_case};
 
 const STAGE: &str = "title = \"Dark\"\nabout = \"Nothing is there.\"\nallows = []\nneeds = []\nunit_points = 0\n";
 
@@ -35,11 +37,20 @@ impl Class {
         fs::create_dir_all(&stage).unwrap();
         fs::write(stage.join("stage.toml"), STAGE).unwrap();
         fs::write(stage.join("dark.toml"), CASE).unwrap();
-        let expected = Image::from_fn(4, 3, |_, _| DVec3::ZERO);
-        let answer = ImageAnswer::exact(expected, 2.0, 0);
-        fs::write(image_answer_path(&class.at("stages"), "01_ray_casting/dark"), answer.encode(&[]).unwrap()).unwrap();
+        class.expect();
         submissions.iter().for_each(|(name, script)| class.hand_in(name, script));
         class
+    }
+
+    /// Writes the answers to the case as it is now.
+    fn expect(&self) {
+        let (stages, course) = (self.at("stages"), Course::default());
+        let case = load_case(&stages.join("01_ray_casting/dark.toml"), &course).unwrap();
+        let answer = ImageAnswer::exact(Image::from_fn(4, 3, |_, _| DVec3::ZERO), 2.0, 0);
+        let bytes = answer.encode(&Digest::of_case(&course, Base::Background, &case), &[]).unwrap();
+        fs::write(image_answer_path(&stages, &case.id), bytes).unwrap();
+        let mistakes = mistakes_to_string(&Digest::of_mistakes(&course), &[]).unwrap();
+        fs::write(mistakes_path(&stages), mistakes).unwrap();
     }
 
     fn at(&self, path: &str) -> PathBuf {
@@ -154,18 +165,52 @@ fn interrupt(child: &Child) {
 }
 
 #[test]
-fn a_fault_of_ours_costs_nothing_and_is_reported() {
+fn answers_that_cannot_be_trusted_grade_nobody() {
     let class = Class::new(&[("a", BLACK)]);
+    let case = class.at("stages/01_ray_casting/dark.toml");
     let answer = image_answer_path(&class.at("stages"), "01_ray_casting/dark");
-    let whole = fs::read(&answer).unwrap();
+    let narrower = || fs::write(&case, CASE.replace("fov_y_deg = 40", "fov_y_deg = 40.5")).unwrap();
+    let check = |said: &str| {
+        let (code, printed, lines) = class.run("1");
+        assert_eq!(code, 2, "{printed}{lines}");
+        assert!(lines.contains(said) && lines.contains(": dark"), "no {said:?} in\n{lines}");
+        assert!(lines.contains("01_ray_casting/dark.toml` renews them"), "{lines}");
+        assert!(!class.at("out").exists());
+    };
+    fs::remove_file(&answer).unwrap();
+    check("there are no stored answers to");
     fs::write(&answer, "no answer").unwrap();
-    let (code, printed, _) = class.run("1");
-    assert_eq!(code, 3, "{printed}");
-    assert!(printed.contains("1 could not be graded") && printed.contains("  a: 01_ray_casting/dark: "), "{printed}");
-    assert!(!class.has_record("a"));
-    fs::write(&answer, whole).unwrap();
+    check("the stored answers cannot be read");
+    class.expect();
+    narrower();
+    check("the stored answers do not belong to the cases");
+    fs::write(&case, CASE).unwrap();
+    fs::write(class.at("stages/course.toml"), "highlight = \"phong\"").unwrap();
+    let (code, _, lines) = class.run("1");
+    assert_eq!(code, 2);
+    assert!(lines.contains("dark; the list of known mistakes"), "{lines}");
+    fs::remove_file(class.at("stages/course.toml")).unwrap();
     assert_eq!(class.run("1").0, 0);
-    assert!(class.has_record("a"));
+    narrower();
+    class.expect();
+    let (code, printed, _) = class.run("1");
+    assert_eq!(code, 0);
+    assert!(printed.contains("1 of them graded"), "a changed case regrades: {printed}");
+}
+
+#[test]
+fn a_changed_description_regrades_nobody() {
+    let class = Class::new(&[("a", BLACK)]);
+    class.run("1");
+    let about =
+        CASE.replace("so nothing is seen", "so one sees nothing").replace("title = \"Dark\"", "title = \"Black\"");
+    assert_ne!(about, CASE);
+    fs::write(class.at("stages/01_ray_casting/dark.toml"), about).unwrap();
+    fs::write(class.at("stages/01_ray_casting/stage.toml"), STAGE.replace("Nothing is there", "It is dark")).unwrap();
+    fs::write(class.at("stages/notes.txt"), "a file that no score depends on").unwrap();
+    let (code, printed, lines) = class.run("1");
+    assert_eq!(code, 0, "{lines}");
+    assert!(printed.contains("1 submissions have a record, 0 of them graded"), "{printed}");
 }
 
 #[test]

@@ -78,7 +78,7 @@ fn mirrors(threshold: f64) -> f64 {
     "#;
     let mut scene = scene(text);
     scene.render.threshold = threshold;
-    scene.effects = cases::effects::called_for(&scene);
+    scene.effects = cases::effects::called_for(&scene, &cases::Course::default());
     let ray = Ray::new(DVec3::new(0.0, 0.0, 4.0), DVec3::NEG_Z);
     colour(&Ask::Trace { scene: Box::new(scene), ray, depth: 0 }).x
 }

@@ -124,7 +124,7 @@ pub fn decode_first(bytes: &[u8], width: u32, height: u32) -> Result<(Part, Stri
     demand(bytes, (width, height))?;
     let reader = read().no_deep_data().largest_resolution_level().all_channels().first_valid_layer().all_attributes();
     let file = reader.non_parallel().from_buffered(Cursor::new(bytes)).map_err(broken)?;
-    let notes = notes(&file.layer_data);
+    let notes = notes_in(&file.layer_data.attributes);
     Ok((our_part(file.layer_data), notes))
 }
 
@@ -136,7 +136,7 @@ pub fn decode(bytes: &[u8], width: u32, height: u32) -> Result<(Vec<Part>, Strin
     demand(bytes, (width, height))?;
     let reader = read().no_deep_data().largest_resolution_level().all_channels().all_layers().all_attributes();
     let file = reader.non_parallel().from_buffered(Cursor::new(bytes)).map_err(broken)?;
-    let notes = file.layer_data.first().map(notes).unwrap_or_default();
+    let notes = file.layer_data.first().map(|part| notes_in(&part.attributes)).unwrap_or_default();
     Ok((file.layer_data.into_iter().map(our_part).collect(), notes))
 }
 
@@ -148,6 +148,15 @@ pub fn plane_names(bytes: &[u8], width: u32, height: u32) -> Result<Vec<(String,
     let planes = |header: &Header| header.channels.list.iter().map(|channel| channel.name.to_string()).collect();
     let name = |header: &Header| header.own_attributes.layer_name.as_ref().map(Text::to_string).unwrap_or_default();
     Ok(demand(bytes, (width, height))?.iter().map(|header| (name(header), planes(header))).collect())
+}
+
+/// Returns the notes that `bytes` hold; an empty text where there are none. Nothing is decoded.
+///
+/// # Errors
+/// A broken file.
+pub fn notes(bytes: &[u8]) -> Result<String, PictureError> {
+    let headers = MetaData::read_from_buffered(Cursor::new(bytes), true).map_err(broken)?.headers;
+    Ok(headers.first().map(|header| notes_in(&header.own_attributes)).unwrap_or_default())
 }
 
 /// Reads the headers alone.
@@ -168,8 +177,8 @@ fn demand(bytes: &[u8], wanted: (u32, u32)) -> Result<Headers, PictureError> {
     Ok(headers)
 }
 
-fn notes(part: &ExrPart<AnyChannels<FlatSamples>>) -> String {
-    match part.attributes.other.get(&Text::from(NOTES)) {
+fn notes_in(attributes: &LayerAttributes) -> String {
+    match attributes.other.get(&Text::from(NOTES)) {
         Some(AttributeValue::Text(text)) => text.to_string(),
         _ => String::new(),
     }

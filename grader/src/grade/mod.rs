@@ -12,6 +12,8 @@ use cases::answer::ImageAnswer;
 use cases::film::Image;
 use cases::front::FrontPoint;
 
+use plan::Plan;
+
 use crate::build::{BuildError, Built, Workshop, build};
 use crate::exam::Exam;
 use crate::exercise::{self, Allowance, Candidate};
@@ -35,7 +37,7 @@ impl Bench {
     /// # Errors
     /// Everything that is wrong with the cases; a workspace that is not there.
     pub fn open(stages: &Path) -> Result<Self, GradeError> {
-        let exam = Exam::load(stages).map_err(GradeError::Input)?;
+        let exam = Exam::load(stages).map_err(|why| GradeError::Input(why.to_string()))?;
         let workshop = Workshop::open(stages).map_err(GradeError::Machine)?;
         Ok(Self { exam, workshop, allowance: Allowance::default() })
     }
@@ -150,7 +152,7 @@ pub enum GradeError {
 /// # Errors
 /// What is nobody's submission, or the machine's fault before any case ran.
 pub fn grade(bench: &Bench, options: &Options, progress: &dyn Progress) -> Result<Graded, GradeError> {
-    let plan = plan::Plan::new(&bench.exam, &options.stages, &options.cases).map_err(GradeError::Input)?;
+    let plan = trusted(bench, planned(bench, options)?)?;
     let epoch = bench.epoch()?;
     let (digest, prepared) = prepare(bench, options, progress)?;
     let (mut answers, build) = match prepared {
@@ -164,6 +166,25 @@ pub fn grade(bench: &Bench, options: &Options, progress: &dyn Progress) -> Resul
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest };
     Ok(Graded { record: write_up::record(epoch, submission, build, stages, diagnoses), pictures })
+}
+
+/// Demands that whatever `options` select has answers that can be trusted.
+///
+/// # Errors
+/// A selection of nothing; answers that are missing or stale.
+pub fn check_answers(bench: &Bench, options: &Options) -> Result<(), GradeError> {
+    trusted(bench, planned(bench, options)?).map(drop)
+}
+
+fn planned<'a>(bench: &'a Bench, options: &Options) -> Result<Plan<'a>, GradeError> {
+    Plan::new(&bench.exam, &options.stages, &options.cases).map_err(GradeError::Input)
+}
+
+/// Demands answers that can be trusted for all of `plan`.
+fn trusted<'a>(bench: &Bench, plan: Plan<'a>) -> Result<Plan<'a>, GradeError> {
+    let ids = plan.stages.iter().flat_map(plan::Part::ids);
+    bench.exam.trust(ids).map_err(|untrusted| GradeError::Input(untrusted.to_string()))?;
+    Ok(plan)
 }
 
 /// A program with what was left aside, or what is to be said where there is none.
@@ -206,8 +227,7 @@ fn rejected(verdict: Verdict, finding: Finding, ignored: Vec<String>) -> Build {
 /// # Errors
 /// A selection that nothing meets.
 pub fn images(bench: &Bench, folder: &Path, options: &Options) -> Result<Graded, GradeError> {
-    let plan = plan::Plan::new(&bench.exam, &options.stages, &options.cases).map_err(GradeError::Input)?;
-    let plan = plan.pictures_only();
+    let plan = trusted(bench, planned(bench, options)?.pictures_only())?;
     let mut answers = perform::review(&plan, folder);
     let diagnoses = diagnosis::diagnose(&bench.exam, &plan, &mut answers);
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);

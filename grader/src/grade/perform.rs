@@ -153,8 +153,7 @@ fn left_behind(judgement: Judgement, finished: &Finished) -> Judgement {
 
 fn judge_picture(image: &Image, questions: &Questions, case: &Case) -> Judgement {
     match questions.images.get(&case.id) {
-        Some(Ok(answer)) => judge::picture(image, answer),
-        Some(Err(why)) => Judgement::ours(why.clone()),
+        Some(answer) => judge::picture(image, answer),
         None => Judgement::ours("there is no stored answer"),
     }
 }
@@ -201,7 +200,7 @@ fn answer_to(question: &Question, probed: &Probed) -> Option<Answer> {
 
 fn judge_answer(question: &Question, probed: &Probed, limits: &Limits, questions: &Questions) -> Judgement {
     let Some(right) = questions.units.get(&question.id) else {
-        return Judgement::ours(questions.units_missing.as_deref().unwrap_or("there is no stored answer"));
+        return Judgement::ours("there is no stored answer");
     };
     let wrong = |kind, message: String| Judgement::fail(Finding::new(kind, message));
     let mut judgement = match (probed.got.get(&question.id), probed.ended.get(&question.id)) {

@@ -55,7 +55,7 @@ fn stage(part: &Part, answers: &mut Answers, pictures: &mut BTreeMap<String, Pic
     let mut checks = vec![];
     for case in &part.cases {
         let mut done = take(answers, &case.id);
-        if let Some(Ok(answer)) = part.questions.images.get(&case.id) {
+        if let Some(answer) = part.questions.images.get(&case.id) {
             let (answer, actual) = (answer.clone(), done.picture.take());
             pictures.insert(case.id.clone(), Pictures { answer, actual, front: None });
         }

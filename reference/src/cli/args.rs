@@ -40,7 +40,7 @@ Exit codes:
   1  done, but a stored answer differs, a check's answer on paper is wrong, or a case cannot be varied within its bounds
   2  usage, or a file that cannot be read
   3  the machine failed: a file cannot be written
-  130  `cost` was interrupted; what was measured by then is reported";
+  130  interrupted; `cost` reports what was measured by then, `expect` and `vary` leave every file as it was";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
@@ -153,15 +153,20 @@ pub(super) struct RenderArgs {
     pub course: CourseArg,
 }
 
-/// Says which effects a scene calls for, and why
+/// Says which effects a scene calls for under its course, and why
 #[derive(Debug, Parser)]
-#[command(after_help = "Example:\n  reference effects 04_refraction/crystal_ball")]
+#[command(after_help = "\
+Examples:
+  reference effects 04_refraction/crystal_ball
+  reference effects scene.toml --course my_course.toml")]
 pub(super) struct EffectsArgs {
     /// Scene, case, or id of a case
     pub scene: String,
     /// As JSON
     #[arg(long)]
     pub json: bool,
+    #[command(flatten)]
+    pub course: CourseArg,
 }
 
 /// Prints the tree of rays behind a pixel
@@ -181,13 +186,17 @@ pub(super) struct ExplainArgs {
     pub course: CourseArg,
 }
 
-/// Writes the answers that submissions are judged by, beside the cases
+/// Writes the answers that submissions are judged by, beside the cases: all of them, or none
+///
+/// An answer carries a digest of what it was made from: the scene, its meshes, what the course decides, the version of the rules. The
+/// grader refuses answers that belong to something else.
 #[derive(Debug, Parser)]
 #[command(after_help = "\
 Examples:
   reference expect                            every stage of ./cases/stages
   reference expect 02_shadows                 one stage
   reference expect 02_shadows/two_lamps       one case
+  reference expect --course phong.toml        sets up another course: its course.toml, answers and docs/course.md
   reference expect --check                    writes nothing, fails where anything differs")]
 pub(super) struct ExpectArgs {
     #[command(flatten)]
@@ -200,17 +209,18 @@ pub(super) struct ExpectArgs {
     pub check: bool,
 }
 
-/// Makes a hidden set: the same cases with their numbers moved within the bounds of each case's `[vary]`
+/// Makes a hidden set with its answers: the same cases with their numbers moved within the bounds of each
+/// case's `[vary]`
 #[derive(Debug, Parser)]
 #[command(after_help = "\
 The same seed gives the same files on every machine. A draw counts only where the case stays valid, still shows what its stage adds
-and every rule it names, and is fair to right programs; else it is drawn again.
+and every rule it names, and is fair to right programs; else it is drawn again. A case without `[vary]` is copied as it is, with a warning.
+The set appears whole or not at all.
 
 Examples:
-  reference vary --seed 2026                      ./cases/stages, moved, in ./varied-2026
+  reference vary --seed 2026                      ./cases/stages, moved, in ./varied-2026, with answers
   reference vary --seed 2026 --out hidden
-  reference expect hidden                         the answers to it
-  grader grade tests/solution --cases hidden      all of it is earned
+  grader grade tests/solution --cases hidden      a right program earns all of it
   reference vary --check --seeds 100              writes nothing, says how well the bounds hold
 
 What --check prints of each case: the share of seeds whose first draw does, the draws it took at most, the share of pixels that show what

@@ -1,14 +1,12 @@
 //! `reference cost`: the clock, the user and the files around a measurement.
 
 use std::path::Path;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use cases::{Scene, film};
-use signal_hook::consts::{SIGINT, SIGTERM};
 
 use super::args::CostArgs;
+use super::interrupt::Interrupt;
 use super::progress::Bar;
 use super::{Stop, Talk, cost_page, cost_store, find, print};
 use crate::cost::bench::Bench;
@@ -46,8 +44,9 @@ pub(super) fn run(args: &CostArgs, talk: Talk) -> Result<(), Stop> {
 
 /// Measures the scene that `named` names.
 pub(super) fn of_scene(named: &str, args: &CostArgs, session: &Session) -> Result<Report, Stop> {
-    let rules = Rules::of(&find::course(named, &args.course)?);
-    let mut scene = find::scene(named)?;
+    let course = find::course(named, &args.course)?;
+    let rules = Rules::of(&course);
+    let mut scene = find::scene(named, &course)?;
     if let Some((width, height)) = args.size {
         (scene.render.width, scene.render.height) = (width, height);
     }
@@ -170,24 +169,19 @@ impl Clock {
 /// One or more measurements that the user may stop.
 pub(super) struct Session {
     clock: Clock,
-    stop: Arc<AtomicBool>,
+    interrupt: Interrupt,
     pool: rayon::ThreadPool,
     pub(super) talk: Talk,
 }
 
 impl Session {
-    /// From now on the first Ctrl-C (or SIGTERM) asks the measurement to end, and a second one ends the program.
+    /// Prepares measurements with that many threads, which Ctrl-C ends from now on.
     fn start(threads: u16, talk: Talk) -> Result<Self, Stop> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build();
         let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
-        let stop = Arc::new(AtomicBool::new(false));
-        for signal in [SIGINT, SIGTERM] {
-            signal_hook::flag::register_conditional_default(signal, Arc::clone(&stop))
-                .and_then(|_| signal_hook::flag::register(signal, Arc::clone(&stop)))
-                .map_err(|why| Stop::Machine(format!("cannot wait for Ctrl-C: {why}")))?;
-        }
+        let interrupt = Interrupt::catch()?;
         let clock = if threads == 1 { Clock::Processor } else { Clock::Wall(Instant::now()) };
-        Ok(Self { clock, stop, pool, talk })
+        Ok(Self { clock, interrupt, pool, talk })
     }
 
     fn run(&self, bar: Bar) -> Run<'_> {
@@ -222,7 +216,7 @@ impl Session {
 
     /// How the command ends, after that many of the rounds.
     pub(super) fn end(&self, rounds: usize, wanted: u16) -> Result<(), Stop> {
-        if self.stop.load(Ordering::Relaxed) {
+        if self.interrupt.is_set() {
             return Err(Stop::Interrupted(format!("interrupted after {rounds} of {wanted} rounds")));
         }
         Ok(())
@@ -241,7 +235,7 @@ impl Outside for Run<'_> {
     }
 
     fn goes_on(&mut self) -> bool {
-        !self.session.stop.load(Ordering::Relaxed)
+        !self.session.interrupt.is_set()
     }
 
     fn done(&mut self, work: u64) {

@@ -21,8 +21,9 @@ pub(super) fn run(args: &CostArgs, path: &Path, session: &Session) -> Result<(),
         session.end(report.rounds, args.rounds)?;
         scenes.push(report);
     }
-    let rules = Rules::of(&find::course(SIZED, &args.course)?);
-    let starts = document::starts(&find::scene(SIZED)?, &rules);
+    let course = find::course(SIZED, &args.course)?;
+    let rules = Rules::of(&course);
+    let starts = document::starts(&find::scene(SIZED, &course)?, &rules);
     let page = Document { functions, scenes, starts };
     let beside = |name: String| path.with_file_name(name);
     for scene in &page.scenes {

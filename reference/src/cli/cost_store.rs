@@ -28,7 +28,7 @@ pub(super) fn run(args: &CostArgs, session: &Session) -> Result<(), Stop> {
     };
     let rules = Rules::of(&course);
     let mut points = BTreeMap::new();
-    for case in stage::load_all(stages)?.iter().flat_map(|stage| &stage.cases) {
+    for case in stage::load_all(stages, &course)?.iter().flat_map(|stage| &stage.cases) {
         if session.talk >= Talk::Verbose {
             anstream::eprintln!("{}", case.id);
         }

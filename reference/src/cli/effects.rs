@@ -16,14 +16,15 @@ struct Row {
 
 /// Carries out the command.
 pub(super) fn run(args: &EffectsArgs) -> Result<(), Stop> {
-    let scene = find::scene(&args.scene)?;
+    let course = find::course(&args.scene, &args.course)?;
+    let scene = find::scene(&args.scene, &course)?;
     let row = |reason: effects::Reason| Row {
         effect: reason.effect.name(),
         called_for: reason.called_for,
         simulated: scene.effects.has(reason.effect),
         because: reason.because,
     };
-    let rows: Vec<Row> = effects::reasons(&scene).into_iter().map(row).collect();
+    let rows: Vec<Row> = effects::reasons(&scene, &course).into_iter().map(row).collect();
     if args.json {
         return print_json(&rows);
     }

@@ -12,19 +12,24 @@ use super::args::CourseArg;
 /// Where stages are sought.
 pub(super) const STAGES: &str = "cases/stages";
 
-/// The scene that `named` names: a file, or the id of a case below ./cases/stages.
-pub(super) fn scene(named: &str) -> Result<Scene, Stop> {
-    Ok(scene::load(&path(named)?)?)
+/// Returns the scene that `named` names under `course`: a file, or the id of a case below
+/// ./cases/stages.
+pub(super) fn scene(named: &str, course: &Course) -> Result<Scene, Stop> {
+    Ok(scene::load(&path(named)?, course)?)
 }
 
-/// The effects that may be simulated in it: those that its stage allows; those that the file lists, where it is JSON.
-pub(super) fn allowed(named: &str, scene: &Scene) -> Result<Effects, Stop> {
+/// Returns the effects that may be simulated in `scene`, which `named` names: those that its stage allows
+/// or that programs of the course always simulate; for a JSON file, those that it lists.
+pub(super) fn allowed(named: &str, scene: &Scene, course: &Course) -> Result<Effects, Stop> {
     let path = path(named)?;
-    let lists_them = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("json"));
-    if lists_them { Ok(scene.effects) } else { Ok(stage::allowed_at(&path)?) }
+    if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("json")) {
+        return Ok(scene.effects);
+    }
+    Ok(stage::allowed_at(&path)?.union(course.always_simulated))
 }
 
-/// The course by which the scene that `named` names is rendered: the one given, else that of the case, else the lecture.
+/// Returns the course by which the scene that `named` names is rendered: the one that is given, otherwise
+/// that of the case, otherwise the lecture.
 pub(super) fn course(named: &str, arg: &CourseArg) -> Result<Course, Stop> {
     match given(arg)? {
         Some(course) => Ok(course),
@@ -32,7 +37,7 @@ pub(super) fn course(named: &str, arg: &CourseArg) -> Result<Course, Stop> {
     }
 }
 
-/// The course given on the command line.
+/// Returns the course that is given on the command line.
 pub(super) fn given(arg: &CourseArg) -> Result<Option<Course>, Stop> {
     Ok(arg.course.as_deref().map(course::load).transpose()?)
 }
@@ -49,10 +54,10 @@ fn path(named: &str) -> Result<PathBuf, Stop> {
     }
 }
 
-fn hint(named: &str) -> String {
+pub(super) fn hint(named: &str) -> String {
     let known = case_ids();
     match did_you_mean(named, known.iter().map(String::as_str)) {
-        Some(similar) => format!("\nhelp: did you mean `{similar}`?"),
+        Some(meant) => format!("\nhelp: did you mean `{meant}`?"),
         None if known.is_empty() => String::from("\nhelp: run this where the folder `cases` lies"),
         None => String::new(),
     }

@@ -10,6 +10,7 @@ mod effects;
 mod expect;
 mod explain;
 mod find;
+mod interrupt;
 mod pages;
 mod probe;
 mod progress;

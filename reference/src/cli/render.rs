@@ -6,7 +6,7 @@ use std::time::Instant;
 use cases::film::exr::{Depth, Part, rgb};
 use cases::film::{self, Image, PictureError, Quantiser};
 use cases::glam::DVec3;
-use cases::{Effect, Effects, Scene, effects};
+use cases::{Course, Effect, Effects, Scene, effects};
 
 use super::args::{Bits, Precision, RenderArgs};
 use super::progress::Bar;
@@ -24,15 +24,16 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     let out = args.output.as_ref().or(args.out.as_ref()).ok_or_else(|| Stop::Usage("OUT is missing".to_owned()))?;
     let kind = Kind::of(out, args.bits)?;
     let mut clock = Clock(Instant::now());
-    let rules = Rules::of(&find::course(&args.scene, &args.course)?);
-    let mut scene = find::scene(&args.scene)?;
-    let allowed = find::allowed(&args.scene, &scene)?;
-    adjust(&mut scene, args, allowed);
+    let course = find::course(&args.scene, &args.course)?;
+    let rules = Rules::of(&course);
+    let mut scene = find::scene(&args.scene, &course)?;
+    let allowed = find::allowed(&args.scene, &scene, &course)?;
+    adjust(&mut scene, args, allowed, &course);
     scene.effects = asked_for(&scene, &args.effects)?;
     if let Some(threshold) = args.threshold {
         cut(&mut scene, threshold, allowed.has(Effect::AdaptiveDepth) || args.effects != "auto")?;
     }
-    let reasons = effects::reasons(&scene);
+    let reasons = effects::reasons(&scene, &course);
     if args.effects != "auto" {
         let asked = scene.effects;
         effects::simulate_only(&mut scene, asked);
@@ -76,15 +77,15 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
 }
 
 /// A greater depth may call for effects that the file's own does not.
-fn adjust(scene: &mut Scene, args: &RenderArgs, allowed: Effects) {
+fn adjust(scene: &mut Scene, args: &RenderArgs, allowed: Effects, course: &Course) {
     if let Some((width, height)) = args.size {
         (scene.render.width, scene.render.height) = (width, height);
     }
     if let Some(max_depth) = args.max_depth {
-        let before = effects::called_for(scene);
+        let before = effects::called_for(scene, course);
         scene.render.max_depth = max_depth;
-        let new = effects::called_for(scene).intersection(allowed).iter().filter(|effect| !before.has(*effect));
-        scene.effects = new.fold(scene.effects, Effects::with);
+        let new = effects::called_for(scene, course).intersection(allowed).difference(before);
+        scene.effects = scene.effects.union(new);
     }
 }
 
