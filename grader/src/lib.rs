@@ -1,6 +1,7 @@
 //! The judge: builds and runs submissions case by case, and scores them.
 
 pub mod batch;
+pub mod blame;
 pub mod build;
 pub mod diagnose;
 pub mod exam;

@@ -268,12 +268,31 @@ fn what_is_no_submission_is_left_aside_and_named() {
     let class = Class::new(&[("alice", "1")]);
     let folder = class.place.path().join("in");
     fs::write(folder.join("grades.txt"), "").unwrap();
+    fs::write(folder.join("grades.csv"), "").unwrap();
+    fs::write(folder.join("notes"), "PK is a pair of letters").unwrap();
     fs::write(folder.join(".DS_Store"), "").unwrap();
     std::os::unix::fs::symlink("/etc", folder.join("eve")).unwrap();
     fs::create_dir(folder.join("out")).unwrap();
     let (found, left) = submissions::list(&folder, &folder.join("out")).unwrap();
     assert_eq!(found.iter().map(|one| &*one.id).collect::<Vec<_>>(), ["alice"]);
-    assert_eq!(left.iter().map(|one| &*one.name).collect::<Vec<_>>(), [".DS_Store", "eve", "grades.txt"]);
+    assert_eq!(
+        left.iter().map(|one| &*one.name).collect::<Vec<_>>(),
+        [".DS_Store", "eve", "grades.csv", "grades.txt", "notes"]
+    );
+}
+
+#[test]
+fn what_somebody_handed_in_has_a_row_whatever_it_is() {
+    let class = Class::new(&[("alice", "1")]);
+    let folder = class.place.path().join("in");
+    for name in ["bob.7z", "carol.rar", "dave.tar", "erin.tar.xz", "frank.pdf", "main.rs"] {
+        fs::write(folder.join(name), "").unwrap();
+    }
+    fs::write(folder.join("grace"), "PK\x03\x04").unwrap();
+    let (found, left) = submissions::list(&folder, Path::new("/nowhere")).unwrap();
+    let names: Vec<&str> = found.iter().map(|one| &*one.name).collect();
+    assert_eq!(names, ["alice", "bob", "carol", "dave", "erin", "frank.pdf", "grace", "main.rs"]);
+    assert_eq!(left, []);
 }
 
 #[test]

@@ -88,8 +88,7 @@ impl Workshop {
             "the workspace of the assignment (with `student_template` and `cases`) is not above the cases, \
              the grader's binary, or the current folder: run from within it",
         )?;
-        let template = Template::load(&root.join("student_template"))?;
-        Ok(Self { root, template, toolchain: OnceLock::new(), sdk: OnceLock::new() })
+        Ok(Self { root, template: Template::carried(), toolchain: OnceLock::new(), sdk: OnceLock::new() })
     }
 
     /// Where prepared things are stored between runs.

@@ -4,10 +4,12 @@
 //! submission is one call of rustc: no cargo, no lock, and no way for a `build.rs` or a manifest to take part.
 
 use std::collections::BTreeMap;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use serde::Deserialize;
+use tempfile::TempDir;
 
 use super::{Toolchain, Workshop};
 use crate::files;
@@ -24,26 +26,21 @@ pub struct Sdk {
 }
 
 /// The build; part of the key.
-const ARGS: [&str; 7] = [
-    "build",
-    "--release",
-    "--locked",
-    "-p",
-    "cases",
-    "--no-default-features",
-    "--message-format=json-render-diagnostics",
-];
+const ARGS: [&str; 6] =
+    ["build", "--release", "-p", "cases", "--no-default-features", "--message-format=json-render-diagnostics"];
 const INDEX: &str = "sdk.json";
 
 impl Sdk {
     /// Takes the stored one, or makes it.
     pub(super) fn prepare(toolchain: &Toolchain, workshop: &Workshop, tell: &dyn Fn(&str)) -> Result<Self, String> {
         let root = &workshop.root;
-        let key = key(toolchain, workshop).map_err(|why| format!("the sources of `cases` cannot be read: {why}"))?;
+        let key = key(toolchain, workshop).map_err(|why| format!("the sources of `cases` cannot be used: {why}"))?;
         let folder = workshop.store().join(format!("sdk-{key}"));
         if !folder.join(INDEX).is_file() {
             tell("compiling the crates that submissions use (once, a minute or so)");
-            let artifacts = compile(toolchain, root)?;
+            let alone = alone(root, &workshop.store())
+                .map_err(|why| format!("`cases` cannot be made ready to be built: {why}"))?;
+            let artifacts = compile(toolchain, root, alone.path())?;
             publish(&artifacts, &workshop.template.dependencies, &folder)?;
         }
         let index = std::fs::read(folder.join(INDEX)).map_err(|why| why.to_string());
@@ -53,17 +50,45 @@ impl Sdk {
     }
 }
 
-fn key(toolchain: &Toolchain, workshop: &Workshop) -> std::io::Result<String> {
+fn key(toolchain: &Toolchain, workshop: &Workshop) -> io::Result<String> {
+    let root = &workshop.root;
     let mut hasher = blake3::Hasher::new();
     hasher.update(toolchain.version.as_bytes());
     hasher.update(format!("{ARGS:?}{:?}", workshop.template.dependencies).as_bytes());
-    for file in ["Cargo.lock", "Cargo.toml", "cases/Cargo.toml"] {
-        hasher.update(&std::fs::read(workshop.root.join(file))?);
+    hasher.update(manifest(root)?.as_bytes());
+    for file in ["Cargo.lock", "cases/Cargo.toml"] {
+        hasher.update(&std::fs::read(root.join(file))?);
     }
-    for file in files::below(&workshop.root.join("cases/src"))? {
-        hasher.update(file.as_os_str().as_encoded_bytes()).update(&std::fs::read(&file)?);
+    for file in files::below(&root.join("cases/src"))? {
+        let name = file.strip_prefix(root).unwrap_or(&file);
+        hasher.update(name.as_os_str().as_encoded_bytes()).update(&std::fs::read(&file)?);
     }
     Ok(hasher.finalize().to_hex()[..32].to_owned())
+}
+
+/// Makes a workspace of `cases` alone, in `store`, with the versions that the whole workspace has
+/// locked.
+///
+/// The template is a member of the whole workspace. A dependency that a student adds to it, or a
+/// mistake in its manifest, would keep cargo from building anything there.
+fn alone(root: &Path, store: &Path) -> io::Result<TempDir> {
+    std::fs::create_dir_all(store)?;
+    let folder = tempfile::Builder::new().prefix("cases-").tempdir_in(store)?;
+    std::fs::write(folder.path().join("Cargo.toml"), manifest(root)?)?;
+    std::fs::copy(root.join("Cargo.lock"), folder.path().join("Cargo.lock"))?;
+    std::os::unix::fs::symlink(root.join("cases"), folder.path().join("cases"))?;
+    Ok(folder)
+}
+
+/// Returns the manifest of the workspace at `root` with `cases` as its only member.
+fn manifest(root: &Path) -> io::Result<String> {
+    let wrong = |why: String| io::Error::new(io::ErrorKind::InvalidData, format!("Cargo.toml: {why}"));
+    let text = std::fs::read_to_string(root.join("Cargo.toml"))?;
+    let mut table: toml::Table = text.parse().map_err(|why: toml::de::Error| wrong(why.to_string()))?;
+    let workspace = table.get_mut("workspace").and_then(toml::Value::as_table_mut);
+    let workspace = workspace.ok_or_else(|| wrong("there is no workspace in it".to_owned()))?;
+    workspace.insert("members".to_owned(), toml::Value::from(vec!["cases"]));
+    toml::to_string(&table).map_err(|why| wrong(why.to_string()))
 }
 
 /// A library that cargo has made, or found fresh.
@@ -85,11 +110,14 @@ struct Target {
     name: String,
 }
 
-/// Builds without the network if it can be done, else with it.
-fn compile(toolchain: &Toolchain, root: &Path) -> Result<Vec<Artifact>, String> {
+/// Builds the workspace in `alone` without the network if it can be done, else with it.
+///
+/// The crates that the workspace at `root` has compiled are used again.
+fn compile(toolchain: &Toolchain, root: &Path, alone: &Path) -> Result<Vec<Artifact>, String> {
     let run = |more: &[&str]| -> Result<Output, String> {
         let mut cargo = Command::new(toolchain.cargo());
-        cargo.args(ARGS).args(more).current_dir(root).env("RUSTC", toolchain.rustc()).env_remove("RUSTFLAGS");
+        cargo.args(ARGS).args(more).arg("--target-dir").arg(root.join("target")).current_dir(alone);
+        cargo.env("RUSTC", toolchain.rustc()).env_remove("RUSTFLAGS");
         cargo.output().map_err(|why| format!("cargo cannot be run: {why}"))
     };
     let mut output = run(&["--offline"])?;

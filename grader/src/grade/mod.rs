@@ -174,6 +174,7 @@ fn prepare(bench: &Bench, options: &Options, progress: &dyn Progress) -> Result<
     let submission = match submission::read(&options.submission, &bench.workshop.template) {
         Ok(submission) => submission,
         Err(why @ SubmissionError::Unreadable { .. }) => return Err(GradeError::Input(why.to_string())),
+        Err(why @ SubmissionError::Machine { .. }) => return Err(GradeError::Machine(why.to_string())),
         Err(SubmissionError::Refused(why)) => {
             let finding = Finding::new(FindingKind::Submission, why);
             return Ok((String::new(), Err(rejected(Verdict::Fail, finding, vec![]))));
@@ -182,7 +183,10 @@ fn prepare(bench: &Bench, options: &Options, progress: &dyn Progress) -> Result<
     let ignored = submission.ignored.clone();
     let prepared = match build(&submission, &bench.workshop, &|what| progress.phase(what)) {
         Ok(built) => Ok((built, ignored)),
-        Err(BuildError::Rejected(why)) => Err(rejected(Verdict::Fail, Finding::new(FindingKind::Build, why), ignored)),
+        Err(BuildError::Rejected(why)) => {
+            let finding = Finding::new(FindingKind::Build, why + &unused(&submission));
+            Err(rejected(Verdict::Fail, finding, ignored))
+        }
         Err(BuildError::Ours(why)) => return Err(GradeError::Machine(why)),
         Err(BuildError::Interrupted) => {
             let finding = Finding::new(FindingKind::Internal, "the grader was interrupted while building");
@@ -190,6 +194,19 @@ fn prepare(bench: &Bench, options: &Options, progress: &dyn Progress) -> Result<
         }
     };
     Ok((submission.digest, prepared))
+}
+
+/// Returns a paragraph on sources and manifests of the submission that are not used, or an empty
+/// text.
+///
+/// They may be the cause of a compiler error.
+fn unused(submission: &submission::Submission) -> String {
+    let submission::Kind::Rust(rust) = &submission.kind else { return String::new() };
+    if rust.unused.is_empty() {
+        return String::new();
+    }
+    let files = rust.unused.iter().map(|says| format!("\n  {says}")).collect::<String>();
+    format!("\n\nThese files of yours are not used, which may be the reason:{files}")
 }
 
 fn accepted(built: &Built, ignored: Vec<String>) -> Build {
