@@ -95,7 +95,7 @@ fn what_is_left_out_has_the_documented_default() {
 
 #[test]
 fn one_mesh_file_is_read_once_and_keeps_its_normals_unless_told_otherwise() {
-    let mesh = |rest: &str| format!("{{ material = \"m\", mesh = {{ file = \"meshes/smooth.ply\"{rest} }} }}");
+    let mesh = |rest: &str| format!("{{ material = \"m\", mesh = {{ file = \"meshes/read/doubles.ply\"{rest} }} }}");
     let text = format!("{HEAD}objects = [{}, {}, {}]\n", mesh(""), mesh(""), mesh(", smooth = false"));
     let base = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
     let scene = scene::parse("test", &text, &base).unwrap_or_else(|problems| panic!("{problems}"));

@@ -10,7 +10,7 @@ use super::raw::numbers::{Index, unit};
 use super::raw::objects::{RawMesh, RawMeshInline, RawObject, RawTransform};
 use super::raw::read::{At, Each, Maybe, Notes};
 use super::raw::{RawAttenuation, RawCamera, RawLight, RawMaterial, RawRender, RawScene};
-use super::{mesh_file, transform};
+use super::{mesh, transform};
 use crate::effects::{self, Effects};
 use crate::problem::{did_you_mean, quoted};
 
@@ -268,7 +268,7 @@ impl Walk<'_> {
                 if let Some(known) = self.files.get(&key) {
                     return *known;
                 }
-                let read = mesh_file::read(raw, &key.0, notes);
+                let read = mesh::read(raw, &key.0, notes);
                 self.files.insert(key, read.is_some().then_some(self.meshes.len()));
                 read?
             }

@@ -131,10 +131,11 @@ impl Read for RawMesh {
 table! {
     /// A mesh from a file.
     "a mesh from a file" RawMeshFile {
-        /// Path to a Wavefront `.obj` or a `.ply` of triangles, relative to the folder of this file.
+        /// Path to a Wavefront `.obj` or a `.ply` file, relative to the folder of this file. Its
+        /// polygons are cut into triangles.
         file: At<String>,
-        /// `false` leaves the vertex normals of the file aside; `true` demands that it has some. Left out: they are used if the
-        /// file has them. [rule 18]
+        /// With `false` the vertex normals of the file are not looked at; with `true` it must have
+        /// them. Left out: they are used if the file has them. [rule 18]
         smooth: Option<bool>,
     }
 }
