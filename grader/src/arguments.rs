@@ -14,7 +14,7 @@ Exit codes:
   0    done, and everything passed
   1    done, something did not pass
   2    usage, or input that cannot be read
-  3    the machine or the grader failed
+  3    the machine or the grader failed, even where something else did not pass: no points are final
   130  interrupted";
 
 /// Grades submissions of the ray-tracing assignment: builds them, runs them under limits, judges, scores and reports.
@@ -116,7 +116,11 @@ pub(crate) fn stages(given: Option<&Path>) -> Result<PathBuf, GradeError> {
 /// What programs may use.
 #[derive(Debug, Args)]
 pub(crate) struct Limit {
-    /// Seconds by the clock that a program has for a picture, or for the unit checks of a stage
+    /// Seconds of CPU time that a program has for a picture, or for the unit checks of a stage
+    ///
+    /// All processes of the program count together. A program that is idle for half as long is
+    /// stopped too. By the clock it has six times as long and 10 s, so that others on the machine
+    /// do not matter.
     #[arg(long, value_name = "SECONDS", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..))]
     time_limit: u16,
     /// Mebibytes of memory that a program may take
@@ -160,7 +164,8 @@ Examples:
   grader grade --case 01_ray_casting/sphere        the checks of one function
   grader grade tests/solution --json record.json --junit junit.xml
 
-Exit codes: 0 all right, 1 something is not, 2 no such submission, 3 the machine or the grader failed, 130 interrupted")]
+Exit codes: 0 all right, 1 something is not, 2 no such submission, 3 the machine or the grader failed (whatever else
+is not right: no points are final), 130 interrupted")]
 pub(crate) struct Grade {
     /// Folder or archive
     #[arg(default_value = ".")]

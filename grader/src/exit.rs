@@ -12,7 +12,7 @@ pub(crate) enum Done {
     Passed,
     /// Something did not: 1.
     NotPassed,
-    /// Nothing of the kind can be said, since the grader or the machine failed somewhere: 3.
+    /// The grader or the machine failed somewhere, whatever passed: 3.
     Ours,
 }
 

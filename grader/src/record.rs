@@ -111,6 +111,9 @@ pub struct CheckRecord {
     pub finding: Option<Finding>,
     /// Wall time of the program, in seconds; unit checks of a stage share one process and its time.
     pub time_s: f64,
+    /// CPU time of the program, in seconds; missing where nothing was run.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub cpu_s: Option<f64>,
     /// Largest resident size of the program.
     pub peak_bytes: u64,
 }

@@ -90,4 +90,26 @@ fn doctor_looks_at_everything() {
     for name in ["compiler:", "linker:", "workspace:", "store:", "cores:", "protection:", "missing  cases:"] {
         assert!(text.contains(name), "no {name} in\n{text}");
     }
+    for name in ["ok       temporary files:", "ok       limits:", "memory:"] {
+        assert!(text.contains(name), "no {name} in\n{text}");
+    }
+}
+
+#[test]
+fn limits_that_are_lower_are_said() {
+    let under = |limit: &str, command: &str| {
+        let line = format!("ulimit {limit}; exec \"$0\" {command}");
+        let output = Command::new("sh").args(["-c", &line, env!("CARGO_BIN_EXE_grader")]).output().unwrap();
+        String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr)
+    };
+    let doctor = |limit: &str, part: &str| {
+        let text = under(limit, "doctor");
+        assert!(text.contains(part), "{limit}: no {part:?} in {text}");
+    };
+    doctor("-n 200", "ok       limits: programs get 200 open files, not 256 (ulimit -n), which is enough");
+    doctor("-n 20", "missing  limits: programs get 20 open files, not 256 (ulimit -n): raise it");
+    doctor("-v 3000000", "ok       limits: programs get 2929 MiB of address space, not 4096");
+    let exam = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/exam");
+    let text = under("-n 200", &format!("grade /nowhere --cases '{exam}' -v"));
+    assert!(text.contains("programs get 200 open files, not 256 (ulimit -n)"), "{text}");
 }

@@ -217,6 +217,35 @@ fn what_a_kill_leaves_behind_does_no_harm() {
 }
 
 #[test]
+fn what_killed_the_grader_comes_last_and_not_for_ever() {
+    let class = Class::new(&THREE);
+    // A run died while it graded alice and bob, and another one while it graded bob alone.
+    let die = |ids: &[(&str, &str)]| {
+        let part = class.out(&format!(".part-{}", ids.len()));
+        fs::create_dir_all(&part).unwrap();
+        ids.iter().for_each(|(id, n)| fs::write(part.join(format!("{id}.doing")), n).unwrap());
+    };
+    let order = |grader: &Fake| grader.graded.lock().unwrap().clone();
+    die(&[("alice", "0"), ("bob", "0")]);
+    let grader = Fake::new("1", ALL);
+    assert_eq!(class.run(&grader, 1).exit_code(), 0);
+    assert_eq!(order(&grader), ["carol", "alice", "bob"]);
+    die(&[("bob", "0")]);
+    let grader = Fake::new("2", ALL);
+    assert_eq!(class.run(&grader, 1).exit_code(), 0);
+    assert_eq!(order(&grader), ["alice", "carol", "bob"]);
+    die(&[("bob", "1")]);
+    let grader = Fake::new("3", ALL);
+    let summary = class.run(&grader, 1);
+    assert_eq!((summary.exit_code(), summary.failed.len()), (3, 1));
+    assert!(summary.failed[0].1.contains("died 2 times"), "{:?}", summary.failed);
+    assert_eq!(order(&grader), ["alice", "carol"]);
+    let grader = Fake::new("3", ALL);
+    assert_eq!(class.run(&grader, 1).exit_code(), 0);
+    assert_eq!(order(&grader), ["bob"], "the next run tries again");
+}
+
+#[test]
 fn what_is_our_fault_is_reported_and_never_published() {
     let class = Class::new(&[("a", "machine"), ("b", "ours"), ("c", "internal"), ("d", "panic"), ("e", "5000")]);
     let summary = class.run(&Fake::new("1", ALL), 2);

@@ -3,12 +3,18 @@
 use grader::batch::{self, BatchError, OnBench, Options, Shown, Summary};
 use grader::grade::{Bench, GradeError, Options as One};
 
+use grader::sandbox;
+
 use crate::arguments::{Batch, stages};
 use crate::exit::{Done, Outcome};
 use crate::progress::Talk;
 
 pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
+    sandbox::clear_leftovers();
     let allowance = arguments.limit.allowance();
+    if talk.is_verbose {
+        allowance.picture.lowered().iter().for_each(|granted| eprintln!("programs get {granted}"));
+    }
     let bench = Bench { allowance, ..Bench::open(&stages(arguments.cases.as_deref())?)? };
     // Done ahead so that the first wait is explained. Where it fails, the submissions that need the crates say so.
     let _ = bench.workshop.sdk(&|what| {

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use grader::build::{Toolchain, Workshop};
 use grader::exam::Exam;
-use grader::sandbox::LEVEL;
+use grader::exercise::Allowance;
+use grader::sandbox::{Folder, LEVEL, memory_left};
 
 use crate::arguments::{Doctor, stages};
 use crate::exit::{Done, Outcome};
@@ -23,6 +24,9 @@ pub(crate) fn run(arguments: &Doctor) -> Outcome {
         ("workspace", here.as_ref().map(|workshop| workshop.root.display().to_string()).map_err(Clone::clone)),
         ("store", here.as_ref().map_err(Clone::clone).and_then(|workshop| store(&workshop.store()))),
         ("cases", folder.and_then(|folder| exam(&folder))),
+        ("temporary files", temporary_files()),
+        ("limits", limits()),
+        ("memory", memory()),
         ("cores", Ok(cores.to_string())),
         ("protection", Ok(format!("{LEVEL} (no Landlock, no seccomp: grade untrusted work as a user of its own)"))),
     ];
@@ -41,6 +45,37 @@ fn linker() -> Result<String, String> {
     let found = folders.iter().map(|folder| Path::new(folder).join("cc")).find(|cc| cc.is_file());
     let help = "there is no cc in /usr/bin: install gcc or clang (Debian, Ubuntu: apt install gcc; macOS: xcode-select --install)";
     found.map(|cc| cc.display().to_string()).ok_or_else(|| help.to_owned())
+}
+
+/// Whether programs can be given folders to work in.
+fn temporary_files() -> Result<String, String> {
+    Folder::new().map(|_| std::env::temp_dir().display().to_string()).map_err(|why| why.to_string())
+}
+
+/// Whether this process may give programs what they may use. A limit that is lower but enough is
+/// named.
+fn limits() -> Result<String, String> {
+    let lowered = Allowance::default().picture.lowered();
+    let texts = |is_enough: bool| -> Vec<String> {
+        lowered.iter().filter(|granted| granted.is_enough == is_enough).map(ToString::to_string).collect()
+    };
+    match (texts(false), texts(true)) {
+        (missing, _) if !missing.is_empty() => Err(format!("programs get {}: raise it", missing.join(", "))),
+        (_, lower) if !lower.is_empty() => Ok(format!("programs get {}, which is enough", lower.join(", "))),
+        _ => Ok("none of this process is in the way".to_owned()),
+    }
+}
+
+/// Whether one program fits into the memory that is left.
+fn memory() -> Result<String, String> {
+    let (needed, mib) = (Allowance::MEMORY, |bytes: u64| bytes >> 20);
+    match memory_left() {
+        Some(left) if left < needed => {
+            Err(format!("{} MiB are left, but a program may use {} MiB: see --memory-limit", mib(left), mib(needed)))
+        }
+        Some(left) => Ok(format!("{} MiB are left, and a program may use {} MiB", mib(left), mib(needed))),
+        None => Ok("this system does not say how much is left".to_owned()),
+    }
 }
 
 /// Whether compiled crates and submissions can be stored.

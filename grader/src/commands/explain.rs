@@ -2,11 +2,14 @@
 
 use grader::grade::{Bench, explain};
 
+use grader::sandbox;
+
 use crate::arguments::{Explain, stages};
 use crate::exit::{Done, Outcome};
 use crate::progress::{Bar, Talk};
 
 pub(crate) fn run(arguments: &Explain, talk: &Talk) -> Outcome {
+    sandbox::clear_leftovers();
     let bench = Bench::open(&stages(arguments.cases.as_deref())?)?;
     let pixel = [arguments.x, arguments.y];
     let explained = {

@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 
 use grader::files;
 use grader::grade::{GradeError, Graded};
-use grader::record::{CheckRecord, Record, Verdict};
+use grader::record::{Record, Verdict};
 use grader::report::{html, junit, terminal};
 
 use crate::arguments::Reports;
@@ -63,15 +63,14 @@ fn open(path: &Path) -> Result<(), GradeError> {
     started.map(drop).map_err(|why| GradeError::Machine(format!("cannot run {opener} to show the page: {why}")))
 }
 
-/// Everything passed, or something did not; where only our own faults are in the way, that.
+/// How the command ends: a fault of the grader or the machine comes first, since no points are
+/// final then.
 fn done(record: &Record) -> Done {
-    let verdicts = || record.stages.iter().flat_map(|stage| &stage.checks).map(|check: &CheckRecord| check.verdict);
-    let is_bad = |verdict| matches!(verdict, Verdict::Partial | Verdict::Fail | Verdict::NotRun);
-    if record.build.verdict != Verdict::Pass || verdicts().any(is_bad) {
-        Done::NotPassed
-    } else if verdicts().any(|verdict| verdict == Verdict::Ours) {
+    let checks = record.stages.iter().flat_map(|stage| &stage.checks);
+    let verdicts: Vec<Verdict> = checks.map(|check| check.verdict).chain([record.build.verdict]).collect();
+    if verdicts.contains(&Verdict::Ours) {
         Done::Ours
     } else {
-        Done::Passed
+        Done::of(verdicts.iter().all(|verdict| *verdict == Verdict::Pass))
     }
 }

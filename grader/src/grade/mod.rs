@@ -3,6 +3,8 @@
 mod diagnosis;
 mod perform;
 mod plan;
+mod thrift;
+mod verdicts;
 mod write_up;
 
 use std::collections::BTreeMap;
@@ -17,6 +19,7 @@ use crate::exam::Exam;
 use crate::exercise::{self, Allowance, Candidate};
 use crate::record::{Build, Finding, FindingKind, Record, Submission, Verdict};
 use crate::submission::{self, SubmissionError};
+use crate::workers::guarded;
 
 /// What all gradings share: made once, used from any number of threads.
 #[derive(Debug)]
@@ -50,7 +53,7 @@ impl Bench {
     /// # Errors
     /// No compiler.
     pub fn epoch(&self) -> Result<String, GradeError> {
-        let compiler = &self.workshop.toolchain().map_err(GradeError::Machine)?.version;
+        let compiler = &self.workshop.toolchain().map_err(|why| GradeError::Machine(why.to_string()))?.version;
         let text = format!("{} {VERSION} {:?} {compiler}", self.exam.hash, self.allowance);
         Ok(blake3::hash(text.as_bytes()).to_hex().to_string())
     }
@@ -160,7 +163,8 @@ pub fn grade(bench: &Bench, options: &Options, progress: &dyn Progress) -> Resul
         }
         Err(build) => (perform::nothing(&plan, build.finding.as_ref()), build),
     };
-    let diagnoses = diagnosis::diagnose(&bench.exam, &plan, &mut answers);
+    // A diagnosis is a hint: a fault of the grader in it costs no check.
+    let diagnoses = guarded(|| diagnosis::diagnose(&bench.exam, &plan, &mut answers)).unwrap_or_default();
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest };
     Ok(Graded { record: write_up::record(epoch, submission, build, stages, diagnoses), pictures })
@@ -174,6 +178,7 @@ fn prepare(bench: &Bench, options: &Options, progress: &dyn Progress) -> Result<
     let submission = match submission::read(&options.submission, &bench.workshop.template) {
         Ok(submission) => submission,
         Err(why @ SubmissionError::Unreadable { .. }) => return Err(GradeError::Input(why.to_string())),
+        Err(why @ SubmissionError::Machine(_)) => return Err(GradeError::Machine(why.to_string())),
         Err(SubmissionError::Refused(why)) => {
             let finding = Finding::new(FindingKind::Submission, why);
             return Ok((String::new(), Err(rejected(Verdict::Fail, finding, vec![]))));
@@ -183,7 +188,7 @@ fn prepare(bench: &Bench, options: &Options, progress: &dyn Progress) -> Result<
     let prepared = match build(&submission, &bench.workshop, &|what| progress.phase(what)) {
         Ok(built) => Ok((built, ignored)),
         Err(BuildError::Rejected(why)) => Err(rejected(Verdict::Fail, Finding::new(FindingKind::Build, why), ignored)),
-        Err(BuildError::Ours(why)) => return Err(GradeError::Machine(why)),
+        Err(BuildError::Ours(why)) => return Err(GradeError::Machine(why.to_string())),
         Err(BuildError::Interrupted) => {
             let finding = Finding::new(FindingKind::Internal, "the grader was interrupted while building");
             Err(rejected(Verdict::NotRun, finding, ignored))
@@ -238,8 +243,10 @@ pub fn explain(
         return Err(GradeError::Input(format!("pixel ({x}, {y}) does not lie in a picture of {width}×{height}")));
     }
     match prepare(bench, &Options::new(path), progress)?.1 {
-        Ok((built, _)) => exercise::explain(&bench.candidate(&built), &case.scene, x, y)
-            .map_err(|why| GradeError::Machine(format!("the work folder: {why}"))),
+        Ok((built, _)) => Ok(exercise::explain(&bench.candidate(&built), &case.scene, x, y)),
         Err(build) => Ok(Err(build.finding.map_or(String::new(), |finding| finding.message))),
     }
 }
+
+#[cfg(test)]
+mod tests;

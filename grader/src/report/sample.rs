@@ -133,6 +133,7 @@ fn check(name: &str, kind: CheckKind, verdict: Verdict, finding: Option<Finding>
         possible: 2000,
         finding,
         time_s: 0.04,
+        cpu_s: None,
         peak_bytes: 12_000_000,
     }
 }

@@ -8,14 +8,13 @@ mod template;
 
 use std::path::{Path, PathBuf};
 
-use tempfile::TempDir;
-
 pub use listing::{open_regular, read_text};
 pub use own::Own;
 pub use rust::Rust;
 pub use template::Template;
 
 use crate::plain;
+use crate::sandbox::{Folder, FolderError};
 
 /// A submission whose files have been read or listed.
 #[derive(Debug)]
@@ -27,7 +26,7 @@ pub struct Submission {
     /// What was left aside, and why.
     pub ignored: Vec<String>,
     /// Where an archive was unpacked; goes away with this.
-    _unpacked: Option<TempDir>,
+    _unpacked: Option<Folder>,
 }
 
 /// The two kinds of submission.
@@ -53,18 +52,21 @@ pub enum SubmissionError {
     /// What is there is no submission; says why and what to do.
     #[error("{0}")]
     Refused(String),
+    /// The machine kept it from being read; nobody who wrote it is to blame.
+    #[error(transparent)]
+    Machine(#[from] FolderError),
 }
 
 /// Reads the submission at `path`: a folder, a folder with a single folder in it, or an archive of either.
 ///
 /// # Errors
-/// A path that leads nowhere, and what is no submission.
+/// A path that leads nowhere, what is no submission, and no room to unpack an archive.
 pub fn read(path: &Path, template: &Template) -> Result<Submission, SubmissionError> {
     let unreadable = |why| SubmissionError::Unreadable { path: path.to_owned(), why };
     if std::fs::metadata(path).map_err(unreadable)?.is_dir() {
         return read_folder(&find(path)?, template);
     }
-    let unpacked = TempDir::new().map_err(unreadable)?;
+    let unpacked = Folder::new()?;
     archive::unpack(path, unpacked.path(), &archive::Limits::default())
         .map_err(|why| SubmissionError::Refused(format!("the archive cannot be taken: {why}")))?;
     let submission = read_folder(&find(unpacked.path())?, template)?;

@@ -2,6 +2,8 @@
 
 use std::fs;
 
+use tempfile::TempDir;
+
 use super::*;
 
 /// A template of two files, one of each kind.
