@@ -136,10 +136,10 @@ pub(crate) struct Reports {
     /// Write the whole record as JSON; - is standard output
     #[arg(long, value_name = "FILE")]
     pub(crate) json: Option<PathBuf>,
-    /// Write a page with pictures and differences
+    /// Write a page with pictures and differences; - is standard output
     #[arg(long, value_name = "FILE")]
     pub(crate) html: Option<PathBuf>,
-    /// Write JUnit XML
+    /// Write JUnit XML; - is standard output
     #[arg(long, value_name = "FILE")]
     pub(crate) junit: Option<PathBuf>,
     /// Show the page in a browser
@@ -225,24 +225,34 @@ pub(crate) struct Images {
 }
 
 /// Compare two pictures, or a picture and a stored answer
+///
+/// A picture is a PNG, a PFM or an EXR file (R, G and B of its first part); its first bytes decide
+/// which. Two pictures agree if no channel differs by more than the tolerance. The unit is an 8-bit
+/// level: 255 times the difference of the light. The order of the two pictures does not matter.
+/// Nothing is rounded or clamped: 16-bit and float samples count as they are, and so does light
+/// below 0 and above 1. NaN and infinity differ from everything. A damaged file is an error.
+///
+/// With --answer, the picture is judged like that of a submission, by the range that correct
+/// programs give for each pixel.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   grader compare mine.png theirs.png
-  grader compare mine.png theirs.pfm --tolerance 2
+  grader compare mine.pfm theirs.png --tolerance 0.5     an 8-bit PNG holds light to half a level
+  grader compare - theirs.png < mine.png
   grader compare mine.png --answer cases/stages/02_shadows/two_lamps.answer.exr
 
-Exit codes: 0 they agree, 1 they do not, 2 a picture cannot be read")]
+Exit codes: 0 they agree, 1 they do not, 2 a picture cannot be read, 3 the machine failed, 130 interrupted")]
 pub(crate) struct Compare {
-    /// A picture, .png or .pfm
+    /// A picture; - is standard input
     pub(crate) a: PathBuf,
-    /// What it is compared with
+    /// The other picture; - is standard input
     #[arg(required_unless_present = "answer", conflicts_with = "answer")]
     pub(crate) b: Option<PathBuf>,
     /// 8-bit levels by which a channel may differ [default: 0, or what the answer says]
     #[arg(long, value_name = "LEVELS", value_parser = levels)]
     pub(crate) tolerance: Option<f64>,
-    /// A stored answer, .answer.exr, in place of the second picture
+    /// A stored answer, .answer.exr, in place of the second picture; - is standard input
     #[arg(long, value_name = "FILE")]
     pub(crate) answer: Option<PathBuf>,
 }

@@ -7,6 +7,7 @@ pub mod exam;
 pub mod exercise;
 pub mod files;
 pub mod grade;
+pub mod input;
 pub mod judge;
 pub mod lint;
 pub mod plain;

@@ -1,21 +1,14 @@
 //! `grader batch` over small programs and an exam of one black picture: killed, interrupted, and started again.
 
+mod shared;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-use cases::answer::{ImageAnswer, image_answer_path};
-use cases::film::Image;
-use cases::glam::DVec3;
-
-const STAGE: &str = "title = \"Dark\"\nabout = \"Nothing is there.\"\nallows = []\nneeds = []\nunit_points = 0\n";
-
-const CASE: &str = "title = \"Dark\"\nabout = \"Nothing is there, so nothing is seen.\"\nrules = [2]\npoints = 2\n\
-    [render]\nsize = [4, 3]\nmax_depth = 0\n\
-    [scene.camera]\neye = [0, 0, 3]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 40\n\
-    [scene.materials]\nchalk = { kd = [1, 1, 1] }\n\
-    [[scene.objects]]\nsphere = {}\nmaterial = \"chalk\"\n";
+use cases::answer::image_answer_path;
+use shared::dark_exam;
 
 /// Programs in the shell that write a PFM picture of 4 × 3 pixels.
 const BLACK: &str = "{ printf 'PF\\n4 3\\n-1.0\\n'; head -c 144 /dev/zero; } > \"$3\"";
@@ -31,13 +24,7 @@ struct Class {
 impl Class {
     fn new(submissions: &[(&str, &str)]) -> Self {
         let class = Self { place: tempfile::tempdir().unwrap() };
-        let stage = class.at("stages/01_ray_casting");
-        fs::create_dir_all(&stage).unwrap();
-        fs::write(stage.join("stage.toml"), STAGE).unwrap();
-        fs::write(stage.join("dark.toml"), CASE).unwrap();
-        let expected = Image::from_fn(4, 3, |_, _| DVec3::ZERO);
-        let answer = ImageAnswer::exact(expected, 2.0, 0);
-        fs::write(image_answer_path(&class.at("stages"), "01_ray_casting/dark"), answer.encode(&[]).unwrap()).unwrap();
+        dark_exam(&class.at("stages"));
         submissions.iter().for_each(|(name, script)| class.hand_in(name, script));
         class
     }

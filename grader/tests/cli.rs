@@ -3,9 +3,6 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
-use cases::film::{self, Image};
-use cases::glam::DVec3;
-
 fn grader(arguments: &[&str], folder: &Path) -> Output {
     Command::new(env!("CARGO_BIN_EXE_grader")).args(arguments).current_dir(folder).output().unwrap()
 }
@@ -16,31 +13,6 @@ fn check(arguments: &[&str], folder: &Path, code: i32, part: &str) {
     let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(code), "{arguments:?}: {text}");
     assert!(text.contains(part), "{arguments:?}: no {part:?} in\n{text}");
-}
-
-fn picture(path: &Path, width: u32, light: f64) {
-    film::write(path, &Image::from_fn(width, 3, |_, _| DVec3::splat(light))).unwrap();
-}
-
-#[test]
-fn pictures_are_compared() {
-    let home = tempfile::tempdir().unwrap();
-    let at = |name: &str| home.path().join(name);
-    picture(&at("a.png"), 4, 0.2);
-    picture(&at("b.png"), 4, 0.2 + 3.0 / 255.0);
-    picture(&at("a.pfm"), 4, 0.2);
-    picture(&at("wide.png"), 5, 0.2);
-    std::fs::write(at("text.png"), "no picture").unwrap();
-    check(&["compare", "a.png", "a.png"], home.path(), 0, "they agree");
-    check(&["compare", "a.png", "a.pfm", "--tolerance", "1"], home.path(), 0, "they agree");
-    check(&["compare", "a.png", "b.png"], home.path(), 1, "12 pixels of 12 differ");
-    check(&["compare", "a.png", "b.png", "--tolerance", "3.01"], home.path(), 0, "they agree");
-    check(&["compare", "a.png", "b.png", "--tolerance", "nan"], home.path(), 2, "from 0 to 255");
-    check(&["compare", "a.png", "b.png", "--tolerance", "-1"], home.path(), 2, "");
-    check(&["compare", "a.png", "wide.png"], home.path(), 2, "nothing to compare");
-    check(&["compare", "a.png", "text.png"], home.path(), 2, "not a PNG or PFM image");
-    check(&["compare", "a.png", "missing.png"], home.path(), 2, "missing.png");
-    check(&["compare", "a.png"], home.path(), 2, "required");
 }
 
 #[test]

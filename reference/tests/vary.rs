@@ -150,6 +150,7 @@ fn what_cannot_be_varied_is_an_error_that_says_why() {
         ),
         ("\n[vary]\nlook_at = [1000, 0, 0]\n", &["vary", "--check", "--seeds", "2"], 1, "with seed 2 none of 50 draws"),
         (NARROW, &["vary", "--seed", "1", "--out", "cases"], 2, "`cases` is there already"),
+        (NARROW, &["vary", "--seed", "1", "--out", "/proc/none/set"], 2, "cannot write /proc/none/set"),
         (NARROW, &["vary"], 2, "--seed"),
         (NARROW, &["vary", "--seed", "1", "nowhere"], 2, "nowhere"),
     ];

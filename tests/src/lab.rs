@@ -209,7 +209,7 @@ fn hang(gallery: &Path, case: &str, picture: &Picture) -> Result<PathBuf, String
     let wrong = |why: &dyn std::fmt::Display| format!("{}: {why}", file.display());
     if !file.exists() {
         std::fs::create_dir_all(gallery.join(case)).map_err(|why| wrong(&why))?;
-        film::replace(&file, &picture.png().map_err(|why| wrong(&why))?).map_err(|why| wrong(&why))?;
+        cases::files::write(&file, &picture.png().map_err(|why| wrong(&why))?).map_err(|why| wrong(&why))?;
     }
     Ok(file)
 }

@@ -47,15 +47,22 @@ pub fn name(path: &Path) -> String {
     path.strip_prefix(workspace()).unwrap_or(path).to_string_lossy().replace('\\', "/")
 }
 
-/// The lines of a Rust source file that are code: comments are cut, and so is everything from `#[cfg(test)]` on.
+/// Returns the lines of a Rust source file that are code, without comments and tests.
+///
+/// A test module in the file ends the code. The declaration of one in another file is left out.
 ///
 /// # Panics
 /// Where the file cannot be read.
 pub fn code_lines(path: &Path) -> Vec<(usize, String)> {
     let text = std::fs::read_to_string(path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
-    text.lines()
+    let lines: Vec<&str> = text.lines().collect();
+    let is_test = |at: usize| lines.get(at).is_some_and(|line| line.trim() == "#[cfg(test)]");
+    let declares = |at: usize| lines.get(at).is_some_and(|line| line.trim().ends_with(';'));
+    let n_lines = (0..lines.len()).find(|at| is_test(*at) && !declares(at + 1)).unwrap_or(lines.len());
+    lines[..n_lines]
+        .iter()
         .enumerate()
-        .take_while(|(_, line)| line.trim() != "#[cfg(test)]")
+        .filter(|(at, _)| !is_test(*at) && !(*at > 0 && is_test(at - 1)))
         .map(|(i, line)| (i + 1, line.split("//").next().unwrap_or_default().to_owned()))
         .filter(|(_, line)| !line.trim().is_empty())
         .collect()

@@ -55,7 +55,7 @@ const BANS: &[Ban] = &[
         folder: "cases/src",
         words: FILES,
         except: &[
-            "cases/src/film/files.rs",
+            "cases/src/files",
             "cases/src/program.rs",
             "cases/src/scene/text_file.rs",
             "cases/src/scene/raw/objects.rs",
@@ -158,6 +158,39 @@ fn light_becomes_bytes_in_one_place() {
             }
         }
     }
+}
+
+/// These calls create, fill or move a file. One module makes them for every file that others read.
+const WRITES: &[&str] = &["fs::write", "File::create", "fs::rename", "fs::copy", ".persist("];
+
+/// These files make such a call too, each for a reason.
+const WRITERS: &[(&str, &str)] = &[
+    ("cases/src/files/write.rs", "the module that exists for it"),
+    ("reference/src/vary/folder.rs", "moves a folder that is whole to its place"),
+    ("grader/src/files.rs", "moves a folder that is whole to its place"),
+    ("grader/src/batch/store.rs", "gives a published report a second name"),
+    ("grader/src/build/own.rs", "fills a folder of one build"),
+    ("grader/src/build/rustc.rs", "fills a folder before it is published"),
+    ("grader/src/build/sdk.rs", "fills a folder before it is published"),
+    ("grader/src/exercise/explain.rs", "fills a folder of one run"),
+    ("grader/src/exercise/pictures.rs", "fills a folder of one run"),
+    ("grader/src/sandbox/folder.rs", "moves what is to be removed"),
+    ("grader/src/submission/archive.rs", "unpacks into a fresh folder"),
+];
+
+#[test]
+fn files_are_written_in_one_place() {
+    let mut found = BTreeSet::new();
+    for folder in ["cases/src", "reference/src", "grader/src"] {
+        for path in files(folder, "rs").iter().filter(|path| !path.ends_with("tests.rs")) {
+            let writes = |(_, line): &(usize, String)| WRITES.iter().any(|word| line.contains(word));
+            if code_lines(path).iter().any(writes) {
+                found.insert(name(path));
+            }
+        }
+    }
+    let listed: BTreeSet<String> = WRITERS.iter().map(|(file, _)| (*file).to_owned()).collect();
+    assert_eq!(found, listed, "use `cases::files::write`; a file that needs no exception any more leaves the list");
 }
 
 /// The only files with code that the compiler cannot prove sound.

@@ -6,7 +6,6 @@ use std::sync::LazyLock;
 
 use cases::answer::ImageAnswer;
 use cases::course::course_of;
-use cases::film;
 use cases::glam::DVec3;
 use cases::stage::{self, Bounds, Case, Stage};
 use grader::exam::Exam;
@@ -61,7 +60,7 @@ fn hidden(n: usize) -> TempDir {
     let place = tempfile::tempdir().expect("a temporary folder");
     folder::write(&public_stages(), &PUBLIC.stages, &third, place.path()).unwrap_or_else(|why| panic!("{why}"));
     let set = Set::new(stages(place.path()), PUBLIC.rules);
-    let write = |file: &Expected| film::replace(&file.path, &file.bytes).expect("a file that can be written");
+    let write = |file: &Expected| cases::files::write(&file.path, &file.bytes).expect("a file that can be written");
     for (n, stage) in set.stages.iter().enumerate() {
         for case in &stage.cases {
             let answer = expect::of_case(place.path(), &set, n, case).unwrap_or_else(|why| panic!("{why}"));

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 pub use check::{CheckAnswer, check_answers_from_str, check_answers_to_string};
 pub use cluster::{Clusters, largest_cluster, neighbours};
 pub use mistake::{Mistake, mistakes_from_str, mistakes_to_string};
-pub use picture::{ImageAnswer, Levels, Limits, Wrong};
+pub use picture::{ImageAnswer, Levels, Limits, Wrong, full_light};
 
 /// Where the answer to the case `id` is stored below `stages`.
 pub fn image_answer_path(stages: &Path, id: &str) -> PathBuf {

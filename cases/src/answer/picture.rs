@@ -154,6 +154,13 @@ impl ImageAnswer {
     }
 }
 
+/// Returns the sample that stands for full light in the part `part` of an EXR file.
+///
+/// The result is 255/256 in a stored answer, and 1 elsewhere.
+pub fn full_light(part: &str) -> f64 {
+    if part == ANSWER { 255.0 / f64::from(UNIT) } else { 1.0 }
+}
+
 impl Wrong {
     /// The ids of the mistakes that a stored answer holds, without unpacking their pictures: those that the case does not let pass.
     ///

@@ -1,5 +1,6 @@
 //! `grader batch`.
 
+use cases::files::is_usage;
 use grader::batch::{self, BatchError, OnBench, Options, Shown, Summary};
 use grader::grade::{Bench, GradeError, Options as One};
 
@@ -19,8 +20,9 @@ pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
     let grader = OnBench::new(&bench, &arguments.stage)?;
     let jobs = arguments.jobs.map_or_else(|| One::new(&arguments.folder).jobs, usize::from);
     let options = Options { folder: arguments.folder.clone(), out: arguments.out.clone(), jobs };
-    let summary = batch::run(&grader, &options, &Shown::new(talk.is_quiet)).map_err(|why| match why {
+    let summary = batch::run(&grader, &options, &Shown::new(talk.is_quiet)).map_err(|why| match &why {
         BatchError::Folder { .. } | BatchError::Empty(_) => GradeError::Input(why.to_string()),
+        BatchError::Out { why: cause, .. } if is_usage(cause) => GradeError::Input(why.to_string()),
         BatchError::Out { .. } => GradeError::Machine(why.to_string()),
     })?;
     if !talk.is_quiet {

@@ -8,6 +8,7 @@ use crate::exit::Outcome;
 use crate::progress::{Bar, Talk};
 
 pub(crate) fn run(arguments: &Grade, talk: &Talk) -> Outcome {
+    publish::check(&arguments.reports)?;
     let options = arguments.selection.options(&arguments.submission);
     let jobs = arguments.jobs.map_or(options.jobs, usize::from);
     let graded = {

@@ -1,5 +1,7 @@
 //! `grader images`.
 
+use std::io::ErrorKind;
+
 use grader::grade::{Bench, GradeError, images};
 
 use crate::arguments::Images;
@@ -9,9 +11,15 @@ use crate::progress::Talk;
 
 pub(crate) fn run(arguments: &Images, talk: &Talk) -> Outcome {
     let folder = &arguments.folder;
-    if !folder.is_dir() {
-        return Err(GradeError::Input(format!("{}: there is no such folder", folder.display())));
+    match std::fs::metadata(folder) {
+        Ok(found) if found.is_dir() => {}
+        Ok(_) => return Err(GradeError::Input(format!("{}: it is not a folder", folder.display()))),
+        Err(why) if why.kind() == ErrorKind::NotFound => {
+            return Err(GradeError::Input(format!("{}: there is no such folder", folder.display())));
+        }
+        Err(why) => return Err(GradeError::Input(format!("{}: it cannot be read: {why}", folder.display()))),
     }
+    publish::check(&arguments.reports)?;
     let bench = Bench::open(&arguments.selection.stages()?)?;
     let graded = images(&bench, folder, &arguments.selection.options(folder))?;
     publish::publish(&graded, &arguments.reports, talk)

@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use cases::answer::ImageAnswer;
+use cases::files::WriteError;
 use cases::film::Image;
 use cases::front::FrontPoint;
 
@@ -141,6 +142,12 @@ pub enum GradeError {
     /// The machine or the grader failed: exit code 3.
     #[error("{0}")]
     Machine(String),
+}
+
+impl From<WriteError> for GradeError {
+    fn from(why: WriteError) -> Self {
+        if why.is_usage() { Self::Input(why.to_string()) } else { Self::Machine(why.to_string()) }
+    }
 }
 
 /// Grades one submission: reads it, builds it, asks it everything that is selected, judges, scores.

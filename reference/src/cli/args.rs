@@ -38,8 +38,8 @@ Examples:
 Exit codes:
   0  done; with `expect --check`: every stored answer is what the rules give
   1  done, but a stored answer differs, a check's answer on paper is wrong, or a case cannot be varied within its bounds
-  2  usage, or a file that cannot be read
-  3  the machine failed: a file cannot be written
+  2  usage, a file that cannot be read, or a name that cannot be written
+  3  the machine failed: the disk is full, say
   130  `cost` was interrupted; what was measured by then is reported";
 
 #[derive(Debug, Subcommand)]
@@ -107,14 +107,15 @@ Examples:
   reference render scene.json out.pfm                      as a submission is called
   reference render scene.toml -o big.exr --size 1280x960 --samples 4 --stats
   reference render scene.toml -o fast.png --max-depth 50 --threshold 1/256 --stats
-  reference render scene.toml -o - --effects shadows,reflection > out.png")]
+  reference render scene.toml -o - --effects shadows,reflection > out.png
+  reference render scene.toml -o - | grader compare - expected.png")]
 pub(super) struct RenderArgs {
     /// Scene, case, or id of a case
     pub scene: String,
     /// Where the picture goes, as with -o
     #[arg(value_name = "OUT", conflicts_with = "output")]
     pub out: Option<PathBuf>,
-    /// Where the picture goes: .png, .pfm or .exr (linear float); `-` is a PNG to the output stream
+    /// Where the picture goes: .png, .pfm or .exr (linear float); `-` and a pipe get a PNG
     #[arg(short, long, value_name = "OUT", required_unless_present = "out")]
     pub output: Option<PathBuf>,
     /// Bits a channel of a PNG

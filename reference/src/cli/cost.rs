@@ -5,7 +5,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use cases::{Scene, film};
+use cases::Scene;
+use cases::files::{self, is_stdout, is_stream};
 use signal_hook::consts::{SIGINT, SIGTERM};
 
 use super::args::CostArgs;
@@ -24,9 +25,9 @@ use crate::rules::Rules;
 /// Carries out the command.
 pub(super) fn run(args: &CostArgs, talk: Talk) -> Result<(), Stop> {
     let outputs = outputs(args)?;
+    args.page.as_deref().map_or(Ok(()), page_fits)?;
     let session = Session::start(args.threads, talk)?;
     if let Some(path) = &args.page {
-        has_folder(path)?;
         return cost_page::run(args, path, &session);
     }
     match &args.scene {
@@ -95,45 +96,37 @@ fn outputs(args: &CostArgs) -> Result<Vec<(Output, &Path)>, Stop> {
         [(Output::Json, &args.json), (Output::Csv, &args.csv), (Output::Svg, &args.svg), (Output::Html, &args.html)];
     let asked: Vec<(Output, &Path)> =
         all.into_iter().filter_map(|(what, path)| Some((what, path.as_deref()?))).collect();
-    if asked.iter().filter(|(_, path)| is_stream(path)).count() > 1 {
+    if asked.iter().filter(|(_, path)| is_stdout(path)).count() > 1 {
         return Err(Stop::Usage("only one of --json, --csv, --svg and --html can go to the output stream".to_owned()));
     }
-    asked.iter().filter(|(_, path)| !is_stream(path)).try_for_each(|(_, path)| has_folder(path))?;
+    // A measurement takes minutes: a name that cannot be written is an error before.
+    asked.iter().try_for_each(|(_, path)| files::check(path))?;
     Ok(asked)
 }
 
-fn is_stream(path: &Path) -> bool {
-    path == Path::new("-")
-}
-
-/// A measurement takes minutes: that there is nowhere to write is said before.
-fn has_folder(path: &Path) -> Result<(), Stop> {
-    match path.parent() {
-        _ if path.is_dir() => Err(Stop::Machine(format!("cannot write {}: it is a folder", path.display()))),
-        Some(folder) if folder != Path::new("") && !folder.is_dir() => {
-            Err(Stop::Machine(format!("cannot write {}: there is no folder `{}`", path.display(), folder.display())))
-        }
-        _ => Ok(()),
+/// The page has pictures beside it, so that it cannot be a stream.
+fn page_fits(path: &Path) -> Result<(), Stop> {
+    if is_stream(path) {
+        let text = format!("{}: the page has pictures beside it: name a file", path.display());
+        return Err(Stop::Usage(text));
     }
+    Ok(files::check(path)?)
 }
 
 fn write(report: &impl Forms, outputs: &[(Output, &Path)], talk: Talk) -> Result<(), Stop> {
     for (what, path) in outputs {
         put(path, &what.bytes(report)?, talk)?;
     }
-    if outputs.iter().all(|(_, path)| !is_stream(path)) {
-        anstream::print!("{}", report.text());
+    if outputs.iter().any(|(_, path)| is_stdout(path)) {
+        return Ok(());
     }
-    Ok(())
+    print(report.text().as_bytes())
 }
 
-/// Writes a file whole, or to the output stream.
+/// Writes a file whole, or to a stream, and says so where that is wanted.
 pub(super) fn put(path: &Path, bytes: &[u8], talk: Talk) -> Result<(), Stop> {
-    if is_stream(path) {
-        return print(bytes);
-    }
-    film::replace(path, bytes).map_err(|why| Stop::Machine(format!("cannot write {}: {why}", path.display())))?;
-    if talk >= Talk::Verbose {
+    files::write(path, bytes)?;
+    if talk >= Talk::Verbose && !is_stream(path) {
         anstream::eprintln!("wrote {}", path.display());
     }
     Ok(())

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use cases::Scene;
 use cases::course::course_of;
+use cases::files;
 use cases::front::{FrontPoint, Fronts, fronts_path, fronts_to_string, rmse_levels};
 use cases::stage;
 
@@ -22,6 +23,8 @@ use crate::variations::Precision;
 /// Measures every case and stores the points. An interrupt leaves what was stored.
 pub(super) fn run(args: &CostArgs, session: &Session) -> Result<(), Stop> {
     let stages = Path::new(STAGES);
+    let path = fronts_path(stages);
+    files::check(&path)?;
     let course = match find::given(&args.course)? {
         Some(course) => course,
         None => course_of(stages)?,
@@ -38,7 +41,6 @@ pub(super) fn run(args: &CostArgs, session: &Session) -> Result<(), Stop> {
     let machine = session.machine();
     let fronts = Fronts { machine: format!("{}, {} of one thread", machine.processor, machine.clock), cases: points };
     let text = fronts_to_string(&fronts).map_err(|why| Stop::Machine(why.to_string()))?;
-    let path = fronts_path(stages);
     put(&path, text.as_bytes(), session.talk)?;
     if session.talk >= Talk::Normal {
         anstream::eprintln!("wrote {}: {n_cases} cases", path.display());

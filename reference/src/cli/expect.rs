@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use cases::answer::Limits;
 use cases::course;
-use cases::film;
+use cases::files;
 use cases::stage::{self, Case};
 use rayon::prelude::*;
 
@@ -125,7 +125,7 @@ fn settle(file: &Expected, is_check: bool, talk: Talk, tally: &mut Tally) -> Res
         tally.wrong.push(format!("{path} {how}"));
         return Ok(());
     }
-    film::replace(&file.path, &file.bytes).map_err(|why| Stop::Machine(format!("cannot write {path}: {why}")))?;
+    files::write(&file.path, &file.bytes)?;
     tally.n_written += 1;
     if talk >= Talk::Normal {
         anstream::eprintln!("wrote {path} ({} bytes)", file.bytes.len());

@@ -23,6 +23,7 @@ use std::io::Write;
 use std::process::ExitCode;
 
 use anstream::ColorChoice;
+use cases::files::WriteError;
 use cases::problem::Problems;
 use clap::Parser;
 
@@ -46,6 +47,12 @@ enum Stop {
 impl From<Problems> for Stop {
     fn from(problems: Problems) -> Self {
         Self::Problems(problems)
+    }
+}
+
+impl From<WriteError> for Stop {
+    fn from(why: WriteError) -> Self {
+        if why.is_usage() { Self::Usage(why.to_string()) } else { Self::Machine(why.to_string()) }
     }
 }
 
@@ -110,7 +117,7 @@ fn report(stop: Stop) -> ExitCode {
 
 /// Writes to the output stream; a reader that has gone away ends the program quietly.
 fn print(bytes: &[u8]) -> Result<(), Stop> {
-    let mut out = std::io::stdout().lock();
+    let mut out = anstream::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(why) if why.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
         Err(why) => Err(Stop::Machine(format!("cannot write to the output stream: {why}"))),

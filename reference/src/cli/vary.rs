@@ -12,7 +12,7 @@ use super::progress::Bar;
 use super::{Stop, Talk, survey};
 use crate::expect::Set;
 use crate::rules::Rules;
-use crate::vary::folder;
+use crate::vary::folder::{self, WriteSetError};
 
 /// Carries out the command.
 pub(super) fn run(args: &VaryArgs, talk: Talk) -> Result<(), Stop> {
@@ -36,12 +36,21 @@ pub(super) fn run(args: &VaryArgs, talk: Talk) -> Result<(), Stop> {
     let bar = Bar::cases(n_cases as u64, talk);
     let varied = folder::draw(&originals, &set, seed, || bar.add(1)).map_err(Stop::NotPassed)?;
     drop(bar);
-    folder::write(&args.stages, &set.stages, &varied, &out).map_err(Stop::Machine)?;
+    folder::write(&args.stages, &set.stages, &varied, &out)?;
     if talk >= Talk::Normal {
         let out = out.display();
         anstream::eprintln!("wrote {n_cases} cases to {out}; next: `reference expect {out}`");
     }
     Ok(())
+}
+
+impl From<WriteSetError> for Stop {
+    fn from(why: WriteSetError) -> Self {
+        match why {
+            WriteSetError::Source(text) => Self::Usage(text),
+            WriteSetError::Write(why) => why.into(),
+        }
+    }
 }
 
 /// Where a set goes must not hold anything yet: a mixture of two sets would be graded.

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use cases::Mesh;
-use cases::film::replace;
+use cases::files;
 use cases::glam::{DVec2, DVec3};
 
 use super::dice::Dice;
@@ -37,7 +37,7 @@ pub fn write(folder: &Path) -> Result<(), String> {
     fs::create_dir_all(folder).map_err(|why| format!("{}: {why}", folder.display()))?;
     let put = |name: String, bytes: &[u8]| {
         let path = folder.join(name);
-        replace(&path, bytes).map_err(|why| format!("{}: {why}", path.display()))
+        files::write(&path, bytes).map_err(|why| why.to_string())
     };
     put("floor.ply".to_owned(), &ply::encode(&squares(1, |_| true)))?;
     put("white.ply".to_owned(), &ply::encode(&squares(N_SQUARES, |n| n % 2 == 0)))?;
