@@ -15,7 +15,7 @@ Exit codes:
   1    done, something did not pass
   2    usage, or input that cannot be read
   3    the machine or the grader failed
-  130  interrupted";
+  130  interrupted; what was done until then is kept";
 
 /// Grades submissions of the ray-tracing assignment: builds them, runs them under limits, judges, scores and reports.
 #[derive(Debug, Parser)]
@@ -72,6 +72,7 @@ pub(crate) enum Command {
     Explain(Explain),
     Lint(Lint),
     Doctor(Doctor),
+    Schema(Schema),
     Completions(Completions),
     Man(Man),
 }
@@ -85,7 +86,8 @@ pub(crate) struct Selection {
     /// Only this stage, such as 02 or 02_shadows; may be repeated
     #[arg(long, value_name = "STAGE")]
     stage: Vec<String>,
-    /// Only cases and checks whose id begins so, such as 01_ray_casting/sphere; may be repeated
+    /// Only cases and checks whose id, or name behind the stage, begins so, such as
+    /// 01_ray_casting/sphere or sphere; may be repeated
     #[arg(long, value_name = "ID")]
     case: Vec<String>,
 }
@@ -160,10 +162,11 @@ Examples:
   grader grade --case 01_ray_casting/sphere        the checks of one function
   grader grade tests/solution --json record.json --junit junit.xml
 
-Exit codes: 0 all right, 1 something is not, 2 no such submission, 3 the machine or the grader failed, 130 interrupted")]
+Exit codes: 0 everything passed, 1 something did not, 2 usage or what is no submission (an empty folder, an
+archive that cannot be read), 3 the machine or the grader failed, 130 interrupted")]
 pub(crate) struct Grade {
-    /// Folder or archive
-    #[arg(default_value = ".")]
+    /// Folder or archive; standard input is none
+    #[arg(default_value = ".", value_parser = submission)]
     pub(crate) submission: PathBuf,
     #[command(flatten)]
     pub(crate) selection: Selection,
@@ -186,7 +189,8 @@ Examples:
   grader batch handins -o results
   grader batch handins -o results --stage 02 --jobs 4
 
-Exit codes: 0 all are graded (however well), 2 no submissions, 3 some could not be graded, 130 interrupted")]
+Exit codes: 0 all are graded (however well), 2 usage or no submissions, 3 some could not be graded,
+130 interrupted")]
 pub(crate) struct Batch {
     /// Folder of the submissions
     #[arg(value_name = "DIR")]
@@ -214,7 +218,8 @@ Examples:
   grader images out                              judges out/01_ray_casting/boxes.png and so on
   grader images out --stage 02 --html report.html
 
-Exit codes: 0 all right, 1 something is not, 2 usage, 3 the machine or the grader failed")]
+Exit codes: 0 everything passed, 1 something did not, 2 usage or no such folder, 3 the machine or the grader
+failed")]
 pub(crate) struct Images {
     /// Folder of the pictures
     pub(crate) folder: PathBuf,
@@ -253,9 +258,11 @@ pub(crate) struct Compare {
 Examples:
   grader explain . 04_refraction/prism 80 33     column 80 from the left, row 33 from the top
 
-Exit codes: 0 printed, 1 the submission does not build or cannot explain, 2 no such case or pixel")]
+Exit codes: 0 printed, 1 the submission does not build or cannot explain, 2 usage, no such case or pixel, or
+what is no submission, 3 the machine or the grader failed, 130 interrupted")]
 pub(crate) struct Explain {
-    /// Folder or archive
+    /// Folder or archive; standard input is none
+    #[arg(value_parser = submission)]
     pub(crate) submission: PathBuf,
     /// Id of an image case
     pub(crate) case: String,
@@ -275,7 +282,7 @@ Examples:
   grader lint                                    cases/stages
   grader lint my-course/stages -v
 
-Exit codes: 0 nothing is wrong, 1 something is, 2 there are no cases")]
+Exit codes: 0 nothing is wrong, 1 something is, 2 usage, no such folder, or no stages in it")]
 pub(crate) struct Lint {
     /// Folder of the stages [default: cases/stages here, else beside the binary]
     pub(crate) folder: Option<PathBuf>,
@@ -295,25 +302,78 @@ pub(crate) struct Doctor {
     pub(crate) cases: Option<PathBuf>,
 }
 
+/// Print the JSON Schema of grade records
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  grader schema > grade-record.schema.json       the form of what `grade --json` writes
+
+Exit codes: 0 printed, 2 usage")]
+pub(crate) struct Schema {}
+
 /// Print completions for a shell
 #[derive(Debug, Args)]
-#[command(after_help = "Example:\n  grader completions bash > ~/.local/share/bash-completion/completions/grader")]
+#[command(after_help = "\
+Example:
+  grader completions bash > ~/.local/share/bash-completion/completions/grader
+
+Exit codes: 0 printed, 2 no such shell")]
 pub(crate) struct Completions {
     /// The shell
     #[arg(value_enum)]
     pub(crate) shell: clap_complete::Shell,
 }
 
-/// Write man pages, one for each command
+/// Print a man page, or write those of all commands into a folder
 #[derive(Debug, Args)]
-#[command(after_help = "Example:\n  grader man ~/.local/share/man/man1")]
+#[command(after_help = "\
+Examples:
+  grader man grade | man -l -                    the page of a command
+  grader man ~/.local/share/man/man1             writes one page for each command
+
+Exit codes: 0 done, 2 no such command or folder, or a folder that cannot be written")]
 pub(crate) struct Man {
-    /// Folder to write them to
-    pub(crate) folder: PathBuf,
+    /// A command, or a folder for all pages [default: the page of grader itself]
+    #[arg(value_name = "COMMAND|DIR")]
+    pub(crate) what: Option<PathBuf>,
+}
+
+/// A folder or an archive. `-` would be taken for a file of that name, which nobody means.
+fn submission(text: &str) -> Result<PathBuf, String> {
+    match text {
+        "-" => Err("a submission is a folder or an archive; none is read from standard input".to_owned()),
+        _ => Ok(PathBuf::from(text)),
+    }
 }
 
 /// A number of 8-bit levels.
 fn levels(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|levels| (0.0..=255.0).contains(levels));
     number.ok_or_else(|| "a number from 0 to 255".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn the_page_of_the_command_line_is_current() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/cli.md");
+        let stored = || std::fs::read_to_string(path).expect("the page");
+        let page = pages::shell::in_page(&stored(), Arguments::command());
+        if std::env::var_os("BLESS").is_some() {
+            std::fs::write(path, &page).expect("a page that can be written");
+        }
+        assert!(
+            page == stored() && page.contains("grader grade"),
+            "docs/cli.md is not what `--help` prints: set BLESS=1"
+        );
+    }
 }

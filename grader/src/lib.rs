@@ -6,12 +6,14 @@ pub mod diagnose;
 pub mod exam;
 pub mod exercise;
 pub mod files;
+pub mod functions;
 pub mod grade;
 pub mod judge;
 pub mod lint;
-pub mod plain;
 pub mod record;
 pub mod report;
 pub mod sandbox;
 pub mod score;
 pub mod submission;
+
+pub use pages::plain;

@@ -5,12 +5,17 @@ mod commands;
 mod exit;
 mod progress;
 
-use clap::Parser;
+use std::process::ExitCode;
+
+use pages::shell;
 
 use arguments::{Arguments, Command};
 
-fn main() -> std::process::ExitCode {
-    let arguments = Arguments::parse();
+fn main() -> ExitCode {
+    let arguments: Arguments = match shell::arguments() {
+        Ok(arguments) => arguments,
+        Err(code) => return code,
+    };
     arguments.color.write_global();
     grader::sandbox::catch_interrupts();
     let talk = arguments.talk();
@@ -22,6 +27,7 @@ fn main() -> std::process::ExitCode {
         Command::Explain(options) => commands::explain::run(&options, &talk),
         Command::Lint(options) => commands::lint::run(&options, &talk),
         Command::Doctor(options) => commands::doctor::run(&options),
+        Command::Schema(_) => commands::shell::schema(),
         Command::Completions(options) => commands::shell::completions(&options),
         Command::Man(options) => commands::shell::man(&options),
     };

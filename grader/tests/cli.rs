@@ -71,12 +71,12 @@ fn lint_says_what_is_missing() {
 #[test]
 fn every_command_shows_examples() {
     let home = tempfile::tempdir().unwrap();
-    for command in ["grade", "images", "compare", "explain", "lint", "completions", "man"] {
+    for command in ["grade", "images", "compare", "explain", "lint", "schema", "completions", "man"] {
         check(&[command, "--help"], home.path(), 0, "Example");
     }
     check(&["--help"], home.path(), 0, "130  interrupted");
     check(&["completions", "bash"], home.path(), 0, "_grader");
-    check(&["man", "pages"], home.path(), 0, "");
+    check(&["man", "./pages"], home.path(), 0, "");
     let page = std::fs::read_to_string(home.path().join("pages/grader-grade.1")).unwrap();
     assert!(page.contains("submission"), "{page}");
 }

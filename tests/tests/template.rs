@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::PathBuf;
 
+use grader::functions::{FUNCTIONS, Function};
 use serde::Deserialize;
 
 #[derive(Deserialize)]
@@ -90,6 +91,24 @@ fn the_solution_keeps_the_contracts_of_the_template() {
         n_functions += handed_out.len();
     }
     assert_eq!(n_functions, 26);
+}
+
+/// Reports name the functions by this table.
+#[test]
+fn the_functions_that_reports_name_are_where_the_table_says() {
+    let manifest = manifest();
+    for Function { key, name, file, is_given, .. } in FUNCTIONS {
+        let source = text(&format!("student_template/{file}"));
+        assert!(source.contains(&format!("\npub fn {name}(")), "{file} has no function {name}");
+        let whose = if is_given { &manifest.pristine } else { &manifest.student };
+        assert!(whose.iter().any(|one| one == file), "{key}: {file}");
+    }
+    let n_of = |key: &str| FUNCTIONS.iter().filter(|function| function.key == key).count();
+    let schema = cases::schema::probe_schema();
+    let questions = schema["definitions"]["Question"]["oneOf"].as_array().expect("a form for each function");
+    let keys: Vec<&str> = questions.iter().filter_map(|one| one["properties"]["fn"]["const"].as_str()).collect();
+    assert_eq!(keys.len(), FUNCTIONS.len());
+    assert!(keys.iter().all(|key| n_of(key) == 1), "{keys:?}");
 }
 
 /// A body says which function it is, by which rule, and where; and there is nothing else in it.

@@ -9,7 +9,7 @@ use tests::{code_lines, files, name, workspace};
 fn dependencies(crate_folder: &str) -> BTreeSet<String> {
     let text = std::fs::read_to_string(workspace().join(crate_folder).join("Cargo.toml")).expect("a manifest");
     let manifest: toml::Table = text.parse().expect("TOML");
-    let ours = ["cases", "reference", "student_template", "grader", "tests", "solution"];
+    let ours = ["cases", "reference", "student_template", "grader", "pages", "tests", "solution"];
     ["dependencies", "dev-dependencies", "build-dependencies"]
         .iter()
         .filter_map(|table| manifest.get(*table)?.as_table())
@@ -22,10 +22,11 @@ fn dependencies(crate_folder: &str) -> BTreeSet<String> {
 fn crates_know_only_whom_they_may() {
     for (crate_folder, may_know) in [
         ("cases", &[][..]),
-        ("reference", &["cases"]),
+        ("grader/pages", &[][..]),
+        ("reference", &["cases", "pages"]),
         ("student_template", &["cases"]),
         ("tests/solution", &["cases"]),
-        ("grader", &["cases"]),
+        ("grader", &["cases", "pages"]),
     ] {
         let knows = dependencies(crate_folder);
         assert!(knows.iter().all(|d| may_know.contains(&d.as_str())), "{crate_folder} depends on {knows:?}");
@@ -44,7 +45,32 @@ struct Ban {
 const CLOCK: &[&str] = &["std::time", "Instant::", "SystemTime", "std::env", "env::var", "env::args"];
 const FILES: &[&str] = &["std::fs", "File::", "fs::"];
 
+/// Each of them panics where its reader has gone away, and prints what it is given unguarded.
+const PRINTS: &[&str] = &["println!", "print!", "eprintln!", "eprint!", "io::stdout()", "io::stderr()"];
+const PRINTS_BECAUSE: &str = "only `pages::say` prints: it guards text and outlives its reader";
+
 const BANS: &[Ban] = &[
+    Ban {
+        folder: "grader/src",
+        words: PRINTS,
+        // A bar draws on the error stream by itself, where that is a terminal.
+        except: &["grader/src/commands/compare.rs", "grader/src/progress.rs"],
+        because: PRINTS_BECAUSE,
+    },
+    Ban { folder: "reference/src", words: PRINTS, except: &[], because: PRINTS_BECAUSE },
+    Ban {
+        folder: "grader/pages/src",
+        words: CLOCK,
+        // A bar shows the time that is left.
+        except: &["grader/pages/src/bar.rs"],
+        because: "what is printed depends on no clock and no environment",
+    },
+    Ban {
+        folder: "grader/pages/src",
+        words: FILES,
+        except: &[],
+        because: "what is printed is handed on; programs write files",
+    },
     Ban {
         folder: "cases/src",
         words: CLOCK,

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 /// A known way to get a rule wrong, one of the list stored as `mistakes.answers.json` beside the stages.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 pub struct Mistake {
     /// Such as `mirror_backwards`; the name of its pictures and answers.
     pub id: String,

@@ -18,8 +18,9 @@ impl<'a> OnBench<'a> {
     /// Grades the stages selected by what their ids begin with; none: all.
     ///
     /// # Errors
-    /// No compiler.
+    /// A stage that is not there; no compiler.
     pub fn new(bench: &'a Bench, stages: &[String]) -> Result<Self, GradeError> {
+        bench.selected(stages, &[])?;
         let mut stages = stages.to_vec();
         stages.sort();
         let epoch = format!("{} {stages:?}", bench.epoch()?);

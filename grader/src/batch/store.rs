@@ -56,7 +56,7 @@ impl Store {
         }
         files::publish_folder(&folder, |fresh| {
             html::write(&fresh.join("report.html"), graded)?;
-            files::write(&fresh.join("record.json"), &json(&graded.record))
+            files::write(&fresh.join("record.json"), graded.record.to_json().as_bytes())
         })
     }
 
@@ -64,14 +64,8 @@ impl Store {
     pub(super) fn show(&self, id: &str, record: &Record) -> io::Result<()> {
         let report = self.folder(&record.submission.digest, &record.submission.path).join("report.html");
         link(&report, &self.out.join("reports").join(format!("{id}.html")))?;
-        files::write(&self.out.join("records").join(format!("{id}.json")), &json(record))
+        files::write(&self.out.join("records").join(format!("{id}.json")), record.to_json().as_bytes())
     }
-}
-
-fn json(record: &Record) -> Vec<u8> {
-    let mut bytes = serde_json::to_vec_pretty(record).expect("a record has string keys and no failing part");
-    bytes.push(b'\n');
-    bytes
 }
 
 /// Makes `to` a second name of `from`, or a copy where the file system has no second names.

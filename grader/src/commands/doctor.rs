@@ -7,7 +7,7 @@ use grader::exam::Exam;
 use grader::sandbox::LEVEL;
 
 use crate::arguments::{Doctor, stages};
-use crate::exit::{Done, Outcome};
+use crate::exit::{self, Done, Outcome};
 
 /// A line: what is looked at, and what is there, or what is missing and how to get it.
 type Line = (&'static str, Result<String, String>);
@@ -26,12 +26,11 @@ pub(crate) fn run(arguments: &Doctor) -> Outcome {
         ("cores", Ok(cores.to_string())),
         ("protection", Ok(format!("{LEVEL} (no Landlock, no seccomp: grade untrusted work as a user of its own)"))),
     ];
-    for (name, found) in &lines {
-        match found {
-            Ok(what) => anstream::println!("ok       {name}: {what}"),
-            Err(why) => anstream::println!("missing  {name}: {why}"),
-        }
-    }
+    let shown = |(name, found): &Line| match found {
+        Ok(what) => format!("ok       {name}: {what}\n"),
+        Err(why) => format!("missing  {name}: {why}\n"),
+    };
+    exit::print(&lines.iter().map(shown).collect::<String>())?;
     Ok(if lines.iter().all(|(_, found)| found.is_ok()) { Done::Passed } else { Done::Ours })
 }
 

@@ -3,7 +3,7 @@
 use grader::grade::{Bench, explain};
 
 use crate::arguments::{Explain, stages};
-use crate::exit::{Done, Outcome};
+use crate::exit::{self, Done, Outcome};
 use crate::progress::{Bar, Talk};
 
 pub(crate) fn run(arguments: &Explain, talk: &Talk) -> Outcome {
@@ -14,8 +14,8 @@ pub(crate) fn run(arguments: &Explain, talk: &Talk) -> Outcome {
         explain(&bench, &arguments.submission, &arguments.case, pixel, &bar)?
     };
     match &explained {
-        Ok(tree) => anstream::println!("{}", tree.trim_end()),
-        Err(why) => anstream::eprintln!("{}", why.trim_end()),
+        Ok(tree) => exit::print(tree.trim_end())?,
+        Err(why) => pages::say::err(why.trim_end()),
     }
     Ok(Done::of(explained.is_ok()))
 }

@@ -1,19 +1,28 @@
 //! `grader grade`.
 
-use grader::grade::{Bench, Options, grade};
+use grader::grade::{Bench, GradeError, Options, grade};
+use pages::say;
 
 use crate::arguments::Grade;
 use crate::commands::publish;
 use crate::exit::Outcome;
 use crate::progress::{Bar, Talk};
 
+/// Prints what a selection contains, before anything is run.
+pub(crate) fn say_selected(bench: &Bench, options: &Options, talk: &Talk) -> Result<(), GradeError> {
+    let selected = bench.selected(&options.stages, &options.cases)?;
+    selected.iter().filter(|_| !talk.is_quiet).for_each(|line| say::err(line));
+    Ok(())
+}
+
 pub(crate) fn run(arguments: &Grade, talk: &Talk) -> Outcome {
     let options = arguments.selection.options(&arguments.submission);
     let jobs = arguments.jobs.map_or(options.jobs, usize::from);
     let graded = {
-        let bar = Bar::new(talk);
         let allowance = arguments.limit.allowance();
         let bench = Bench { allowance, ..Bench::open(&arguments.selection.stages()?)? };
+        say_selected(&bench, &options, talk)?;
+        let bar = Bar::new(talk);
         grade(&bench, &Options { jobs, ..options }, &bar)?
     };
     publish::publish(&graded, &arguments.reports, talk)

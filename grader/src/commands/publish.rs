@@ -1,24 +1,28 @@
 //! Writes the reports that were asked for, and prints the one for people.
 
-use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
 use grader::files;
 use grader::grade::{GradeError, Graded};
-use grader::record::{CheckRecord, Record, Verdict};
+use grader::record::{CheckRecord, FindingKind, Record, Verdict};
 use grader::report::{html, junit, terminal};
+use pages::lines;
 
 use crate::arguments::Reports;
-use crate::exit::{Done, Outcome};
+use crate::exit::{self, Done, Outcome};
 use crate::progress::Talk;
 
 pub(crate) fn publish(graded: &Graded, reports: &Reports, talk: &Talk) -> Outcome {
     let record = &graded.record;
     let is_stdout_taken = reports.json.as_deref().is_some_and(is_stdout);
     if let Some(path) = &reports.json {
-        let text = serde_json::to_string_pretty(record).map_err(|why| GradeError::Machine(why.to_string()))? + "\n";
-        written(path, if is_stdout(path) { print(&text) } else { files::write(path, text.as_bytes()) })?;
+        let text = record.to_json();
+        if is_stdout(path) {
+            exit::print_raw(text.as_bytes())?;
+        } else {
+            written(path, files::write(path, text.as_bytes()))?;
+        }
     }
     if let Some(path) = &reports.junit {
         let text = junit::to_string(record).map_err(GradeError::Machine)?;
@@ -31,9 +35,8 @@ pub(crate) fn publish(graded: &Graded, reports: &Reports, talk: &Talk) -> Outcom
         }
     }
     if !is_stdout_taken && !talk.is_quiet {
-        let text = terminal::render(record, talk.is_verbose);
-        let printed = write!(anstream::stdout(), "{text}");
-        written(Path::new("standard output"), printed)?;
+        let look = terminal::Look { is_verbose: talk.is_verbose, columns: lines::columns() };
+        exit::print(&terminal::render(record, look))?;
     }
     Ok(done(record))
 }
@@ -42,18 +45,8 @@ fn is_stdout(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-fn print(text: &str) -> std::io::Result<()> {
-    std::io::stdout().write_all(text.as_bytes())
-}
-
-/// A reader that had enough (`grader … | head`) is no fault.
 fn written(path: &Path, outcome: std::io::Result<()>) -> Result<(), GradeError> {
-    match outcome {
-        Err(why) if why.kind() != std::io::ErrorKind::BrokenPipe => {
-            Err(GradeError::Input(format!("cannot write {}: {why}", path.display())))
-        }
-        _ => Ok(()),
-    }
+    outcome.map_err(|why| GradeError::Input(format!("cannot write {}: {why}", path.display())))
 }
 
 fn open(path: &Path) -> Result<(), GradeError> {
@@ -63,11 +56,17 @@ fn open(path: &Path) -> Result<(), GradeError> {
     started.map(drop).map_err(|why| GradeError::Machine(format!("cannot run {opener} to show the page: {why}")))
 }
 
-/// Everything passed, or something did not; where only our own faults are in the way, that.
+/// Everything passed, or something did not; where only our own faults are in the way, that. An interrupt and
+/// what is no submission come first, since then hardly anything was run.
 fn done(record: &Record) -> Done {
     let verdicts = || record.stages.iter().flat_map(|stage| &stage.checks).map(|check: &CheckRecord| check.verdict);
     let is_bad = |verdict| matches!(verdict, Verdict::Partial | Verdict::Fail | Verdict::NotRun);
-    if record.build.verdict != Verdict::Pass || verdicts().any(is_bad) {
+    let is_no_submission = record.build.finding.as_ref().is_some_and(|it| it.kind == FindingKind::Submission);
+    if record.interrupted {
+        Done::Interrupted
+    } else if is_no_submission {
+        Done::NoSubmission
+    } else if record.build.verdict != Verdict::Pass || verdicts().any(is_bad) {
         Done::NotPassed
     } else if verdicts().any(|verdict| verdict == Verdict::Ours) {
         Done::Ours

@@ -3,6 +3,7 @@
 mod diagnosis;
 mod perform;
 mod plan;
+mod words;
 mod write_up;
 
 use std::collections::BTreeMap;
@@ -38,6 +39,16 @@ impl Bench {
         let exam = Exam::load(stages).map_err(GradeError::Input)?;
         let workshop = Workshop::open(stages).map_err(GradeError::Machine)?;
         Ok(Self { exam, workshop, allowance: Allowance::default() })
+    }
+
+    /// Returns a line on what words select of the exam, such as `12 checks in 3 stages match `sphere``; `None`
+    /// where each stage that was named is one.
+    ///
+    /// # Errors
+    /// A word that selects nothing; says what there is.
+    pub fn selected(&self, stages: &[String], checks: &[String]) -> Result<Option<String>, GradeError> {
+        let plan = plan::Plan::new(&self.exam, stages, checks).map_err(GradeError::Input)?;
+        Ok(plan.summary(stages, checks))
     }
 
     /// What `built` may use.
@@ -155,7 +166,8 @@ pub fn grade(bench: &Bench, options: &Options, progress: &dyn Progress) -> Resul
     let (digest, prepared) = prepare(bench, options, progress)?;
     let (mut answers, build) = match prepared {
         Ok((built, ignored)) => {
-            let answers = perform::exercise(&plan, &bench.candidate(&built), options.jobs, progress);
+            let mut answers = perform::exercise(&plan, &bench.candidate(&built), options.jobs, progress);
+            write_up::name_functions(&mut answers, !built.program.is_foreign());
             (answers, accepted(&built, ignored))
         }
         Err(build) => (perform::nothing(&plan, build.finding.as_ref()), build),
@@ -240,6 +252,9 @@ pub fn explain(
     match prepare(bench, &Options::new(path), progress)?.1 {
         Ok((built, _)) => exercise::explain(&bench.candidate(&built), &case.scene, x, y)
             .map_err(|why| GradeError::Machine(format!("the work folder: {why}"))),
+        Err(Build { finding: Some(finding), .. }) if finding.kind == FindingKind::Submission => {
+            Err(GradeError::Input(finding.message))
+        }
         Err(build) => Ok(Err(build.finding.map_or(String::new(), |finding| finding.message))),
     }
 }

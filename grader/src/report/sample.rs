@@ -83,6 +83,7 @@ pub(crate) fn record(name: &str) -> Record {
         schema: SCHEMA,
         grader: "0.1.0".to_owned(),
         epoch: "epoch-1".to_owned(),
+        interrupted: false,
         submission: Submission { path: name.to_owned(), digest: "d1935e57".to_owned() },
         sandbox: "timeouts+rlimits".to_owned(),
         build: Build {

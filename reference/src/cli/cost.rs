@@ -6,11 +6,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use cases::{Scene, film};
+use pages::say;
 use signal_hook::consts::{SIGINT, SIGTERM};
 
 use super::args::CostArgs;
+use super::find::{self, Found};
 use super::progress::Bar;
-use super::{Stop, Talk, cost_page, cost_store, find, print};
+use super::{Stop, Talk, cost_page, cost_store, print, print_text};
 use crate::cost::bench::Bench;
 use crate::cost::forms::Forms;
 use crate::cost::functions;
@@ -46,8 +48,8 @@ pub(super) fn run(args: &CostArgs, talk: Talk) -> Result<(), Stop> {
 
 /// Measures the scene that `named` names.
 pub(super) fn of_scene(named: &str, args: &CostArgs, session: &Session) -> Result<Report, Stop> {
-    let rules = Rules::of(&find::course(named, &args.course)?);
-    let mut scene = find::scene(named)?;
+    let Found { mut scene, course, .. } = find::found(named, &args.course)?;
+    let rules = Rules::of(&course);
     if let Some((width, height)) = args.size {
         (scene.render.width, scene.render.height) = (width, height);
     }
@@ -122,7 +124,7 @@ fn write(report: &impl Forms, outputs: &[(Output, &Path)], talk: Talk) -> Result
         put(path, &what.bytes(report)?, talk)?;
     }
     if outputs.iter().all(|(_, path)| !is_stream(path)) {
-        anstream::print!("{}", report.text());
+        print_text(&report.text())?;
     }
     Ok(())
 }
@@ -134,7 +136,7 @@ pub(super) fn put(path: &Path, bytes: &[u8], talk: Talk) -> Result<(), Stop> {
     }
     film::replace(path, bytes).map_err(|why| Stop::Machine(format!("cannot write {}: {why}", path.display())))?;
     if talk >= Talk::Verbose {
-        anstream::eprintln!("wrote {}", path.display());
+        say::err(&format!("wrote {}", path.display()));
     }
     Ok(())
 }
@@ -203,7 +205,7 @@ impl Session {
         n_rounds: usize,
     ) -> Result<Vec<Measured>, Stop> {
         if self.talk >= Talk::Verbose {
-            anstream::eprintln!("measuring {} settings in {n_rounds} rounds", sweep.subjects.len());
+            say::err(&format!("measuring {} settings in {n_rounds} rounds", sweep.subjects.len()));
         }
         let mut run = self.run(Bar::pictures(measure::work(sweep, n_rounds), self.talk));
         let mut bench = Bench::new(scene, rules);

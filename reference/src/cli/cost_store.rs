@@ -7,6 +7,7 @@ use cases::Scene;
 use cases::course::course_of;
 use cases::front::{FrontPoint, Fronts, fronts_path, fronts_to_string, rmse_levels};
 use cases::stage;
+use pages::say;
 
 use super::args::CostArgs;
 use super::cost::{Session, put};
@@ -30,7 +31,7 @@ pub(super) fn run(args: &CostArgs, session: &Session) -> Result<(), Stop> {
     let mut points = BTreeMap::new();
     for case in stage::load_all(stages)?.iter().flat_map(|stage| &stage.cases) {
         if session.talk >= Talk::Verbose {
-            anstream::eprintln!("{}", case.id);
+            say::err(&case.id);
         }
         points.insert(case.id.clone(), of_case(&case.scene, &rules, args.rounds, session)?);
     }
@@ -41,7 +42,7 @@ pub(super) fn run(args: &CostArgs, session: &Session) -> Result<(), Stop> {
     let path = fronts_path(stages);
     put(&path, text.as_bytes(), session.talk)?;
     if session.talk >= Talk::Normal {
-        anstream::eprintln!("wrote {}: {n_cases} cases", path.display());
+        say::err(&format!("wrote {}: {n_cases} cases", path.display()));
     }
     Ok(())
 }

@@ -6,6 +6,7 @@ use cases::answer::Limits;
 use cases::course;
 use cases::film;
 use cases::stage::{self, Case};
+use pages::say;
 use rayon::prelude::*;
 
 use super::args::{CourseArg, ExpectArgs};
@@ -85,7 +86,7 @@ fn answer(target: &Target, course: &CourseArg, is_check: bool, talk: Talk, tally
     for answer in &answers {
         answer.files.iter().try_for_each(|file| settle(file, is_check, talk, tally))?;
         if talk >= Talk::Verbose {
-            anstream::eprintln!("{}", figures(answer));
+            say::err(&figures(answer));
         }
     }
     for (_, stage) in stages().filter(|(_, stage)| is_wanted(&stage.id)) {
@@ -116,7 +117,7 @@ fn settle(file: &Expected, is_check: bool, talk: Talk, tally: &mut Tally) -> Res
     if file.is_stored() {
         tally.n_same += 1;
         if talk >= Talk::Verbose {
-            anstream::eprintln!("as stored: {path}");
+            say::err(&format!("as stored: {path}"));
         }
         return Ok(());
     }
@@ -128,7 +129,7 @@ fn settle(file: &Expected, is_check: bool, talk: Talk, tally: &mut Tally) -> Res
     film::replace(&file.path, &file.bytes).map_err(|why| Stop::Machine(format!("cannot write {path}: {why}")))?;
     tally.n_written += 1;
     if talk >= Talk::Normal {
-        anstream::eprintln!("wrote {path} ({} bytes)", file.bytes.len());
+        say::err(&format!("wrote {path} ({} bytes)", file.bytes.len()));
     }
     Ok(())
 }
@@ -152,7 +153,7 @@ impl Tally {
             return Err(Stop::NotPassed(format!("{}\n{} did not pass; {way_out}", wrong.join("\n"), wrong.len())));
         }
         if talk >= Talk::Normal {
-            anstream::eprintln!("{n_same} files as stored, {n_written} written");
+            say::err(&format!("{n_same} files as stored, {n_written} written"));
         }
         Ok(())
     }

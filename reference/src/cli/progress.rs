@@ -1,6 +1,6 @@
 //! A bar on the terminal for what takes long; nothing anywhere else.
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget};
 
 use super::Talk;
 
@@ -33,9 +33,8 @@ impl Bar {
 
     fn new(n: u64, unit: &'static str, is_shown: bool) -> Self {
         let target = if is_shown { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
-        let style = ProgressStyle::with_template("{bar:40} {percent}% of {len} {msg}, {eta} left");
         let bar = ProgressBar::with_draw_target(Some(n), target).with_message(unit);
-        Self(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())))
+        Self(bar.with_style(pages::bar::style("{bar:40} {percent}% of {len} {msg}{left}")))
     }
 
     /// `n` more are done.

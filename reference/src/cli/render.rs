@@ -7,11 +7,13 @@ use cases::film::exr::{Depth, Part, rgb};
 use cases::film::{self, Image, PictureError, Quantiser};
 use cases::glam::DVec3;
 use cases::{Effect, Effects, Scene, effects};
+use pages::say;
 
 use super::args::{Bits, Precision, RenderArgs};
+use super::find::{self, Found};
 use super::progress::Bar;
 use super::stats::{Report, Row};
-use super::{Stop, Talk, find, print};
+use super::{Stop, Talk, print};
 use crate::cutoff::Limits;
 use crate::real::Real;
 use crate::render::{self, Options, Stats};
@@ -24,9 +26,8 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     let out = args.output.as_ref().or(args.out.as_ref()).ok_or_else(|| Stop::Usage("OUT is missing".to_owned()))?;
     let kind = Kind::of(out, args.bits)?;
     let mut clock = Clock(Instant::now());
-    let rules = Rules::of(&find::course(&args.scene, &args.course)?);
-    let mut scene = find::scene(&args.scene)?;
-    let allowed = find::allowed(&args.scene, &scene)?;
+    let Found { mut scene, allowed, course } = find::found(&args.scene, &args.course)?;
+    let rules = Rules::of(&course);
     adjust(&mut scene, args, allowed);
     scene.effects = asked_for(&scene, &args.effects)?;
     if let Some(threshold) = args.threshold {
@@ -53,7 +54,7 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     let write_s = clock.lap();
     let is_stream = matches!(kind, Kind::Stream(_));
     if talk >= Talk::Verbose && !is_stream {
-        anstream::eprintln!("wrote {}", out.display());
+        say::err(&format!("wrote {}", out.display()));
     }
     let (Some(form), Some(work)) = (args.stats, work) else { return Ok(()) };
     let report = Report {

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use cases::course::course_of;
 use cases::stage;
+use pages::say;
 
 use super::args::VaryArgs;
 use super::progress::Bar;
@@ -39,7 +40,7 @@ pub(super) fn run(args: &VaryArgs, talk: Talk) -> Result<(), Stop> {
     folder::write(&args.stages, &set.stages, &varied, &out).map_err(Stop::Machine)?;
     if talk >= Talk::Normal {
         let out = out.display();
-        anstream::eprintln!("wrote {n_cases} cases to {out}; next: `reference expect {out}`");
+        say::err(&format!("wrote {n_cases} cases to {out}; next: `reference expect {out}`"));
     }
     Ok(())
 }
