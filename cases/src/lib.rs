@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`scene`] | the resolved [`Scene`]: plain data, nothing missing, relative or invalid; its JSON form |
 //! | [`effects`] | which effects a scene calls for, and why |
+//! | [`files`] | what a file name stands for; the one way to write a file |
 //! | [`film`] | [`film::Image`], the one quantiser, image files |
 //! | [`ray`] | [`Ray`], [`SurfaceHit`], [`Hit`] and the interval in which a hit counts |
 //! | [`probe`] | the questions and answers of the unit checks |
@@ -24,6 +25,7 @@ pub mod answer;
 #[cfg(feature = "authoring")]
 pub mod course;
 pub mod effects;
+pub mod files;
 pub mod film;
 #[cfg(feature = "authoring")]
 pub mod front;

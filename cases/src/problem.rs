@@ -63,10 +63,11 @@ impl Problem {
         let group = match &self.span {
             Some(span) => {
                 let label = (!self.label.is_empty()).then_some(self.label.as_str());
-                let here = AnnotationKind::Primary.span(first_line(&self.source.text, span)).label(label);
-                title.element(
-                    Snippet::source(self.source.text.as_str()).path(self.source.name.as_str()).annotation(here),
-                )
+                let Line { text, number, part } = line_of(&self.source.text, span);
+                let here = AnnotationKind::Primary.span(part).label(label);
+                // Only the line is handed over: the renderer indexes all lines of its source for each problem.
+                let snippet = Snippet::source(text).line_start(number).path(self.source.name.as_str());
+                title.element(snippet.annotation(here))
             }
             None => title.element(Origin::path(self.source.name.as_str())),
         };
@@ -77,11 +78,24 @@ impl Problem {
     }
 }
 
-/// The part of `span` that stands on its first line, at least one character where there is one.
-fn first_line(text: &str, span: &Range<usize>) -> Range<usize> {
-    let start = span.start.min(text.len());
-    let rest = text.get(start..span.end.clamp(start, text.len())).unwrap_or_default();
-    start..start + rest.find(['\n', '\r']).unwrap_or(rest.len())
+/// A line of a text, with the part of it that is wrong.
+struct Line<'a> {
+    text: &'a str,
+    /// The number of the line, from 1.
+    number: usize,
+    /// The bytes of the line that are wrong.
+    part: Range<usize>,
+}
+
+/// Returns the line on which `span` begins, with the part of `span` that lies on it. The part is
+/// widened to whole characters.
+fn line_of<'a>(text: &'a str, span: &Range<usize>) -> Line<'a> {
+    let (before, behind) = text.split_at(text.floor_char_boundary(span.start));
+    let start = before.rfind('\n').map_or(0, |at| at + 1);
+    let end = before.len() + behind.find(['\n', '\r']).unwrap_or(behind.len());
+    let part = before.len()..text.ceil_char_boundary(span.end.clamp(before.len(), end));
+    let number = before.bytes().filter(|byte| *byte == b'\n').count() + 1;
+    Line { text: &text[start..end], number, part: part.start - start..part.end - start }
 }
 
 /// The problems of one file or several, in order of file and place; at least one.

@@ -79,7 +79,7 @@ fn call(tracer: &dyn Tracer, args: &[&str], input: &mut dyn BufRead, out: &mut d
 fn render(tracer: &dyn Tracer, scene: &Path, out: &Path) -> Result<(), Stop> {
     let scene = read(scene)?;
     let image = guarded(|| Image::from_fn(scene.render.width, scene.render.height, |i, j| tracer.pixel(&scene, i, j)))?;
-    film::write(out, &image).map_err(|why| Stop::Input(format!("cannot write {}: {why}", out.display())))
+    film::write(out, &image).map_err(|why| Stop::Input(why.to_string()))
 }
 
 fn explain(tracer: &dyn Tracer, scene: &Path, x: &str, y: &str, out: &mut dyn Write) -> Result<(), Stop> {

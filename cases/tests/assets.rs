@@ -130,7 +130,8 @@ fn load(name: &str) -> Mesh {
         "render = {{ size = [1, 1] }}\n[scene]\ncamera = {{ eye = [0, 0, 4], look_at = [0, 0, 0], up = [0, 1, 0], fov_y_deg = 40 }}\n\
          materials = {{ m = {{}} }}\nobjects = [{{ mesh = {{ file = \"{name}\" }}, material = \"m\" }}]\n"
     );
-    let mut scene = scene::parse(name, &text, asset("").as_path()).unwrap_or_else(|problems| panic!("{problems}"));
+    let mut scene = scene::parse(name, &text, asset("").as_path(), &cases::Course::default())
+        .unwrap_or_else(|problems| panic!("{problems}"));
     assert!(matches!(scene.objects[0].shape, Shape::Mesh { mesh: 0 }));
     scene.meshes.remove(0)
 }

@@ -22,12 +22,13 @@ fn bad_files_are_refused_with_these_words() {
 #[test]
 fn a_bad_folder_of_stages_is_refused_for_all_its_files_at_once() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_stages");
-    let found = cases::stage::load_all(&folder).map(|_| ()).expect_err("bad stages were accepted");
+    let found =
+        cases::stage::load_all(&folder, &cases::Course::default()).map(|_| ()).expect_err("bad stages were accepted");
     compare(&folder, "stages", &found).unwrap_or_else(|why| panic!("{why}"));
 }
 
 fn check(folder: &Path, name: &str) -> Result<(), String> {
-    match cases::scene::load(&folder.join(name)) {
+    match cases::scene::load(&folder.join(name), &cases::Course::default()) {
         Ok(_) => Err(format!("{name} was accepted")),
         Err(problems) => compare(folder, name, &problems),
     }
@@ -56,7 +57,7 @@ fn what_is_no_file_of_sensible_size_is_refused_unread() {
         (PathBuf::from("/dev/zero"), "it is not a regular file"),
     ];
     for (path, why) in table {
-        let problems = cases::scene::load(&path).expect_err("accepted");
+        let problems = cases::scene::load(&path, &cases::Course::default()).expect_err("accepted");
         assert_eq!(problems.iter().count(), 1);
         assert!(problems.to_string().contains(why), "{problems}");
     }
@@ -65,13 +66,15 @@ fn what_is_no_file_of_sensible_size_is_refused_unread() {
 #[test]
 fn a_file_with_very_many_problems_is_not_reported_to_its_end() {
     let text = (0..5000).map(|i| format!("key{i} = 1\n")).collect::<String>();
-    let problems = cases::scene::parse("many.toml", &text, Path::new("")).expect_err("accepted");
+    let problems =
+        cases::scene::parse("many.toml", &text, Path::new(""), &cases::Course::default()).expect_err("accepted");
     assert_eq!(problems.iter().count(), cases::problem::MAX_PROBLEMS);
 }
 
 #[test]
 fn colour_comes_only_when_asked_for() {
-    let problems = cases::scene::parse("x.toml", "a = 1", Path::new("")).expect_err("accepted");
+    let problems =
+        cases::scene::parse("x.toml", "a = 1", Path::new(""), &cases::Course::default()).expect_err("accepted");
     assert!(problems.render(true).contains('\u{1b}'));
     assert!(!problems.render(false).contains('\u{1b}'));
 }

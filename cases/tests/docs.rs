@@ -28,7 +28,8 @@ fn the_handout_is_that_of_the_committed_course() {
 fn the_example_of_the_scene_format_is_a_scene() {
     let text = cases::schema::scene_format_markdown();
     let example = text.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
-    let scene = cases::scene::parse("example", example, Path::new("")).unwrap_or_else(|problems| panic!("{problems}"));
+    let scene = cases::scene::parse("example", example, Path::new(""), &cases::Course::default())
+        .unwrap_or_else(|problems| panic!("{problems}"));
     let center = scene.objects[1].world_from_object.transform_point3([0.0; 3].into());
     assert_eq!(center.to_array(), [0.0, 0.2, 0.0], "as the text says");
 }

@@ -12,8 +12,10 @@ const BALL: &str = "objects = [{ sphere = {}, material = \"chalk\" }]";
 
 fn check(effect: Effect, render: &str, body: &str, called_for: bool, because: &str) {
     let text = format!("render = {{ size = [1, 1]{render} }}\n{HEAD}{body}\n");
-    let scene = scene::parse("test", &text, Path::new("")).unwrap_or_else(|problems| panic!("{problems}"));
-    let reason = effects::reasons(&scene).into_iter().find(|reason| reason.effect == effect).unwrap();
+    let scene = scene::parse("test", &text, Path::new(""), &cases::Course::default())
+        .unwrap_or_else(|problems| panic!("{problems}"));
+    let reason =
+        effects::reasons(&scene, &cases::Course::default()).into_iter().find(|reason| reason.effect == effect).unwrap();
     assert_eq!((reason.called_for, reason.because.as_str()), (called_for, because), "{effect}: {body}");
     assert_eq!(scene.effects.has(effect), called_for, "{effect}: {body}");
 }

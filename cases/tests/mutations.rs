@@ -82,12 +82,15 @@ fn check(text: &str, read: impl Fn(&str) -> Result<cases::Scene, cases::problem:
 
 #[test]
 fn mutated_scene_files_never_panic() {
-    check(include_str!("good/everything.toml"), |text| scene::parse("mutated", text, Path::new("")));
+    check(include_str!("good/everything.toml"), |text| {
+        scene::parse("mutated", text, Path::new(""), &cases::Course::default())
+    });
 }
 
 #[test]
 fn mutated_json_never_panics() {
-    let scene = scene::parse("good", include_str!("good/everything.toml"), Path::new("")).unwrap();
+    let scene =
+        scene::parse("good", include_str!("good/everything.toml"), Path::new(""), &cases::Course::default()).unwrap();
     // Compact, so that changes hit numbers and keys rather than white space.
     let text = serde_json::to_string(&scene).unwrap();
     check(&text, |text| scene::parse_json("mutated", text));

@@ -1,4 +1,5 @@
-//! PNGs of every kind, read row by row, hold the levels that they hold when read whole; what is no such PNG is refused or left to others.
+//! Both readers of PNGs give the same levels for every kind of file, and refuse the same damaged
+//! files.
 
 use std::borrow::Cow;
 use std::io::Cursor;
@@ -50,22 +51,29 @@ fn stored(bytes: &[u8]) -> Vec<u8> {
     [&[0x78, 0x01, 0x01][..], &n.to_le_bytes(), &(!n).to_le_bytes(), bytes, &(b << 16 | a).to_be_bytes()].concat()
 }
 
-/// The levels row by row, some rows at a time.
-fn by_rows(bytes: &[u8]) -> Option<Vec<u8>> {
-    let mut rows = Rows::open(Cursor::new(bytes), 64).unwrap()?;
-    assert_eq!((rows.width, rows.height), (WIDTH, HEIGHT));
+/// Reads the levels row by row. The result is `None` for a PNG of 16 bits.
+fn by_rows(bytes: &[u8]) -> Result<Option<Vec<u8>>, PictureError> {
+    let mut rows = Rows::open(Cursor::new(bytes))?;
+    assert_eq!(rows.size(), (WIDTH, HEIGHT));
     let mut levels = vec![0; (WIDTH * HEIGHT * 3) as usize];
-    levels.chunks_mut(WIDTH as usize * 3 * 4).for_each(|some| rows.read(some).unwrap());
-    let more = rows.read(&mut [0; WIDTH as usize * 3]);
+    let some = WIDTH as usize * 3 * 4;
+    if !rows.has_bytes() {
+        assert!(matches!(rows.bytes(&mut levels[..some]), Err(PictureError::Broken(_))), "words given as bytes");
+        let mut words = vec![0.0; levels.len()];
+        words.chunks_mut(some).try_for_each(|part| rows.words(part))?;
+        return Ok(None);
+    }
+    levels.chunks_mut(some).try_for_each(|part| rows.bytes(part))?;
+    let more = rows.bytes(&mut [0; WIDTH as usize * 3]);
     assert!(matches!(more, Err(PictureError::Broken(_))), "a row below the last");
-    Some(levels)
+    Ok(Some(levels))
 }
 
 fn check(what: &str, bytes: &[u8]) {
     let whole = read_exact(bytes, WIDTH, HEIGHT).unwrap();
     let levels: Vec<u8> = whole.pixels().iter().flat_map(|pixel| pixel.to_array()).map(byte).collect();
     assert!(levels.iter().any(|level| *level != levels[0]), "{what} shows nothing");
-    assert_eq!(by_rows(bytes).unwrap_or_else(|| panic!("{what} is left to others")), levels, "{what}");
+    assert_eq!(by_rows(bytes).unwrap().unwrap_or_else(|| panic!("{what} has words")), levels, "{what}");
 }
 
 #[test]
@@ -75,41 +83,166 @@ fn rows_hold_what_the_whole_picture_holds() {
     let with_palette = |info: &mut Info<'static>| info.palette = Some(palette());
     let with_holes =
         |info: &mut Info<'static>| (info.palette, info.trns) = (Some(palette()), Some(Cow::Owned(vec![0, 9, 90])));
+    let grey_hole = |info: &mut Info<'static>| info.trns = Some(Cow::Owned(vec![0, 37]));
     for (what, bytes) in [
         ("colour", picture(ColorType::Rgb, BitDepth::Eight, plain)),
         ("colour and alpha", picture(ColorType::Rgba, BitDepth::Eight, plain)),
         ("grey", picture(ColorType::Grayscale, BitDepth::Eight, plain)),
         ("grey and alpha", picture(ColorType::GrayscaleAlpha, BitDepth::Eight, plain)),
+        ("grey with a transparent level", picture(ColorType::Grayscale, BitDepth::Eight, grey_hole)),
         ("grey of 1 bit", picture(ColorType::Grayscale, BitDepth::One, plain)),
+        ("grey of 2 bits", picture(ColorType::Grayscale, BitDepth::Two, plain)),
         ("grey of 4 bits", picture(ColorType::Grayscale, BitDepth::Four, plain)),
         ("palette", picture(ColorType::Indexed, BitDepth::Eight, with_palette)),
+        ("palette of 1 bit", picture(ColorType::Indexed, BitDepth::One, with_palette)),
         ("palette of 2 bits", picture(ColorType::Indexed, BitDepth::Two, with_palette)),
         ("palette with alpha", picture(ColorType::Indexed, BitDepth::Eight, with_holes)),
         ("interlaced", picture(ColorType::Rgb, BitDepth::Eight, |info| info.interlaced = true)),
     ] {
         check(what, &bytes);
     }
-    let [plain, interlaced] =
-        [false, true].map(|is| by_rows(&picture(ColorType::Rgb, BitDepth::Eight, |info| info.interlaced = is)));
+    let [plain, interlaced] = [false, true]
+        .map(|is| by_rows(&picture(ColorType::Rgb, BitDepth::Eight, |info| info.interlaced = is)).unwrap());
     assert_eq!(plain, interlaced, "the order of rows in the file shows");
 }
 
 #[test]
-fn what_is_no_picture_of_8_bits_is_left_to_others_or_refused() {
-    for colour in [ColorType::Grayscale, ColorType::GrayscaleAlpha, ColorType::Rgb, ColorType::Rgba] {
+fn all_sixteen_bits_are_kept() {
+    for (colour, n_channels) in
+        [(ColorType::Grayscale, 1), (ColorType::GrayscaleAlpha, 2), (ColorType::Rgb, 3), (ColorType::Rgba, 4)]
+    {
         let deep = picture(colour, BitDepth::Sixteen, |_| {});
-        assert_eq!(by_rows(&deep), None, "{colour:?} of 16 bits");
-        assert!(read_exact(&deep, WIDTH, HEIGHT).is_ok());
+        assert_eq!(by_rows(&deep).unwrap(), None, "{colour:?}");
+        let sample = |n: usize| (n * 37 % 251) as u16;
+        let second = n_channels; // the red sample of the second pixel
+        let expected = f64::from(sample(2 * second) << 8 | sample(2 * second + 1)) / 65535.0;
+        assert_eq!(read_exact(&deep, WIDTH, HEIGHT).unwrap().pixel(1, 0).x, expected, "{colour:?}");
     }
-    assert_eq!(by_rows(b"P6 5 3 255"), None);
-    assert_eq!(by_rows(b""), None);
+}
+
+/// Makes a PNG with another chunk in front of its pixels.
+fn with_chunk(kind: &[u8; 4], body: &[u8]) -> Vec<u8> {
+    let mut info = Info::with_size(WIDTH, HEIGHT);
+    (info.color_type, info.bit_depth) = (ColorType::Rgb, BitDepth::Eight);
+    let mut bytes = vec![];
+    let mut writer = png::Encoder::with_info(&mut bytes, info).unwrap().write_header().unwrap();
+    writer.write_chunk(png::chunk::ChunkType(*kind), body).unwrap();
+    writer.write_image_data(&[7; (WIDTH * HEIGHT * 3) as usize]).unwrap();
+    writer.finish().unwrap();
+    bytes
+}
+
+/// Returns the error of both readers, which must be the same.
+fn refusal(what: &str, bytes: &[u8]) -> String {
+    let [whole, rows] = [read_exact(bytes, WIDTH, HEIGHT).map(drop), by_rows(bytes).map(drop)]
+        .map(|read| read.map_or_else(|why| why.to_string(), |()| "accepted".to_owned()));
+    assert_eq!(whole, rows.replace("PNG, PFM or EXR", "PNG or PFM"), "{what}: the readers do not agree");
+    whole
+}
+
+#[test]
+fn a_damaged_file_is_refused_by_both_readers_alike() {
+    for (what, bytes) in [
+        ("8 bits", picture(ColorType::Rgb, BitDepth::Eight, |_| {})),
+        ("16 bits", picture(ColorType::Rgb, BitDepth::Sixteen, |_| {})),
+        ("interlaced", picture(ColorType::Rgb, BitDepth::Eight, |info| info.interlaced = true)),
+    ] {
+        assert_eq!(refusal(what, &bytes), "accepted");
+        let find = |kind: &[u8]| bytes.windows(4).position(|at| at == kind).unwrap();
+        let flip =
+            |at: usize| bytes.iter().enumerate().map(|(n, byte)| if n == at { byte ^ 1 } else { *byte }).collect();
+        let (data, end) = (find(b"IDAT"), bytes.len());
+        for (damage, bytes, says) in [
+            ("a bit of the header", flip(28), "the PNG is damaged: CRC error"),
+            ("a bit of the CRC of the header", flip(30), "the PNG is damaged: CRC error"),
+            ("a bit of the pixels", flip(data + 20), "the PNG is damaged"),
+            ("a bit of the CRC of the pixels", flip(end - 13), "the PNG is damaged: CRC error"),
+            ("a bit of the CRC of the end mark", flip(end - 1), "while decoding IEND chunk"),
+            ("no end mark", bytes[..end - 12].to_vec(), "ends early, before its end mark (IEND)"),
+            ("no CRC of the end mark", bytes[..end - 4].to_vec(), "ends early, before its end mark (IEND)"),
+            ("half of it", bytes[..end / 2].to_vec(), "ends early, before its end mark (IEND)"),
+            ("no pixels", [&bytes[..data - 4], &bytes[end - 12..]].concat(), "the PNG is damaged"),
+            ("other letters", flip(data), "the PNG is damaged"),
+        ] {
+            let said = refusal(damage, &bytes);
+            assert!(said.contains(says), "{what}, {damage}: {said}");
+        }
+    }
+}
+
+#[test]
+fn what_stands_beside_the_pixels_must_be_whole_but_counts_for_nothing() {
+    let note = with_chunk(b"tEXt", b"Comment\0made by hand");
+    assert_eq!(refusal("a note", &note), "accepted");
+    let at = note.windows(4).position(|at| at == b"made").unwrap();
+    let broken: Vec<u8> = note.iter().enumerate().map(|(n, byte)| if n == at { byte ^ 1 } else { *byte }).collect();
+    assert!(refusal("a broken note", &broken).contains("the PNG is damaged: CRC error"));
+    assert_eq!(refusal("bytes behind the end mark", &[&note[..], b"more"].concat()), "accepted");
+    assert_eq!(refusal("a profile that is none", &with_chunk(b"iCCP", b"x\0\0no zlib stream")), "accepted");
+    let huge = with_chunk(b"eXIf", &vec![0; 20 << 20]);
+    assert!(refusal("20 MiB of notes", &huge).contains("beside its pixels has more than"));
+    assert!(refusal("a chunk that nobody knows", &with_chunk(b"BANG", b"x")).contains("the PNG is damaged"));
+}
+
+#[test]
+fn of_an_animation_the_still_picture_counts() {
+    let still = [9; (WIDTH * HEIGHT * 3) as usize];
+    let mut bytes = vec![];
+    let mut encoder = png::Encoder::new(&mut bytes, WIDTH, HEIGHT);
+    encoder.set_color(ColorType::Rgb);
+    encoder.set_animated(2, 0).unwrap();
+    let mut writer = encoder.write_header().unwrap();
+    writer.write_image_data(&still).unwrap();
+    writer.write_image_data(&[200; (WIDTH * HEIGHT * 3) as usize]).unwrap();
+    writer.finish().unwrap();
+    assert_eq!(by_rows(&bytes).unwrap().unwrap(), still);
+    assert!(read_exact(&bytes, WIDTH, HEIGHT).unwrap().pixels().iter().all(|pixel| byte(pixel.x) == 9));
+}
+
+#[test]
+fn what_became_of_a_png_on_its_way_is_named() {
     let png = picture(ColorType::Rgb, BitDepth::Eight, |_| {});
-    let open = |bytes: &[u8], most| Rows::open(Cursor::new(bytes.to_vec()), most).map(|rows| rows.is_some());
-    assert!(matches!(open(&png, 12), Err(PictureError::Size { found: (WIDTH, HEIGHT), wanted: (12, 12) })));
-    assert!(matches!(open(&png[..20], 64), Err(PictureError::Broken(_))));
-    let mut rows = Rows::open(Cursor::new(&png[..png.len() / 2]), 64).unwrap().unwrap();
-    assert!(
-        matches!(rows.read(&mut vec![0; (WIDTH * HEIGHT * 3) as usize]), Err(PictureError::Broken(_))),
-        "half a file"
-    );
+    let rest = &png[8..];
+    let apple = [&png[..8], b"\0\0\0\x04CgBI\x50\0\x20\x02\x2b\xd5\xb3\x7f", rest].concat();
+    for (what, bytes, says) in [
+        ("LF became CR LF", [b"\x89PNG\r\r\n\x1a\r\n", rest].concat(), "text mode"),
+        ("CR LF became LF", [b"\x89PNG\n\x1a\n", rest].concat(), "text mode"),
+        ("CR LF became CR", [b"\x89PNG\r\x1a\r", rest].concat(), "text mode"),
+        ("7 bits", [b"\tPNG\r\n\x1a\n", rest].concat(), "text mode"),
+        ("UTF-8", ["\u{fffd}PNG\r\n\u{1a}\n".as_bytes(), rest].concat(), "text mode"),
+        ("Latin-1 as UTF-8", ["\u{89}PNG\r\n\u{1a}\n".as_bytes(), rest].concat(), "text mode"),
+        ("a damaged signature", [b"\x89PNG\0\0\0\0", rest].concat(), "first bytes are damaged"),
+        ("Apple's own", apple, "iOS-optimised PNG (CgBI)"),
+        ("no PNG", b"P6 5 3 255".to_vec(), "bytes of a PPM"),
+    ] {
+        let said = refusal(what, &bytes);
+        assert!(said.contains(says) && !said.contains("pixels"), "{what}: {said}");
+    }
+}
+
+#[test]
+fn a_size_out_of_bounds_is_refused_before_anything_is_decoded() {
+    let sized = |kind: &str, width: u32, height: u32| match kind {
+        "PFM" => format!("PF\n{width} {height}\n-1.0\n").into_bytes(),
+        _ => {
+            let mut info = Info::with_size(width, height);
+            info.interlaced = kind == "interlaced";
+            let mut bytes = vec![];
+            drop(png::Encoder::with_info(&mut bytes, info).unwrap().write_header());
+            bytes
+        }
+    };
+    for (kind, width, height, most) in [
+        ("PNG", 16_385, 1, "at most 16384×16384"),
+        ("PNG", 1, 2_000_000_000, "at most 16384×16384"),
+        ("interlaced", 16_384, 16_384, "at most 67108864 pixels"),
+        ("PFM", 16_385, 1, "at most 16384×16384"),
+        ("PFM", 4_000_000_000, 4_000_000_000, "at most 16384×16384"),
+        ("PFM", 16_384, 16_384, "at most 67108864 pixels"),
+    ] {
+        let said = Rows::open(Cursor::new(sized(kind, width, height))).err().unwrap().to_string();
+        assert!(said.contains(&format!("{width}×{height}")) && said.contains(most), "{kind}: {said}");
+    }
+    let png = sized("PNG", 16_384, 16_384);
+    assert!(!Rows::open(Cursor::new(png)).err().unwrap().to_string().contains("at most"), "too strict");
 }

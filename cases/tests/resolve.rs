@@ -9,7 +9,8 @@ const HEAD: &str = "render = { size = [1, 1] }\n[scene]\nmaterials = { m = { kd 
     camera = { eye = [0, 0, 4], look_at = [0, 0, 0], up = [0.3, 2, 1], fov_y_deg = 40 }\n";
 
 fn parse(body: &str) -> Scene {
-    scene::parse("test", &format!("{HEAD}{body}\n"), Path::new("")).unwrap_or_else(|problems| panic!("{problems}"))
+    scene::parse("test", &format!("{HEAD}{body}\n"), Path::new(""), &cases::Course::default())
+        .unwrap_or_else(|problems| panic!("{problems}"))
 }
 
 /// M of a single sphere under these transforms.
@@ -95,10 +96,11 @@ fn what_is_left_out_has_the_documented_default() {
 
 #[test]
 fn one_mesh_file_is_read_once_and_keeps_its_normals_unless_told_otherwise() {
-    let mesh = |rest: &str| format!("{{ material = \"m\", mesh = {{ file = \"meshes/smooth.ply\"{rest} }} }}");
+    let mesh = |rest: &str| format!("{{ material = \"m\", mesh = {{ file = \"meshes/read/doubles.ply\"{rest} }} }}");
     let text = format!("{HEAD}objects = [{}, {}, {}]\n", mesh(""), mesh(""), mesh(", smooth = false"));
     let base = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
-    let scene = scene::parse("test", &text, &base).unwrap_or_else(|problems| panic!("{problems}"));
+    let scene =
+        scene::parse("test", &text, &base, &cases::Course::default()).unwrap_or_else(|problems| panic!("{problems}"));
     let meshes: Vec<Shape> = scene.objects.iter().map(|object| object.shape).collect();
     assert_eq!(meshes, [0, 0, 1].map(|mesh| Shape::Mesh { mesh }));
     let normals = scene.meshes[0].normals.as_ref().unwrap();

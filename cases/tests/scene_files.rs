@@ -6,7 +6,7 @@ use cases::scene::{self, Scene};
 
 fn good(name: &str) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/good").join(name);
-    scene::load(&path).unwrap_or_else(|problems| panic!("{problems}"))
+    scene::load(&path, &cases::Course::default()).unwrap_or_else(|problems| panic!("{problems}"))
 }
 
 #[test]

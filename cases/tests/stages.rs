@@ -12,7 +12,7 @@ fn here(path: &str) -> PathBuf {
 }
 
 fn stages() -> Vec<Stage> {
-    stage::load_all(&here("stages")).unwrap_or_else(|problems| panic!("{problems}"))
+    stage::load_all(&here("stages"), &cases::Course::default()).unwrap_or_else(|problems| panic!("{problems}"))
 }
 
 #[test]
@@ -31,10 +31,10 @@ fn a_case_has_the_effects_that_it_calls_for_and_its_stage_allows() {
     let only_shadows = Effects::NONE.with(Effect::Shadows);
     assert_eq!(stages()[0].cases[0].scene.effects, only_shadows);
     let path = here("stages/01_first/mirror.toml");
-    assert_eq!(stage::load_case(&path).unwrap().scene.effects, only_shadows);
-    assert_eq!(cases::scene::load(&path).unwrap().effects, only_shadows);
+    assert_eq!(stage::load_case(&path, &cases::Course::default()).unwrap().scene.effects, only_shadows);
+    assert_eq!(cases::scene::load(&path, &cases::Course::default()).unwrap().effects, only_shadows);
     let free = std::fs::read_to_string(&path).unwrap();
-    let free = cases::scene::parse("mirror", &free, Path::new("")).unwrap();
+    let free = cases::scene::parse("mirror", &free, Path::new(""), &cases::Course::default()).unwrap();
     assert_eq!(free.effects, only_shadows.with(Effect::Reflection));
 }
 
@@ -72,8 +72,16 @@ fn arguments_are_resolved() {
 fn bounds_are_read_and_what_they_keep_must_be_there() {
     let path = here("stages/01_first/mirror.toml");
     let text = std::fs::read_to_string(&path).unwrap();
-    let case = |vary: &str| stage::parse_case(&path, &format!("{text}\n[vary]\n{vary}\n"), "01_first", Effects::all());
-    assert_eq!(stage::load_case(&path).unwrap().bounds, None);
+    let case = |vary: &str| {
+        stage::parse_case(
+            &path,
+            &format!("{text}\n[vary]\n{vary}\n"),
+            "01_first",
+            Effects::all(),
+            &cases::Course::default(),
+        )
+    };
+    assert_eq!(stage::load_case(&path, &cases::Course::default()).unwrap().bounds, None);
     let bounds = case("eye = 0.5\nlights = [0.1, 0, 0.2]\nradii = 0.25\nkeep = [\"tin\"]").unwrap().bounds.unwrap();
     assert_eq!((bounds.eye.to_array(), bounds.lights.to_array()), ([0.5; 3], [0.1, 0.0, 0.2]));
     assert_eq!((bounds.radii, bounds.colours), (0.25, 0.0), "what is left out moves nothing");

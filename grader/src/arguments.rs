@@ -14,8 +14,8 @@ Exit codes:
   0    done, and everything passed
   1    done, something did not pass
   2    usage, or input that cannot be read
-  3    the machine or the grader failed
-  130  interrupted";
+  3    the machine or the grader failed, even where something else did not pass: no points are final
+  130  interrupted; what was done until then is kept";
 
 /// Grades submissions of the ray-tracing assignment: builds them, runs them under limits, judges, scores and reports.
 #[derive(Debug, Parser)]
@@ -72,6 +72,7 @@ pub(crate) enum Command {
     Explain(Explain),
     Lint(Lint),
     Doctor(Doctor),
+    Schema(Schema),
     Completions(Completions),
     Man(Man),
 }
@@ -85,7 +86,8 @@ pub(crate) struct Selection {
     /// Only this stage, such as 02 or 02_shadows; may be repeated
     #[arg(long, value_name = "STAGE")]
     stage: Vec<String>,
-    /// Only cases and checks whose id begins so, such as 01_ray_casting/sphere; may be repeated
+    /// Only cases and checks whose id, or name behind the stage, begins so, such as
+    /// 01_ray_casting/sphere or sphere; may be repeated
     #[arg(long, value_name = "ID")]
     case: Vec<String>,
 }
@@ -116,7 +118,11 @@ pub(crate) fn stages(given: Option<&Path>) -> Result<PathBuf, GradeError> {
 /// What programs may use.
 #[derive(Debug, Args)]
 pub(crate) struct Limit {
-    /// Seconds by the clock that a program has for a picture, or for the unit checks of a stage
+    /// Seconds of CPU time that a program has for a picture, or for the unit checks of a stage
+    ///
+    /// All processes of the program count together. A program that is idle for half as long is
+    /// stopped too. By the clock it has six times as long and 10 s, so that others on the machine
+    /// do not matter.
     #[arg(long, value_name = "SECONDS", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..))]
     time_limit: u16,
     /// Mebibytes of memory that a program may take
@@ -136,10 +142,10 @@ pub(crate) struct Reports {
     /// Write the whole record as JSON; - is standard output
     #[arg(long, value_name = "FILE")]
     pub(crate) json: Option<PathBuf>,
-    /// Write a page with pictures and differences
+    /// Write a page with pictures and differences; - is standard output
     #[arg(long, value_name = "FILE")]
     pub(crate) html: Option<PathBuf>,
-    /// Write JUnit XML
+    /// Write JUnit XML; - is standard output
     #[arg(long, value_name = "FILE")]
     pub(crate) junit: Option<PathBuf>,
     /// Show the page in a browser
@@ -150,7 +156,7 @@ pub(crate) struct Reports {
 /// Grade a submission: a folder or an archive
 ///
 /// A submission is the template's folder, filled in; or a folder with a submission.toml that says how it is built and run;
-/// or a .zip or .tar.gz of either.
+/// or a .zip, .tar.gz or .tar of either.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -160,10 +166,12 @@ Examples:
   grader grade --case 01_ray_casting/sphere        the checks of one function
   grader grade tests/solution --json record.json --junit junit.xml
 
-Exit codes: 0 all right, 1 something is not, 2 no such submission, 3 the machine or the grader failed, 130 interrupted")]
+Exit codes: 0 everything passed, 1 something did not, 2 usage or what is no submission (an empty folder, an
+archive that cannot be read), 3 the machine or the grader failed (whatever else did not pass: no points are
+final), 130 interrupted")]
 pub(crate) struct Grade {
-    /// Folder or archive
-    #[arg(default_value = ".")]
+    /// Folder or archive; standard input is none
+    #[arg(default_value = ".", value_parser = submission)]
     pub(crate) submission: PathBuf,
     #[command(flatten)]
     pub(crate) selection: Selection,
@@ -186,7 +194,8 @@ Examples:
   grader batch handins -o results
   grader batch handins -o results --stage 02 --jobs 4
 
-Exit codes: 0 all are graded (however well), 2 no submissions, 3 some could not be graded, 130 interrupted")]
+Exit codes: 0 all are graded (however well), 2 usage or no submissions, 3 some could not be graded,
+130 interrupted")]
 pub(crate) struct Batch {
     /// Folder of the submissions
     #[arg(value_name = "DIR")]
@@ -214,7 +223,8 @@ Examples:
   grader images out                              judges out/01_ray_casting/boxes.png and so on
   grader images out --stage 02 --html report.html
 
-Exit codes: 0 all right, 1 something is not, 2 usage, 3 the machine or the grader failed")]
+Exit codes: 0 everything passed, 1 something did not, 2 usage or no such folder, 3 the machine or the grader
+failed")]
 pub(crate) struct Images {
     /// Folder of the pictures
     pub(crate) folder: PathBuf,
@@ -225,24 +235,34 @@ pub(crate) struct Images {
 }
 
 /// Compare two pictures, or a picture and a stored answer
+///
+/// A picture is a PNG, a PFM or an EXR file (R, G and B of its first part); its first bytes decide
+/// which. Two pictures agree if no channel differs by more than the tolerance. The unit is an 8-bit
+/// level: 255 times the difference of the light. The order of the two pictures does not matter.
+/// Nothing is rounded or clamped: 16-bit and float samples count as they are, and so does light
+/// below 0 and above 1. NaN and infinity differ from everything. A damaged file is an error.
+///
+/// With --answer, the picture is judged like that of a submission, by the range that correct
+/// programs give for each pixel.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   grader compare mine.png theirs.png
-  grader compare mine.png theirs.pfm --tolerance 2
+  grader compare mine.pfm theirs.png --tolerance 0.5     an 8-bit PNG holds light to half a level
+  grader compare - theirs.png < mine.png
   grader compare mine.png --answer cases/stages/02_shadows/two_lamps.answer.exr
 
-Exit codes: 0 they agree, 1 they do not, 2 a picture cannot be read")]
+Exit codes: 0 they agree, 1 they do not, 2 a picture cannot be read, 3 the machine failed, 130 interrupted")]
 pub(crate) struct Compare {
-    /// A picture, .png or .pfm
+    /// A picture; - is standard input
     pub(crate) a: PathBuf,
-    /// What it is compared with
+    /// The other picture; - is standard input
     #[arg(required_unless_present = "answer", conflicts_with = "answer")]
     pub(crate) b: Option<PathBuf>,
     /// 8-bit levels by which a channel may differ [default: 0, or what the answer says]
     #[arg(long, value_name = "LEVELS", value_parser = levels)]
     pub(crate) tolerance: Option<f64>,
-    /// A stored answer, .answer.exr, in place of the second picture
+    /// A stored answer instead of the second picture: STAGES/STAGE/CASE.answer.exr, with its case beside it
     #[arg(long, value_name = "FILE")]
     pub(crate) answer: Option<PathBuf>,
 }
@@ -253,9 +273,11 @@ pub(crate) struct Compare {
 Examples:
   grader explain . 04_refraction/prism 80 33     column 80 from the left, row 33 from the top
 
-Exit codes: 0 printed, 1 the submission does not build or cannot explain, 2 no such case or pixel")]
+Exit codes: 0 printed, 1 the submission does not build or cannot explain, 2 usage, no such case or pixel, or
+what is no submission, 3 the machine or the grader failed, 130 interrupted")]
 pub(crate) struct Explain {
-    /// Folder or archive
+    /// Folder or archive; standard input is none
+    #[arg(value_parser = submission)]
     pub(crate) submission: PathBuf,
     /// Id of an image case
     pub(crate) case: String,
@@ -275,7 +297,7 @@ Examples:
   grader lint                                    cases/stages
   grader lint my-course/stages -v
 
-Exit codes: 0 nothing is wrong, 1 something is, 2 there are no cases")]
+Exit codes: 0 nothing is wrong, 1 something is, 2 usage, no such folder, or no stages in it")]
 pub(crate) struct Lint {
     /// Folder of the stages [default: cases/stages here, else beside the binary]
     pub(crate) folder: Option<PathBuf>,
@@ -295,25 +317,78 @@ pub(crate) struct Doctor {
     pub(crate) cases: Option<PathBuf>,
 }
 
+/// Print the JSON Schema of grade records
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  grader schema > grade-record.schema.json       the form of what `grade --json` writes
+
+Exit codes: 0 printed, 2 usage")]
+pub(crate) struct Schema {}
+
 /// Print completions for a shell
 #[derive(Debug, Args)]
-#[command(after_help = "Example:\n  grader completions bash > ~/.local/share/bash-completion/completions/grader")]
+#[command(after_help = "\
+Example:
+  grader completions bash > ~/.local/share/bash-completion/completions/grader
+
+Exit codes: 0 printed, 2 no such shell")]
 pub(crate) struct Completions {
     /// The shell
     #[arg(value_enum)]
     pub(crate) shell: clap_complete::Shell,
 }
 
-/// Write man pages, one for each command
+/// Print a man page, or write those of all commands into a folder
 #[derive(Debug, Args)]
-#[command(after_help = "Example:\n  grader man ~/.local/share/man/man1")]
+#[command(after_help = "\
+Examples:
+  grader man grade | man -l -                    the page of a command
+  grader man ~/.local/share/man/man1             writes one page for each command
+
+Exit codes: 0 done, 2 no such command or folder, or a folder that cannot be written")]
 pub(crate) struct Man {
-    /// Folder to write them to
-    pub(crate) folder: PathBuf,
+    /// A command, or a folder for all pages [default: the page of grader itself]
+    #[arg(value_name = "COMMAND|DIR")]
+    pub(crate) what: Option<PathBuf>,
+}
+
+/// A folder or an archive. `-` would be taken for a file of that name, which nobody means.
+fn submission(text: &str) -> Result<PathBuf, String> {
+    match text {
+        "-" => Err("a submission is a folder or an archive; none is read from standard input".to_owned()),
+        _ => Ok(PathBuf::from(text)),
+    }
 }
 
 /// A number of 8-bit levels.
 fn levels(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|levels| (0.0..=255.0).contains(levels));
     number.ok_or_else(|| "a number from 0 to 255".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn the_page_of_the_command_line_is_current() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/cli.md");
+        let stored = || std::fs::read_to_string(path).expect("the page");
+        let page = pages::shell::in_page(&stored(), Arguments::command());
+        if std::env::var_os("BLESS").is_some() {
+            std::fs::write(path, &page).expect("a page that can be written");
+        }
+        assert!(
+            page == stored() && page.contains("grader grade"),
+            "docs/cli.md is not what `--help` prints: set BLESS=1"
+        );
+    }
 }

@@ -1,28 +1,22 @@
-//! Files of our own: written whole or not at all, listed in order.
+//! Writes files and folders of the grader's own, whole or not at all, and lists them.
 
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
-/// How the name of a folder begins that is not published yet.
-const PART: &str = ".part-";
+use crate::leftovers::{self, Held, Kind};
 
-/// Puts `bytes` at `path` by way of a neighbour, so that a reader sees the old file or the new one, never a part.
+/// Folders that are not published yet.
+pub const PARTS: Kind = Kind { prefix: ".part-", is_marked: false, mode: 0o755 };
+
+/// Writes a file of the grader's own whole, and creates the folder around it if necessary.
+///
+/// A name that a person typed is for [`cases::files::write`], which creates no folder.
 ///
 /// # Errors
-/// What the file system says.
+/// The file system fails; the file then keeps its old content.
 pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    std::fs::create_dir_all(folder)?;
-    let mut file = tempfile::Builder::new().permissions(permissions(0o644)).tempfile_in(folder)?;
-    file.write_all(bytes)?;
-    file.as_file().sync_all()?;
-    file.persist(path)?;
-    Ok(())
-}
-
-fn permissions(mode: u32) -> std::fs::Permissions {
-    std::os::unix::fs::PermissionsExt::from_mode(mode)
+    std::fs::create_dir_all(path.parent().unwrap_or(Path::new("")))?;
+    Ok(cases::files::write(path, bytes)?)
 }
 
 /// Makes `folder` by filling a fresh neighbour and renaming it. Where another process was first, its work is kept.
@@ -32,7 +26,7 @@ fn permissions(mode: u32) -> std::fs::Permissions {
 pub fn publish_folder(folder: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
     let parent = folder.parent().unwrap_or(Path::new("."));
     std::fs::create_dir_all(parent)?;
-    let fresh = tempfile::Builder::new().prefix(PART).permissions(permissions(0o755)).tempdir_in(parent)?;
+    let fresh = Held::new(parent, PARTS)?;
     fill(fresh.path())?;
     match std::fs::rename(fresh.path(), folder) {
         Err(why) if !folder.is_dir() => Err(why),
@@ -40,27 +34,13 @@ pub fn publish_folder(folder: &Path, fill: impl FnOnce(&Path) -> io::Result<()>)
     }
 }
 
-/// Removes what [`publish_folder`] left in `folder` where its process was killed more than `age` ago; what is younger may still be filled.
+/// Removes what [`publish_folder`] left in `folder` where its process was killed; what is still
+/// being filled stays.
 ///
 /// # Errors
-/// What the file system says.
-pub fn clear_parts(folder: &Path, age: Duration) -> io::Result<()> {
-    for entry in std::fs::read_dir(folder)? {
-        let entry = entry?;
-        let is_old = || {
-            let about = entry.metadata()?;
-            Ok(about.is_dir() && about.modified()?.elapsed().is_ok_and(|since| since > age))
-        };
-        if !entry.file_name().to_string_lossy().starts_with(PART) {
-            continue;
-        }
-        match is_old().and_then(|is_old| if is_old { std::fs::remove_dir_all(entry.path()) } else { Ok(()) }) {
-            // Another process clears the same.
-            Err(why) if why.kind() != io::ErrorKind::NotFound => return Err(why),
-            _ => {}
-        }
-    }
-    Ok(())
+/// A folder that cannot be listed.
+pub fn clear_parts(folder: &Path) -> io::Result<()> {
+    leftovers::clear(folder, PARTS).map(drop)
 }
 
 /// All files below `folder`, in order.
@@ -94,18 +74,20 @@ mod tests {
     }
 
     #[test]
-    fn what_a_killed_process_left_goes_after_a_day() {
+    fn what_a_killed_process_left_goes_and_the_rest_stays() {
         let home = tempfile::tempdir().unwrap();
-        let day = Duration::from_secs(24 * 60 * 60);
-        for (name, age) in [(".part-old", day * 2), (".part-new", day / 2), ("whole", day * 2)] {
+        for name in [".part-left", "whole"] {
             std::fs::create_dir(home.path().join(name)).unwrap();
             std::fs::write(home.path().join(name).join("x"), name).unwrap();
-            let modified = std::time::SystemTime::now() - age;
-            std::fs::File::open(home.path().join(name)).unwrap().set_modified(modified).unwrap();
         }
-        clear_parts(home.path(), day).unwrap();
-        assert_eq!(below(home.path()).unwrap(), [".part-new/x", "whole/x"].map(|name| home.path().join(name)));
-        assert!(clear_parts(&home.path().join("nowhere"), day).is_err());
+        let filled = home.path().join("filled");
+        publish_folder(&filled, |fresh| {
+            std::fs::write(fresh.join("x"), "x")?;
+            clear_parts(home.path())
+        })
+        .unwrap();
+        assert_eq!(below(home.path()).unwrap(), ["filled/x", "whole/x"].map(|name| home.path().join(name)));
+        assert!(clear_parts(&home.path().join("nowhere")).is_err());
     }
 
     #[test]

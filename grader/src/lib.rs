@@ -1,17 +1,23 @@
 //! The judge: builds and runs submissions case by case, and scores them.
 
 pub mod batch;
+pub mod blame;
 pub mod build;
 pub mod diagnose;
 pub mod exam;
 pub mod exercise;
 pub mod files;
+pub mod functions;
 pub mod grade;
+pub mod input;
 pub mod judge;
+pub mod leftovers;
 pub mod lint;
-pub mod plain;
 pub mod record;
 pub mod report;
 pub mod sandbox;
 pub mod score;
 pub mod submission;
+pub mod workers;
+
+pub use pages::plain;

@@ -1,4 +1,4 @@
-//! What is wrong with a set of cases and its answers, beyond what keeps it from being read.
+//! Finds what is wrong with a set of cases and its answers, beyond what keeps it from being read.
 
 mod sharpness;
 
@@ -6,11 +6,11 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use cases::answer::{Wrong, check_answers_path, expected_png_path, image_answer_path, mistakes_path};
-use cases::effects;
 use cases::probe::Answer;
-use cases::stage::load_all;
+use cases::stage::{Base, Case};
+use cases::{Course, effects};
 
-use crate::exam::{Exam, Questions};
+use crate::exam::{Exam, ExamError, Questions};
 use crate::files;
 use crate::judge;
 use crate::record::Verdict;
@@ -18,54 +18,54 @@ use crate::report::words::points;
 
 /// Fewer image cases leave too much of a stage to chance.
 const MIN_CASES: usize = 8;
-const HINT: &str = "`reference expect` writes answers";
 
-/// What there is to say.
+/// What a look at a set of cases has found.
 #[derive(Debug, Default)]
 pub struct Found {
-    /// Everything that is wrong; with escape codes for colour in those that quote a file.
+    /// Everything that is wrong. A problem that quotes a file has escape codes for colour.
     pub problems: Vec<String>,
-    /// What there is, a line a stage.
+    /// A line for each stage, and the sum.
     pub summary: Vec<String>,
 }
 
 /// Checks the stages in `folder`. Where a file cannot be understood, nothing else is looked at.
 pub fn lint(folder: &Path) -> Found {
-    let stages = match load_all(folder) {
-        Ok(stages) => stages,
-        Err(problems) => return Found { problems: vec![problems.render(true)], summary: vec![] },
-    };
-    let exam = match Exam::new(folder, stages) {
+    let exam = match Exam::load(folder) {
         Ok(exam) => exam,
-        Err(why) => return Found { problems: vec![format!("{}: {why}", folder.display())], summary: vec![] },
+        Err(ExamError::Cases(problems)) => return Found { problems: vec![problems.render(true)], summary: vec![] },
+        Err(why) => return Found { problems: vec![why.to_string()], summary: vec![] },
     };
     let mut problems = vec![];
-    let mut before = effects::Effects::NONE;
     for questions in &exam.stages {
-        cases(questions, before, &mut problems);
-        answers(questions, &mut problems);
+        cases(&exam, questions, &mut problems);
         checks(questions, &mut problems);
         sharpness(&exam, questions, &mut problems);
-        before = questions.stage.allows;
     }
-    if let Err(why) = &exam.mistakes {
-        problems.push(format!("{why} ({HINT})"));
-    }
+    answers(&exam, &mut problems);
     if let Err(why) = &exam.fronts {
-        problems.push(format!("{why} (`reference cost --store` measures it anew)"));
+        problems.push(format!("{why} (`reference cost --store` measures it again)"));
     }
     unknown_files(&exam, &mut problems);
     Found { problems, summary: summary(&exam) }
 }
 
-/// Enough cases, and among them one for each effect that the stage brings.
-fn cases(questions: &Questions, before: effects::Effects, problems: &mut Vec<String>) {
+/// Demands enough cases, and among them one for each effect that the stage adds.
+fn cases(exam: &Exam, questions: &Questions, problems: &mut Vec<String>) {
     let stage = &questions.stage;
+    let added = match stage.base {
+        Base::Background => stage.allows,
+        Base::Without(added) => added,
+    };
     if stage.cases.len() < MIN_CASES {
         problems.push(format!("{}: {} image cases, at least {MIN_CASES} are wanted", stage.id, stage.cases.len()));
     }
-    for effect in stage.allows.iter().filter(|effect| !before.has(*effect)) {
-        if !stage.cases.iter().any(|case| effects::called_for(&case.scene).has(effect)) {
+    // A choice of the course may leave nothing of an effect, as opaque shadows do of tinted ones. Then
+    // a case is enough that shows the effect in the lecture.
+    let shows = |case: &Case, effect| {
+        [&exam.course, &Course::default()].iter().any(|course| effects::called_for(&case.scene, course).has(effect))
+    };
+    for effect in added.iter() {
+        if !stage.cases.iter().any(|case| shows(case, effect)) {
             problems.push(format!("{}: allows `{effect}`, but no case of it calls for that", stage.id));
         }
     }
@@ -78,38 +78,32 @@ fn cases(questions: &Questions, before: effects::Effects, problems: &mut Vec<Str
     }
 }
 
-/// An answer for each question, and none left over.
-fn answers(questions: &Questions, problems: &mut Vec<String>) {
-    for (id, answer) in &questions.images {
-        if let Err(why) = answer {
-            problems.push(format!("{id}: {why} ({HINT})"));
-        }
+/// Demands an answer that can be trusted for each question, and none that is left over.
+fn answers(exam: &Exam, problems: &mut Vec<String>) {
+    for fault in &exam.faults {
+        let renewal = exam.renewal(&fault.subject);
+        problems.push(format!("{}: {} (`{renewal}` renews it)", fault.subject, fault.why));
     }
-    if let Some(why) = &questions.units_missing {
-        problems.push(format!("{}: {why} ({HINT})", questions.stage.id));
-        return;
+    for id in &exam.surplus {
+        problems.push(format!("{id}: there is a stored answer, but no such check (`reference expect` removes it)"));
     }
-    let asked: BTreeSet<&str> = questions.stage.checks.iter().map(|check| check.id.as_str()).collect();
-    let answered: BTreeSet<&str> = questions.units.keys().map(String::as_str).collect();
-    problems.extend(asked.difference(&answered).map(|id| format!("{id}: has no stored answer ({HINT})")));
-    problems.extend(answered.difference(&asked).map(|id| format!("{id}: is answered, but not asked ({HINT})")));
 }
 
-/// Pictures on which right tracers agree, and in which the mistakes show that they are for.
+/// Demands pictures on which right tracers agree, in which the mistakes show that they are for, and which a
+/// tracer without the stage does not give.
 fn sharpness(exam: &Exam, questions: &Questions, problems: &mut Vec<String>) {
-    let mistakes = exam.mistakes.as_deref().unwrap_or_default();
     for case in &questions.stage.cases {
-        let Some(Ok(answer)) = questions.images.get(&case.id) else { continue };
+        let Some(answer) = questions.images.get(&case.id) else { continue };
         let size = case.scene.render;
         let bytes = std::fs::read(image_answer_path(&exam.folder, &case.id)).unwrap_or_default();
         match Wrong::decode_all(&bytes, size.width, size.height) {
-            Ok(wrong) => problems.extend(sharpness::problems(case, answer, &wrong, mistakes)),
-            Err(why) => problems.push(format!("{}: the stored mistakes cannot be read: {why} ({HINT})", case.id)),
+            Ok(wrong) => problems.extend(sharpness::problems(case, answer, &wrong, &exam.mistakes)),
+            Err(why) => problems.push(format!("{}: the stored mistakes cannot be read: {why}", case.id)),
         }
     }
 }
 
-/// Stored answers agree with those on paper, and can be judged.
+/// Demands that stored answers agree with those on paper, and can be judged.
 fn checks(questions: &Questions, problems: &mut Vec<String>) {
     let mut seen = BTreeSet::new();
     for check in &questions.stage.checks {

@@ -3,7 +3,8 @@
 use std::io::IsTerminal;
 
 use grader::grade::Progress;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
+use pages::{bar, say};
 
 /// How much is to be said.
 #[derive(Clone, Copy, Debug)]
@@ -39,15 +40,13 @@ impl Progress for Bar {
     fn phase(&self, what: &str) {
         self.bar.set_message(what.to_owned());
         if self.says_lines {
-            eprintln!("{what}");
+            say::err(what);
         }
     }
 
     fn begin(&self, n_checks: u64) {
         self.bar.set_length(n_checks);
-        if let Ok(style) = ProgressStyle::with_template("{msg} [{bar:30}] {pos}/{len}, {eta} left") {
-            self.bar.set_style(style.progress_chars("=> "));
-        }
+        self.bar.set_style(bar::style("{msg} [{bar:30}] {pos}/{len}{left}").progress_chars("=> "));
         self.bar.set_position(0);
     }
 

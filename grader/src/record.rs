@@ -1,13 +1,17 @@
 //! The grade record: the versioned truth behind every report. Reports decide nothing; they only show what stands here.
 
 use cases::answer::Mistake;
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
 use serde::{Deserialize, Serialize};
 
+use crate::plain;
+
 /// The version of this record's form.
-pub const SCHEMA: u32 = 2;
+pub const SCHEMA: u32 = 3;
 
 /// All there is to say about one submission.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Record {
     /// [`SCHEMA`].
     pub schema: u32,
@@ -15,6 +19,8 @@ pub struct Record {
     pub grader: String,
     /// Hash of everything else that a score depends on: cases, answers, limits, grader, toolchain.
     pub epoch: String,
+    /// Whether the user stopped the grader before everything was run. The score is then not final.
+    pub interrupted: bool,
     /// What was graded.
     pub submission: Submission,
     /// The layers of protection that were in force, such as `timeouts+rlimits`.
@@ -30,8 +36,27 @@ pub struct Record {
     pub stages: Vec<StageRecord>,
 }
 
+impl Record {
+    /// Returns the record as JSON for people and programs, ended by a line break.
+    ///
+    /// Text of a submission in it is harmless to print ([`plain::json`]); its value is unchanged.
+    pub fn to_json(&self) -> String {
+        let text = serde_json::to_string_pretty(self).expect("a record has string keys and no part that fails");
+        plain::json(&text) + "\n"
+    }
+}
+
+/// Returns the JSON Schema (2020-12) of a record of version [`SCHEMA`].
+pub fn schema() -> serde_json::Value {
+    let mut schema = SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<Record>();
+    schema.insert("title".to_owned(), "A grade record".into());
+    schema.insert("$id".to_owned(), format!("grade-record.{SCHEMA}.schema.json").into());
+    schema.ensure_object()["properties"]["schema"]["const"] = SCHEMA.into();
+    schema.to_value()
+}
+
 /// A known mistake that explains some of what is wrong.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Diagnosis {
     /// The mistake; several where what was asked does not tell them apart.
     pub mistakes: Vec<Mistake>,
@@ -40,7 +65,7 @@ pub struct Diagnosis {
 }
 
 /// What was graded.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Submission {
     /// As it was given.
     pub path: String,
@@ -49,7 +74,7 @@ pub struct Submission {
 }
 
 /// How the program came about.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Build {
     /// Pass, Fail, or Ours.
     pub verdict: Verdict,
@@ -64,7 +89,7 @@ pub struct Build {
 }
 
 /// Thousandths of a point.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Score {
     /// What was earned.
     pub earned: u64,
@@ -73,7 +98,7 @@ pub struct Score {
 }
 
 /// One stage of the assignment.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StageRecord {
     /// Such as `02_shadows`.
     pub id: String,
@@ -91,7 +116,7 @@ pub struct StageRecord {
 }
 
 /// One image case or unit check.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct CheckRecord {
     /// Such as `02_shadows/two_balls`.
     pub id: String,
@@ -111,12 +136,15 @@ pub struct CheckRecord {
     pub finding: Option<Finding>,
     /// Wall time of the program, in seconds; unit checks of a stage share one process and its time.
     pub time_s: f64,
+    /// CPU time of the program, in seconds; missing where nothing was run.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub cpu_s: Option<f64>,
     /// Largest resident size of the program.
     pub peak_bytes: u64,
 }
 
 /// The kinds of check.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum CheckKind {
     /// A picture.
@@ -126,7 +154,7 @@ pub enum CheckKind {
 }
 
 /// What a finding means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// All points.
@@ -162,7 +190,7 @@ impl Finding {
 }
 
 /// What was found, in plain words and in numbers.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Finding {
     /// Which kind of thing it is.
     pub kind: FindingKind,
@@ -201,7 +229,7 @@ pub struct Finding {
 }
 
 /// The kinds of finding.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum FindingKind {
     /// A right answer was due and another came.

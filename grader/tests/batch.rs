@@ -1,90 +1,16 @@
 //! `grader batch` over small programs and an exam of one black picture: killed, interrupted, and started again.
 
+mod class;
+mod shared;
+
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
-use std::time::{Duration, Instant};
+use std::path::Path;
+use std::process::{Child, Command, Output};
 
-use cases::answer::{ImageAnswer, image_answer_path};
-use cases::film::Image;
-use cases::glam::DVec3;
+use cases::answer::image_answer_path;
 
-const STAGE: &str = "title = \"Dark\"\nabout = \"Nothing is there.\"\nallows = []\nneeds = []\nunit_points = 0\n";
-
-const CASE: &str = "title = \"Dark\"\nabout = \"Nothing is there, so nothing is seen.\"\nrules = [2]\npoints = 2\n\
-    [render]\nsize = [4, 3]\nmax_depth = 0\n\
-    [scene.camera]\neye = [0, 0, 3]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 40\n\
-    [scene.materials]\nchalk = { kd = [1, 1, 1] }\n\
-    [[scene.objects]]\nsphere = {}\nmaterial = \"chalk\"\n";
-
-/// Programs in the shell that write a PFM picture of 4 × 3 pixels.
-const BLACK: &str = "{ printf 'PF\\n4 3\\n-1.0\\n'; head -c 144 /dev/zero; } > \"$3\"";
-const WHITE: &str = "{ printf 'PF\\n4 3\\n-1.0\\n'; for n in 1 2 3 4 5 6 7 8 9 10 11 12; do \
-    printf '\\000\\000\\200\\077\\000\\000\\200\\077\\000\\000\\200\\077'; done; } > \"$3\"";
-const CRASH: &str = "echo oh >&2; exit 7";
-const SLOW: &str = "sleep 20";
-
-struct Class {
-    place: tempfile::TempDir,
-}
-
-impl Class {
-    fn new(submissions: &[(&str, &str)]) -> Self {
-        let class = Self { place: tempfile::tempdir().unwrap() };
-        let stage = class.at("stages/01_ray_casting");
-        fs::create_dir_all(&stage).unwrap();
-        fs::write(stage.join("stage.toml"), STAGE).unwrap();
-        fs::write(stage.join("dark.toml"), CASE).unwrap();
-        let expected = Image::from_fn(4, 3, |_, _| DVec3::ZERO);
-        let answer = ImageAnswer::exact(expected, 2.0, 0);
-        fs::write(image_answer_path(&class.at("stages"), "01_ray_casting/dark"), answer.encode(&[]).unwrap()).unwrap();
-        submissions.iter().for_each(|(name, script)| class.hand_in(name, script));
-        class
-    }
-
-    fn at(&self, path: &str) -> PathBuf {
-        self.place.path().join(path)
-    }
-
-    fn hand_in(&self, name: &str, script: &str) {
-        let folder = self.at("in").join(name);
-        fs::create_dir_all(&folder).unwrap();
-        fs::write(folder.join("submission.toml"), "[run]\ncommand = [\"sh\", \"./tracer.sh\"]\n").unwrap();
-        fs::write(folder.join("tracer.sh"), script).unwrap();
-    }
-
-    fn start(&self, jobs: &str) -> Child {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_grader"));
-        command.arg("batch").arg(self.at("in")).arg("-o").arg(self.at("out")).arg("--cases").arg(self.at("stages"));
-        command.args(["--jobs", jobs]).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        command.spawn().unwrap()
-    }
-
-    /// Exit code, what was printed, and the lines of progress.
-    fn run(&self, jobs: &str) -> (i32, String, String) {
-        let Output { status, stdout, stderr } = self.start(jobs).wait_with_output().unwrap();
-        let text = |bytes| String::from_utf8(bytes).unwrap();
-        (status.code().unwrap(), text(stdout), text(stderr))
-    }
-
-    fn has_record(&self, id: &str) -> bool {
-        self.at(&format!("out/records/{id}.json")).exists()
-    }
-
-    fn table(&self) -> Vec<String> {
-        let text = fs::read_to_string(self.at("out/class.csv")).unwrap();
-        text.lines().skip(1).map(|line| line.split(',').take(6).collect::<Vec<_>>().join(" ")).collect()
-    }
-}
-
-/// Waits for what must come; a minute without it is a failure.
-fn wait_for(is_there: impl Fn() -> bool) {
-    let start = Instant::now();
-    while !is_there() {
-        assert!(start.elapsed() < Duration::from_secs(60), "it did not come");
-        std::thread::sleep(Duration::from_millis(20));
-    }
-}
+use class::{BLACK, CRASH, Class, SLOW, WHITE, wait_for};
+use shared::{CASE, STAGE, expect};
 
 #[test]
 fn a_class_is_graded_and_tabulated() {
@@ -154,18 +80,52 @@ fn interrupt(child: &Child) {
 }
 
 #[test]
-fn a_fault_of_ours_costs_nothing_and_is_reported() {
+fn answers_that_cannot_be_trusted_grade_nobody() {
     let class = Class::new(&[("a", BLACK)]);
+    let case = class.at("stages/01_ray_casting/dark.toml");
     let answer = image_answer_path(&class.at("stages"), "01_ray_casting/dark");
-    let whole = fs::read(&answer).unwrap();
+    let narrower = || fs::write(&case, CASE.replace("fov_y_deg = 40", "fov_y_deg = 40.5")).unwrap();
+    let check = |said: &str| {
+        let (code, printed, lines) = class.run("1");
+        assert_eq!(code, 2, "{printed}{lines}");
+        assert!(lines.contains(said) && lines.contains(": dark"), "no {said:?} in\n{lines}");
+        assert!(lines.contains("01_ray_casting/dark.toml` renews them"), "{lines}");
+        assert!(!class.at("out").exists());
+    };
+    fs::remove_file(&answer).unwrap();
+    check("there are no stored answers to");
     fs::write(&answer, "no answer").unwrap();
-    let (code, printed, _) = class.run("1");
-    assert_eq!(code, 3, "{printed}");
-    assert!(printed.contains("1 could not be graded") && printed.contains("  a: 01_ray_casting/dark: "), "{printed}");
-    assert!(!class.has_record("a"));
-    fs::write(&answer, whole).unwrap();
+    check("the stored answers cannot be read");
+    expect(&class.at("stages"), "dark");
+    narrower();
+    check("the stored answers do not belong to the cases");
+    fs::write(&case, CASE).unwrap();
+    fs::write(class.at("stages/course.toml"), "highlight = \"phong\"").unwrap();
+    let (code, _, lines) = class.run("1");
+    assert_eq!(code, 2);
+    assert!(lines.contains("dark; the list of known mistakes"), "{lines}");
+    fs::remove_file(class.at("stages/course.toml")).unwrap();
     assert_eq!(class.run("1").0, 0);
-    assert!(class.has_record("a"));
+    narrower();
+    expect(&class.at("stages"), "dark");
+    let (code, printed, _) = class.run("1");
+    assert_eq!(code, 0);
+    assert!(printed.contains("1 of them graded"), "a changed case regrades: {printed}");
+}
+
+#[test]
+fn a_changed_description_regrades_nobody() {
+    let class = Class::new(&[("a", BLACK)]);
+    class.run("1");
+    let about =
+        CASE.replace("so nothing is seen", "so one sees nothing").replace("title = \"Dark\"", "title = \"Black\"");
+    assert_ne!(about, CASE);
+    fs::write(class.at("stages/01_ray_casting/dark.toml"), about).unwrap();
+    fs::write(class.at("stages/01_ray_casting/stage.toml"), STAGE.replace("Nothing is there", "It is dark")).unwrap();
+    fs::write(class.at("stages/notes.txt"), "a file that no score depends on").unwrap();
+    let (code, printed, lines) = class.run("1");
+    assert_eq!(code, 0, "{lines}");
+    assert!(printed.contains("1 submission has a record, 0 of them graded"), "{printed}");
 }
 
 #[test]

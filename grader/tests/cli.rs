@@ -3,9 +3,6 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
-use cases::film::{self, Image};
-use cases::glam::DVec3;
-
 fn grader(arguments: &[&str], folder: &Path) -> Output {
     Command::new(env!("CARGO_BIN_EXE_grader")).args(arguments).current_dir(folder).output().unwrap()
 }
@@ -16,31 +13,6 @@ fn check(arguments: &[&str], folder: &Path, code: i32, part: &str) {
     let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(code), "{arguments:?}: {text}");
     assert!(text.contains(part), "{arguments:?}: no {part:?} in\n{text}");
-}
-
-fn picture(path: &Path, width: u32, light: f64) {
-    film::write(path, &Image::from_fn(width, 3, |_, _| DVec3::splat(light))).unwrap();
-}
-
-#[test]
-fn pictures_are_compared() {
-    let home = tempfile::tempdir().unwrap();
-    let at = |name: &str| home.path().join(name);
-    picture(&at("a.png"), 4, 0.2);
-    picture(&at("b.png"), 4, 0.2 + 3.0 / 255.0);
-    picture(&at("a.pfm"), 4, 0.2);
-    picture(&at("wide.png"), 5, 0.2);
-    std::fs::write(at("text.png"), "no picture").unwrap();
-    check(&["compare", "a.png", "a.png"], home.path(), 0, "they agree");
-    check(&["compare", "a.png", "a.pfm", "--tolerance", "1"], home.path(), 0, "they agree");
-    check(&["compare", "a.png", "b.png"], home.path(), 1, "12 pixels of 12 differ");
-    check(&["compare", "a.png", "b.png", "--tolerance", "3.01"], home.path(), 0, "they agree");
-    check(&["compare", "a.png", "b.png", "--tolerance", "nan"], home.path(), 2, "from 0 to 255");
-    check(&["compare", "a.png", "b.png", "--tolerance", "-1"], home.path(), 2, "");
-    check(&["compare", "a.png", "wide.png"], home.path(), 2, "nothing to compare");
-    check(&["compare", "a.png", "text.png"], home.path(), 2, "not a PNG or PFM image");
-    check(&["compare", "a.png", "missing.png"], home.path(), 2, "missing.png");
-    check(&["compare", "a.png"], home.path(), 2, "required");
 }
 
 #[test]
@@ -71,12 +43,12 @@ fn lint_says_what_is_missing() {
 #[test]
 fn every_command_shows_examples() {
     let home = tempfile::tempdir().unwrap();
-    for command in ["grade", "images", "compare", "explain", "lint", "completions", "man"] {
+    for command in ["grade", "images", "compare", "explain", "lint", "schema", "completions", "man"] {
         check(&[command, "--help"], home.path(), 0, "Example");
     }
     check(&["--help"], home.path(), 0, "130  interrupted");
     check(&["completions", "bash"], home.path(), 0, "_grader");
-    check(&["man", "pages"], home.path(), 0, "");
+    check(&["man", "./pages"], home.path(), 0, "");
     let page = std::fs::read_to_string(home.path().join("pages/grader-grade.1")).unwrap();
     assert!(page.contains("submission"), "{page}");
 }
@@ -90,4 +62,26 @@ fn doctor_looks_at_everything() {
     for name in ["compiler:", "linker:", "workspace:", "store:", "cores:", "protection:", "missing  cases:"] {
         assert!(text.contains(name), "no {name} in\n{text}");
     }
+    for name in ["ok       temporary files:", "ok       limits:", "memory:"] {
+        assert!(text.contains(name), "no {name} in\n{text}");
+    }
+}
+
+#[test]
+fn limits_that_are_lower_are_said() {
+    let under = |limit: &str, command: &str| {
+        let line = format!("ulimit {limit}; exec \"$0\" {command}");
+        let output = Command::new("sh").args(["-c", &line, env!("CARGO_BIN_EXE_grader")]).output().unwrap();
+        String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr)
+    };
+    let doctor = |limit: &str, part: &str| {
+        let text = under(limit, "doctor");
+        assert!(text.contains(part), "{limit}: no {part:?} in {text}");
+    };
+    doctor("-n 200", "ok       limits: programs get 200 open files, not 256 (ulimit -n), which is enough");
+    doctor("-n 20", "missing  limits: programs get 20 open files, not 256 (ulimit -n): raise it");
+    doctor("-v 3000000", "ok       limits: programs get 2929 MiB of address space, not 4096");
+    let exam = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/exam");
+    let text = under("-n 200", &format!("grade /nowhere --cases '{exam}' -v"));
+    assert!(text.contains("programs get 200 open files, not 256 (ulimit -n)"), "{text}");
 }

@@ -1,5 +1,6 @@
 //! Triangles with a tree over them, and the normals at their corners. [rule 16] [rule 18]
 
+mod repeats;
 mod together;
 
 use std::ops::Range;
@@ -19,7 +20,8 @@ use crate::world::Search;
 /// A mesh in object space.
 #[derive(Clone, Debug)]
 pub struct Mesh<T> {
-    /// Those with area, in the order of the tree; the others are never met.
+    /// Those with area, in the order of the tree; the others are never hit. A tree holds no triangle
+    /// that repeats an earlier one.
     triangles: Triangles,
     /// The mesh's own numbers of those, that of the last of a leaf also where a leaf of four has room for more.
     numbers: Vec<u32>,
@@ -49,7 +51,7 @@ impl<T: Real> Mesh<T> {
         let (tree, numbers) = match search {
             Search::Scan => (None, numbers),
             Search::Tree => {
-                let (tree, order) = Bvh::build_in_fours(&bounds);
+                let (tree, order) = repeats::plant(&bounds, |n| triangle(&numbers[n as usize]));
                 (Some(tree), order.into_iter().map(|n| numbers[n as usize]).collect())
             }
         };

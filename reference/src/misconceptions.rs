@@ -41,6 +41,11 @@ pub fn of(rules: &Rules) -> Vec<&'static Misconception> {
     MISCONCEPTIONS.iter().filter(|wrong| wrong.on(rules) != *rules).collect()
 }
 
+/// Returns the depth test with a bounce more than is right. A course that wants one more teaches no less.
+fn one_more(right: Depth) -> Depth {
+    if right == Depth::OneMore { right } else { Depth::LessOrEqual }
+}
+
 macro_rules! misconceptions {
     ($($id:ident, $rule:literal, $look_at:literal, $($field:ident)? $(|$rules:ident| $other:ident)? = $value:expr, $says:literal;)*) => {
         /// All of them, in the order of their rules; [`of`] leaves out those that a course asks for.
@@ -179,7 +184,7 @@ misconceptions! {
         "from inside the ambient term is not multiplied by kt";
     ambient_inside_tinted, 12, "shade.rs ambient", ambient_inside = true,
         "from inside the ambient term is multiplied by kt";
-    one_bounce_too_many, 13, "reflection.rs goes_on", depth = Depth::LessOrEqual,
+    one_bounce_too_many, 13, "reflection.rs goes_on", |rules| depth = one_more(rules.depth),
         "a ray of depth max_depth still spawns rays";
     last_bounce_missing, 13, "reflection.rs goes_on", depth = Depth::Less,
         "a ray of depth max_depth spawns no more";

@@ -9,7 +9,7 @@ pub(crate) fn scene(text: &str) -> Scene {
     let has_camera = text.contains("[scene.camera]");
     let camera = "[scene.camera]\neye = [0, 0, 4]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 40\n";
     let whole = format!("{render}{}{text}", if has_camera { "" } else { camera });
-    match scene::parse("test.toml", &whole, std::path::Path::new("")) {
+    match scene::parse("test.toml", &whole, std::path::Path::new(""), &cases::Course::default()) {
         Ok(scene) => scene,
         Err(problems) => panic!("{}", problems.render(false)),
     }

@@ -81,6 +81,7 @@ pub fn goes_on<T: Real, R: RuleSource>(rules: R, depth: u32, max_depth: u32, wei
 fn is_shallow<R: RuleSource>(rules: R, depth: u32, max_depth: u32) -> bool {
     match rules.get().depth {
         Depth::Less => depth < max_depth,
+        Depth::OneMore => depth <= max_depth && max_depth > 0,
         Depth::LessOrEqual => depth <= max_depth,
         Depth::OneLess => depth + 1 < max_depth,
     }

@@ -233,7 +233,7 @@ fn between_mirrors(reflectivity: f64, max_depth: u64, threshold: f64) -> Ask {
     let mut scene = scene(&text);
     scene.render.max_depth = u32::try_from(max_depth).expect("a depth");
     scene.render.threshold = threshold;
-    scene.effects = cases::effects::called_for(&scene);
+    scene.effects = cases::effects::called_for(&scene, &cases::Course::default());
     let ray = Ray::new(DVec3::new(0.0, 0.0, 0.5), DVec3::NEG_Z);
     Ask::Trace { scene: Box::new(scene), ray, depth: 0 }
 }

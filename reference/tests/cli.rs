@@ -211,7 +211,7 @@ fn probe_and_explain_follow_the_course() {
 }
 
 #[test]
-fn what_cannot_be_read_is_2_and_what_cannot_be_written_is_3() {
+fn what_cannot_be_read_or_named_is_2() {
     let folder = folder();
     let render = |args: &[&str]| run(folder.path(), &[&["render"], args].concat(), "");
     expect(&render(&["none.toml", "a.png"]), 2, "there is no file `none.toml`");
@@ -220,7 +220,7 @@ fn what_cannot_be_read_is_2_and_what_cannot_be_written_is_3() {
     expect(&render(&["scene.toml", "a.png", "--effects", "shadow"]), 2, "the effects are shadows,");
     expect(&render(&["scene.toml", "a.png", "--size", "0x9"]), 2, "such as 640x480");
     expect(&render(&["scene.toml"]), 2, "required");
-    expect(&render(&["scene.toml", "no/such/folder/a.png"]), 3, "cannot write");
+    expect(&render(&["scene.toml", "no/such/folder/a.png"]), 2, "there is no folder `no/such/folder`");
     std::fs::write(folder.path().join("bad.toml"), SCENE.replace("fov_y_deg", "fov_deg")).unwrap();
     let bad = render(&["bad.toml", "a.png"]);
     expect(&bad, 2, "bad.toml:9:1");
@@ -306,4 +306,34 @@ fn prints_schemas_and_the_format_as_documented() {
     let page = run(folder.path(), &["schema", "--markdown"], "");
     let stored = std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/scene-format.md")).unwrap();
     assert!(page.stdout == stored, "docs/scene-format.md is not what `reference schema --markdown` prints");
+}
+
+#[test]
+fn what_is_no_file_is_written_to_and_a_full_disk_is_3() {
+    let folder = folder();
+    let render = |args: &[&str]| run(folder.path(), &[&["render", "scene.toml", "-o"], args].concat(), "");
+    std::os::unix::fs::symlink("/dev/full", folder.path().join("full.pfm")).unwrap();
+    for full in ["/dev/full", "full.pfm"] {
+        expect(&render(&[full]), 3, &format!("cannot write {full}: No space left"));
+    }
+    let png = render(&["-"]).stdout;
+    assert_eq!(render(&["/proc/self/fd/1"]).stdout, png);
+    let with_stats = render(&["-", "--stats"]);
+    assert_eq!(with_stats.stdout, png);
+    expect(&with_stats, 0, "left out");
+}
+
+#[test]
+fn a_file_that_does_not_fit_leaves_the_old_one() {
+    let folder = folder();
+    let picture = folder.path().join("a.pfm");
+    std::fs::write(&picture, "old").unwrap();
+    // The limit on a file is 512 bytes, and the picture of 64 × 48 pixels is longer.
+    let script = "trap '' XFSZ; ulimit -f 1; exec \"$0\" render scene.toml -o a.pfm --size 64x48";
+    let program = env!("CARGO_BIN_EXE_reference");
+    let output = Command::new("sh").args(["-c", script, program]).current_dir(folder.path()).output().unwrap();
+    expect(&output, 3, "; nothing was changed");
+    assert_eq!(std::fs::read_to_string(&picture).unwrap(), "old");
+    let names = std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name());
+    assert!(!names.into_iter().any(|name| name.to_string_lossy().starts_with(".part-")), "a part stayed behind");
 }

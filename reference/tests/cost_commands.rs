@@ -46,8 +46,10 @@ fn the_command_prints_a_table_and_writes_every_form() {
     check(folder.path(), &["scene.toml", "--formulas", "naive"], 2, "plain, stable or robust");
     check(folder.path(), &["scene.toml", "--thresholds", "2"], 2, "from 0 to 1");
     check(folder.path(), &["none.toml"], 2, "there is no file");
-    check(folder.path(), &[&short[..], &["--svg", "no/such/folder.svg"]].concat(), 3, "cannot write");
-    check(folder.path(), &[&short[..], &["--csv", "."]].concat(), 3, "it is a folder");
+    check(folder.path(), &[&short[..], &["--svg", "no/such/folder.svg"]].concat(), 2, "there is no folder `no/such`");
+    check(folder.path(), &[&short[..], &["--csv", "."]].concat(), 2, "it is a folder");
+    check(folder.path(), &[&short[..], &["--csv", "/dev/full"]].concat(), 3, "cannot write /dev/full: No space left");
+    check(folder.path(), &["--page", "-"], 2, "name a file");
 }
 
 #[test]

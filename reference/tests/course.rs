@@ -1,11 +1,16 @@
 //! A course matters: what it decides is what the reference renders and answers.
 
+mod common;
+
 use cases::course::{self, Course};
 use cases::film::Image;
 use cases::probe::{Answer, Ask};
 use cases::stage::{self, Case};
+use common::{Random, random};
 use glam::DVec3;
+use rayon::prelude::*;
 use reference::answers::answer;
+use reference::expect;
 use reference::misconceptions;
 use reference::render::{Options, render, render_by};
 use reference::rules::{Lecture, Rules};
@@ -17,7 +22,7 @@ fn rules(text: &str) -> Rules {
 
 fn case(id: &str) -> Case {
     let path = format!("{}/../cases/stages/{id}.toml", env!("CARGO_MANIFEST_DIR"));
-    stage::load_case(path.as_ref()).unwrap_or_else(|problems| panic!("{problems}"))
+    stage::load_case(path.as_ref(), &cases::Course::default()).unwrap_or_else(|problems| panic!("{problems}"))
 }
 
 fn picture(case: &Case, rules: &Rules) -> Image {
@@ -125,4 +130,64 @@ fn answers_follow_the_course() {
     }
     let indices = Ask::Indices { inside: true, index: 1.5 };
     assert_eq!(answer(&rules("index_of_air = 1"), &indices), Answer::Indices { eta_i: 1.5, eta_t: 1.0 });
+}
+
+/// The answers on paper say for which courses they hold, so that one command sets up any legal course: each
+/// that differs from the lecture in one key, three keys together that a real course has, and random ones.
+#[test]
+fn every_legal_course_has_answers_to_all_unit_checks() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
+    let three = "highlight = \"phong\"\npixel = \"corner\"\nindex_of_air = 1.0";
+    let mut courses = vec![("# lecture".to_owned(), Course::default())];
+    courses.push((three.to_owned(), course::parse("three", three).unwrap()));
+    courses.extend(course::deviations().into_iter().map(|deviation| (deviation.line, deviation.course)));
+    courses.extend((1..=40).map(|seed| {
+        let course = random::course(&mut Random(0x9e37_79b9_7f4a_7c15u64.wrapping_mul(seed)));
+        (format!("random course {seed}: {:?}", course.written()), course)
+    }));
+    let wrong: Vec<String> = courses
+        .par_iter()
+        .flat_map_iter(|(name, course)| {
+            let stages = stage::load_all(&folder, course).unwrap_or_else(|problems| panic!("{name}: {problems}"));
+            let rules = Rules::of(course);
+            let checks = stages.iter().flat_map(|stage| &stage.checks);
+            let failed = checks.filter_map(|check| expect::right_answer(check, &rules).err());
+            failed.map(|why| format!("{name}: {why}")).collect::<Vec<_>>()
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// An answer on paper that holds in no other course still has to be right in its own.
+#[test]
+fn an_answer_on_paper_is_checked_where_it_holds() {
+    let text = |paper: &str| {
+        format!(
+            "[[check]]\nname = \"into_water\"\nabout = \"a\"\nrules = [9]\n\
+             ask = {{ fn = \"indices\", inside = false, index = 1.33 }}\n{paper}\n"
+        )
+    };
+    let right = "paper = { indices = { eta_i = 1.0003, eta_t = 1.33 } }";
+    let wrong = "paper = { indices = { eta_i = 1.5, eta_t = 1.33 } }";
+    let table = [
+        (right.to_owned(), "# lecture", true),
+        (right.to_owned(), "index_of_air = 1", false),
+        (format!("{right}\nunder = {{ index_of_air = 1.0003 }}"), "index_of_air = 1", true),
+        (format!("{right}\nunder = {{ index_of_air = [1.0, 1.0003] }}"), "index_of_air = 1", false),
+        (format!("{right}\nunder = {{ index_of_air = 1.0003, tint = \"opaque\" }}"), "# lecture", true),
+        (format!("{wrong}\nunder = {{ index_of_air = 1.0003 }}"), "# lecture", false),
+        (format!("{wrong}\nunder = {{ index_of_air = 1.0003 }}"), "index_of_air = 1", true),
+    ];
+    for (paper, line, is_right) in table {
+        let folder = tempfile::tempdir().unwrap();
+        let stage = folder.path().join("01_a");
+        std::fs::create_dir_all(stage.join("checks")).unwrap();
+        let about = "title = \"a\"\nabout = \"a\"\nallows = []\nunit_points = 1\n";
+        std::fs::write(stage.join("stage.toml"), about).unwrap();
+        std::fs::write(stage.join("checks/indices.toml"), text(&paper)).unwrap();
+        let course = course::parse("course", line).unwrap();
+        let stages = stage::load_all(folder.path(), &course).unwrap_or_else(|problems| panic!("{problems}"));
+        let answered = expect::of_checks(folder.path(), &stages[0], &course);
+        assert_eq!(answered.is_ok(), is_right, "{paper} under {line}: {answered:?}");
+    }
 }

@@ -15,7 +15,8 @@ use reference::world::World;
 /// The public cases, small.
 fn cases() -> Vec<Case> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
-    let stages = stage::load_all(&folder).unwrap_or_else(|problems| panic!("{}", problems.render(false)));
+    let stages = stage::load_all(&folder, &cases::Course::default())
+        .unwrap_or_else(|problems| panic!("{}", problems.render(false)));
     let mut all: Vec<Case> = stages.into_iter().flat_map(|stage| stage.cases).collect();
     all.iter_mut().for_each(|case| (case.scene.render.width, case.scene.render.height) = (64, 48));
     all

@@ -8,6 +8,7 @@ use cases::ray_tree::{self, RayNode};
 use common::scene;
 use glam::DVec3;
 use reference::answers::answer;
+use reference::lights::Light;
 use reference::rules::Lecture;
 use reference::trace::{Kernel, Path};
 use reference::watch::Recorder;
@@ -78,7 +79,7 @@ fn mirrors(threshold: f64) -> f64 {
     "#;
     let mut scene = scene(text);
     scene.render.threshold = threshold;
-    scene.effects = cases::effects::called_for(&scene);
+    scene.effects = cases::effects::called_for(&scene, &cases::Course::default());
     let ray = Ray::new(DVec3::new(0.0, 0.0, 4.0), DVec3::NEG_Z);
     colour(&Ask::Trace { scene: Box::new(scene), ray, depth: 0 }).x
 }
@@ -202,4 +203,33 @@ fn a_mirrored_ray_that_would_enter_the_object_is_mirrored_by_the_geometric_norma
     assert_eq!(reflect(DVec3::new(0.8, 0.6, 0.0)), Answer::Vector(DVec3::new(0.8, 0.6, 0.0)));
     let Answer::Vector(kept) = reflect(DVec3::new(-0.6, 0.8, 0.0)) else { panic!("a mirrored ray is always there") };
     assert!(kept.distance(DVec3::new(-0.352, 0.936, 0.0)) < 1e-15, "{kept}"); // d·N = −0.96
+}
+
+/// The limit of 1/(a r² + b r + c): a term of coefficient 0 counts for nothing however far the light is, and any
+/// other one without end.
+#[test]
+fn attenuation_has_its_limit_infinitely_far_away() {
+    let table = [
+        ([1.0, 0.0, 0.0], f64::INFINITY, 0.0),
+        ([0.0, 1.0, 0.0], f64::INFINITY, 0.0),
+        ([1.0, 1.0, 1.0], f64::INFINITY, 0.0),
+        ([0.0, 0.0, 4.0], f64::INFINITY, 0.25),
+        ([0.0, 0.0, 0.25], f64::INFINITY, 1.0),
+        ([0.0, 0.0, 1.0], f64::INFINITY, 1.0),
+        // r² overflows, r does not.
+        ([0.0, 1e-200, 0.0], 1e200, 1.0),
+        ([0.0, 4e-200, 0.0], 1e200, 0.25),
+        ([0.0, 0.0, 4.0], 1e200, 0.25),
+    ];
+    for ([quadratic, linear, constant], r, expected) in table {
+        let attenuation = cases::scene::Attenuation { quadratic, linear, constant };
+        let (position, colour, ambient) = (DVec3::ZERO, DVec3::ONE, DVec3::ZERO);
+        let light = cases::Light::Point { position, colour, ambient, attenuation };
+        let found = answer(Lecture, &Ask::Attenuation { light: light.clone(), r });
+        assert_eq!(found, Answer::Value(expected), "{attenuation:?} at {r}");
+        if r.is_infinite() {
+            let single = Light::<f32>::of(&light).attenuation(Lecture, f32::INFINITY, &mut ());
+            assert_eq!(f64::from(single), expected, "{attenuation:?} in f32");
+        }
+    }
 }

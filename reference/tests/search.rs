@@ -202,7 +202,7 @@ fn trees_find_what_lists_find_in_every_public_case() {
     let stages = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
     let mut random = Random(0x0ca_5e5);
     let (mut n_scenes, mut n_hits) = (0, 0);
-    for stage in cases::stage::load_all(&stages).unwrap() {
+    for stage in cases::stage::load_all(&stages, &cases::Course::default()).unwrap() {
         for case in &stage.cases {
             let (ways, camera) = (Ways::<f64>::of(&case.scene), case.scene.camera);
             let lens = Lens::<f64>::new(Lecture, &camera, 12, 9);

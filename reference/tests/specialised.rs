@@ -18,7 +18,8 @@ fn folder() -> PathBuf {
 }
 
 fn stages() -> Vec<Stage> {
-    stage::load_all(&folder()).unwrap_or_else(|problems| panic!("{}", problems.render(false)))
+    stage::load_all(&folder(), &cases::Course::default())
+        .unwrap_or_else(|problems| panic!("{}", problems.render(false)))
 }
 
 fn bits(image: &Image) -> Vec<[u64; 3]> {

@@ -32,7 +32,8 @@ fn picture<T: Real>(scene: &Scene) -> Image {
 /// The cases of the stages, small.
 fn cases() -> Vec<(String, Scene)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
-    let stages = stage::load_all(&folder).unwrap_or_else(|problems| panic!("{}", problems.render(false)));
+    let stages = stage::load_all(&folder, &cases::Course::default())
+        .unwrap_or_else(|problems| panic!("{}", problems.render(false)));
     let small = |mut case: stage::Case| {
         (case.scene.render.width, case.scene.render.height) = (64, 48);
         (case.id, case.scene)

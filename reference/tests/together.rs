@@ -175,7 +175,7 @@ fn steps_are_shared_in_both_precisions() {
 fn eye_rays_find_what_each_finds_in_every_public_case() {
     let stages = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
     let (mut n_together, mut n_met) = (0, 0);
-    for stage in cases::stage::load_all(&stages).unwrap() {
+    for stage in cases::stage::load_all(&stages, &cases::Course::default()).unwrap() {
         for case in &stage.cases {
             let ways = Ways::<f64>::of(&case.scene);
             n_together += usize::from(ways.trees[0].gains_together());

@@ -20,7 +20,7 @@ const STRAY_SHARE: f64 = 0.01;
 
 static STAGES: LazyLock<Vec<Stage>> = LazyLock::new(|| {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
-    stage::load_all(&folder).unwrap_or_else(|problems| panic!("{}", problems.render(false)))
+    stage::load_all(&folder, &cases::Course::default()).unwrap_or_else(|problems| panic!("{}", problems.render(false)))
 });
 
 fn n_stray(centre: &Image, other: &Image) -> usize {

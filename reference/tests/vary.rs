@@ -88,24 +88,26 @@ fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
 }
 
 #[test]
-fn writes_a_whole_set_that_can_be_answered() {
+fn writes_a_whole_set_with_its_answers() {
     let folder = folder(NARROW);
     let (code, errors, _) = run(folder.path(), &["vary", "--seed", "3"]);
     assert_eq!(code, Some(0), "{errors}");
     let set = folder.path().join("varied-3");
     let names: Vec<String> =
         files(&set).into_iter().map(|(path, _)| path[set.display().to_string().len() + 1..].to_owned()).collect();
-    assert_eq!(
-        names,
-        ["card.toml", "checks/sphere.toml", "stage.toml", "up/up/meshes/card.obj"].map(|name| format!("01_one/{name}"))
-    );
+    let answers =
+        ["01_one/card.answer.exr", "01_one/card.expected.png", "01_one/checks.answers.json", "mistakes.answers.json"];
+    let (made, varied): (Vec<&str>, Vec<&str>) =
+        names.iter().map(String::as_str).partition(|name| answers.contains(name));
+    assert_eq!(made, answers);
+    let varied: Vec<&str> = varied.into_iter().map(|name| name.trim_start_matches("01_one/")).collect();
+    assert_eq!(varied, ["card.toml", "checks/sphere.toml", "stage.toml", "up/up/meshes/card.obj"]);
     let text = fs::read_to_string(set.join("01_one/card.toml")).unwrap();
     assert!(text.contains("title = \"A card\" # of paper"), "comments stay: {text}");
     assert!(text.contains("look_at = [0, 0, 0]") && text.contains("file = \"up/up/meshes/card.obj\""), "{text}");
     assert!(!text.contains("[vary]") && !text.contains("[0.125, 0, 4]"), "{text}");
-    let (code, errors, _) = run(folder.path(), &["expect", "varied-3"]);
+    let (code, errors, _) = run(folder.path(), &["expect", "--check", "varied-3"]);
     assert_eq!(code, Some(0), "{errors}");
-    assert!(set.join("01_one/card.answer.exr").is_file());
 }
 
 #[test]
@@ -134,12 +136,7 @@ fn says_how_well_the_bounds_hold() {
 #[test]
 fn what_cannot_be_varied_is_an_error_that_says_why() {
     let table = [
-        (
-            "",
-            &["vary", "--seed", "1"][..],
-            2,
-            "01_one/card does not say how far its numbers may be moved: add a table `[vary]`",
-        ),
+        ("", &["vary", "--seed", "1"][..], 2, "no case in cases/stages has a `[vary]`, so that nothing would change"),
         ("\n[vary]\neye = 0.1\nindices = 0.1\n", &["vary", "--seed", "1"], 2, "`indices` moves nothing"),
         ("\n[vary]\nkeep = [\"card\"]\n", &["vary", "--seed", "1"], 2, "no key moves anything"),
         (
@@ -150,6 +147,7 @@ fn what_cannot_be_varied_is_an_error_that_says_why() {
         ),
         ("\n[vary]\nlook_at = [1000, 0, 0]\n", &["vary", "--check", "--seeds", "2"], 1, "with seed 2 none of 50 draws"),
         (NARROW, &["vary", "--seed", "1", "--out", "cases"], 2, "`cases` is there already"),
+        (NARROW, &["vary", "--seed", "1", "--out", "/proc/none/set"], 2, "cannot write /proc/none/set"),
         (NARROW, &["vary"], 2, "--seed"),
         (NARROW, &["vary", "--seed", "1", "nowhere"], 2, "nowhere"),
     ];
@@ -160,6 +158,23 @@ fn what_cannot_be_varied_is_an_error_that_says_why() {
         assert!(errors.contains(said), "{args:?} {vary}: {errors}");
         assert!(!folder.path().join("varied-1").exists(), "{args:?} {vary}: something was written");
     }
+}
+
+/// A varied set is whole: it has its answers, and what does not say how far it may be moved as it was.
+#[test]
+fn a_case_without_bounds_is_copied_as_it_is_with_a_warning() {
+    let folder = folder(NARROW);
+    let at = |path: &str| folder.path().join(path);
+    fs::write(at("cases/stages/01_one/constant.toml"), case("")).unwrap();
+    let (code, errors, _) = run(folder.path(), &["vary", "--seed", "1"]);
+    assert_eq!(code, Some(0), "{errors}");
+    assert!(errors.contains("warning: 01_one/constant has no `[vary]`"), "{errors}");
+    assert!(errors.contains("wrote 2 cases with their answers to varied-1"), "{errors}");
+    let copied = fs::read_to_string(at("varied-1/01_one/constant.toml")).unwrap();
+    assert_eq!(copied, case("").replace("../../meshes", "up/up/meshes"), "nothing but the place of the mesh changes");
+    let (code, errors, _) = run(folder.path(), &["expect", "--check", "varied-1"]);
+    assert_eq!(code, Some(0), "{errors}");
+    assert!(errors.contains("6 files as stored"), "two answers, two pictures, unit checks, mistakes: {errors}");
 }
 
 #[test]

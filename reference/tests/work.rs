@@ -24,7 +24,8 @@ const BLACK: &str = "point = { position = [3, 0, 3], colour = [0, 0, 0], ambient
 fn check(what: &str, lights: &[&str], objects: &[&str], light_cutoff: f64, figures: &[(&str, u64)]) -> f64 {
     let list = |items: &[&str]| items.iter().map(|item| format!("{{ {item} }}")).collect::<Vec<_>>().join(", ");
     let text = format!("{HEAD}{MATERIALS}lights = [{}]\nobjects = [{}]\n", list(lights), list(objects));
-    let scene = scene::parse(what, &text, Path::new("")).unwrap_or_else(|problems| panic!("{problems}"));
+    let scene = scene::parse(what, &text, Path::new(""), &cases::Course::default())
+        .unwrap_or_else(|problems| panic!("{problems}"));
     let world = World::<f64>::with_search(&scene, Search::Scan);
     let options = Options { effects: Effects::ALL, light_cutoff, ..Options::of(&world) };
     let (_, stats, work) = count_by(&world, &Rules::LECTURE, &options, |_| {});

@@ -214,7 +214,7 @@ mod tests {
             assert!(case.is_file() || workspace().join(&scene.name).is_file(), "there is no {}", scene.name);
             assert!(scene.instructions > 1_000_000, "{} was never counted", scene.name);
         }
-        let stages = cases::stage::load_all(&crate::public_stages()).unwrap();
+        let stages = cases::stage::load_all(&crate::public_stages(), &cases::Course::default()).unwrap();
         for stage in stages.iter().filter(|stage| !stage.cases.is_empty()) {
             let is_counted = budget.scene.iter().any(|scene| scene.name.starts_with(&stage.id));
             assert!(is_counted, "no scene of {} is counted", stage.id);

@@ -72,8 +72,7 @@ impl Lab {
         let mut cases = vec![];
         for (questions, case) in bench.exam.stages.iter().flat_map(|one| one.stage.cases.iter().map(move |c| (one, c)))
         {
-            let answer =
-                questions.images.get(&case.id).ok_or("a case has no answer")?.as_ref().map_err(Clone::clone)?;
+            let answer = questions.images.get(&case.id).ok_or("a case has no answer that can be trusted")?;
             let own = pictures.get(&case.id).and_then(|both| both.actual.as_ref());
             let size = case.scene.render;
             cases.push(Reference {
@@ -209,7 +208,7 @@ fn hang(gallery: &Path, case: &str, picture: &Picture) -> Result<PathBuf, String
     let wrong = |why: &dyn std::fmt::Display| format!("{}: {why}", file.display());
     if !file.exists() {
         std::fs::create_dir_all(gallery.join(case)).map_err(|why| wrong(&why))?;
-        film::replace(&file, &picture.png().map_err(|why| wrong(&why))?).map_err(|why| wrong(&why))?;
+        cases::files::write(&file, &picture.png().map_err(|why| wrong(&why))?).map_err(|why| wrong(&why))?;
     }
     Ok(file)
 }

@@ -1,6 +1,8 @@
 //! What the proofs across crates share: where the workspace is, its source files, and variants of the solution before the judge.
 
 pub mod bars;
+pub mod dice;
+pub mod fuzz;
 pub mod instructions;
 pub mod lab;
 pub mod page;
@@ -47,15 +49,23 @@ pub fn name(path: &Path) -> String {
     path.strip_prefix(workspace()).unwrap_or(path).to_string_lossy().replace('\\', "/")
 }
 
-/// The lines of a Rust source file that are code: comments are cut, and so is everything from `#[cfg(test)]` on.
+/// Returns the lines of a Rust source file that are code, without comments and tests.
+///
+/// A test module in the file ends the code. Other lines behind `#[cfg(test)]` are left out.
 ///
 /// # Panics
 /// Where the file cannot be read.
 pub fn code_lines(path: &Path) -> Vec<(usize, String)> {
     let text = std::fs::read_to_string(path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
-    text.lines()
+    let lines: Vec<&str> = text.lines().collect();
+    let is_test = |at: usize| lines.get(at).is_some_and(|line| line.trim() == "#[cfg(test)]");
+    let is_module =
+        |at: usize| lines.get(at).is_some_and(|line| line.starts_with("mod ") && line.trim().ends_with('{'));
+    let n_lines = (0..lines.len()).find(|at| is_test(*at) && is_module(at + 1)).unwrap_or(lines.len());
+    lines[..n_lines]
+        .iter()
         .enumerate()
-        .take_while(|(_, line)| line.trim() != "#[cfg(test)]")
+        .filter(|(at, _)| !(is_test(*at) || *at > 0 && is_test(at - 1)))
         .map(|(i, line)| (i + 1, line.split("//").next().unwrap_or_default().to_owned()))
         .filter(|(_, line)| !line.trim().is_empty())
         .collect()

@@ -8,7 +8,7 @@ use cases::answer::{self, CheckAnswer, ImageAnswer};
 use cases::film::Image;
 use cases::probe::Ask;
 use cases::stage::{self, Case, Stage};
-use cases::{Effect, Effects, Scene};
+use cases::{Course, Effect, Effects, Scene};
 use grader::judge;
 use grader::record::Verdict;
 use reference::answers;
@@ -24,10 +24,11 @@ use reference::world::World;
 /// The rules that stages test; the rest are extras.
 const RULES: std::ops::RangeInclusive<u8> = 1..=21;
 
-static STAGES: LazyLock<Vec<Stage>> =
-    LazyLock::new(|| stage::load_all(&folder()).unwrap_or_else(|problems| panic!("{}", problems.render(false))));
+static STAGES: LazyLock<Vec<Stage>> = LazyLock::new(|| {
+    stage::load_all(&folder(), &Course::default()).unwrap_or_else(|problems| panic!("{}", problems.render(false)))
+});
 
-static SET: LazyLock<Set> = LazyLock::new(|| Set::new(STAGES.clone(), Rules::LECTURE));
+static SET: LazyLock<Set> = LazyLock::new(|| Set::new(STAGES.clone(), &Course::default()));
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages")
@@ -141,7 +142,7 @@ fn no_case_passes_without_what_its_stage_adds() {
         later
             .flat_map(|(n, stage)| stage.cases.iter().map(move |case| (n, case)))
             .filter(|(n, case)| passes(case, &SET.without(*n, case)))
-            .map(|(n, case)| format!("{} passes without {:?}", case.id, SET.added(n)))
+            .map(|(n, case)| format!("{} passes without {:?}", case.id, SET.stages[n].base))
             .collect(),
     );
 }
@@ -236,9 +237,9 @@ fn the_stored_answers_are_what_the_reference_gives() {
     let pictures =
         cases.flat_map(|(n, case)| expect::of_case(&stages, &SET, n, case).unwrap_or_else(|why| panic!("{why}")).files);
     let checks = STAGES.iter().filter_map(|stage| {
-        expect::of_checks(&stages, stage, &Rules::LECTURE).unwrap_or_else(|wrong| panic!("{}", wrong.join("\n")))
+        expect::of_checks(&stages, stage, &SET.course).unwrap_or_else(|wrong| panic!("{}", wrong.join("\n")))
     });
-    let mistakes = expect::mistakes(&stages, &Rules::LECTURE).unwrap_or_else(|why| panic!("{why}"));
+    let mistakes = expect::mistakes(&stages, &SET.course).unwrap_or_else(|why| panic!("{why}"));
     none(
         pictures
             .chain(checks)

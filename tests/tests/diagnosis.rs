@@ -28,7 +28,7 @@ static EXAM: LazyLock<Exam> =
 static CASES: LazyLock<Vec<Asked>> = LazyLock::new(|| {
     let cases =
         EXAM.stages.iter().flat_map(|one| one.stage.cases.iter().map(move |case| (case, &one.images[&case.id])));
-    cases.map(|(case, answer)| (case, answer.as_ref().unwrap(), pictures(case))).collect()
+    cases.map(|(case, answer)| (case, answer, pictures(case))).collect()
 });
 
 fn pictures(case: &Case) -> Vec<Wrong> {

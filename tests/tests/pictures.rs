@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
+use cases::Course;
 use cases::answer::{ImageAnswer, image_answer_path};
 use cases::film::{Image, byte};
 use cases::glam::DVec3;
@@ -17,9 +18,14 @@ use reference::world::World;
 use tests::public_stages;
 
 static SET: LazyLock<Set> = LazyLock::new(|| {
-    let stages = load_all(&public_stages()).unwrap_or_else(|problems| panic!("{}", problems.render(false)));
-    Set::new(stages, Rules::LECTURE)
+    let course = Course::default();
+    let stages = load_all(&public_stages(), &course).unwrap_or_else(|problems| panic!("{}", problems.render(false)));
+    Set::new(stages, &course)
 });
+
+/// The right pictures by id of the case.
+static PICTURES: LazyLock<BTreeMap<&str, Image>> =
+    LazyLock::new(|| public_cases().map(|case| (case.id.as_str(), SET.picture(case))).collect());
 
 fn public_cases() -> impl Iterator<Item = &'static Case> {
     SET.stages.iter().flat_map(|stage| &stage.cases)
@@ -76,7 +82,7 @@ fn most_frequent(picture: &Image) -> DVec3 {
 
 /// Pictures that have nothing of the case in them, each with its name.
 fn blanks(n: usize, case: &'static Case) -> impl Iterator<Item = (String, Image)> {
-    let expected = SET.picture(case);
+    let expected = &PICTURES[case.id.as_str()];
     let (width, height) = (expected.width(), expected.height());
     let uniform = [
         ("black", DVec3::ZERO),
@@ -86,7 +92,9 @@ fn blanks(n: usize, case: &'static Case) -> impl Iterator<Item = (String, Image)
     ];
     let uniform = uniform.map(|(name, colour)| (name.to_owned(), Image::from_fn(width, height, |_, _| colour)));
     let without = ("the picture without what the stage brings".to_owned(), SET.without(n, case));
-    let others = public_cases().filter(|other| other.id != case.id).map(|other| (other.id.clone(), SET.picture(other)));
+    let others = public_cases()
+        .filter(|other| other.id != case.id)
+        .map(|other| (other.id.clone(), &PICTURES[other.id.as_str()]));
     let others = others.filter(move |(_, other)| (other.width(), other.height()) == (width, height));
     uniform.into_iter().chain([without]).chain(others.map(|(id, other)| (id, other.clone())))
 }

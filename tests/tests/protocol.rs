@@ -7,7 +7,7 @@ use cases::probe::{Question, Reply};
 use cases::scene::json;
 use cases::stage;
 use reference::answers::answer;
-use reference::expect::allowed::distance;
+use reference::expect::allowed::Allowance;
 use reference::rules::Lecture;
 
 fn root(path: &str) -> PathBuf {
@@ -56,7 +56,7 @@ fn every_example_is_answered_right() {
     for (question, reply) in questions() {
         assert_eq!(question.id, reply.id);
         let right = answer(Lecture, &question.ask);
-        let is_right = distance(&right, &reply.answer).is_some_and(|distance| distance < 1e-12);
+        let is_right = Allowance { allowed: 1e-12, either: false }.takes(&right, &reply.answer);
         assert!(is_right, "{}: {right:?}", question.id);
     }
 }
@@ -64,7 +64,8 @@ fn every_example_is_answered_right() {
 #[test]
 fn every_function_that_is_asked_is_described() {
     let described: BTreeSet<&str> = questions().iter().map(|(question, _)| question.ask.function()).collect();
-    let stages = stage::load_all(&root("cases/stages")).unwrap_or_else(|problems| panic!("{}", problems.render(false)));
+    let stages = stage::load_all(&root("cases/stages"), &cases::Course::default())
+        .unwrap_or_else(|problems| panic!("{}", problems.render(false)));
     let asked = stages.iter().flat_map(|stage| &stage.checks).map(|check| check.ask.function()).collect();
     assert_eq!(described, asked);
 }

@@ -4,9 +4,11 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use grader::record::{FindingKind, Record, Verdict};
+use grader::grade::{Bench, Options, Silent};
+use grader::record::{CheckKind, FindingKind, Record, Verdict};
+use grader::report::terminal::{self, Look};
 use tempfile::TempDir;
-use tests::{grade_all, workspace};
+use tests::{grade_all, public_stages, workspace};
 
 /// The student's files of the template, by stage.
 fn files_by_stage() -> BTreeMap<String, Vec<String>> {
@@ -52,6 +54,60 @@ fn the_untouched_template_builds_scores_nothing_and_crashes_nowhere() {
     for check in record.stages.iter().flat_map(|stage| &stage.checks) {
         let kind = check.finding.as_ref().map(|finding| finding.kind);
         assert_eq!(kind, Some(FindingKind::Todo), "{}: {:?}", check.id, check.finding);
+    }
+}
+
+/// What the handout says to write first, file by file, and how many of the first stage's ten pictures are right then.
+#[test]
+fn the_first_files_give_as_many_pictures_as_the_handout_says() {
+    let first = ["camera", "sphere", "nearest", "shade"];
+    let steps: [(&[&str], usize); 5] = [
+        (&[], 0),
+        (&["light"], 1),
+        (&["light", "plane"], 6),
+        (&["light", "plane", "cuboid"], 8),
+        (&["light", "plane", "cuboid", "triangle"], 10),
+    ];
+    let bench = Bench::open(&public_stages()).expect("the public exam");
+    for (more, n_right) in steps {
+        let folder = submission(&[]);
+        for name in first.iter().chain(more) {
+            let file = format!("src/{name}.rs");
+            fs::copy(workspace().join("tests/solution").join(&file), folder.path().join(&file)).expect("a file");
+        }
+        let options = Options { stages: vec!["01".to_owned()], ..Options::new(folder.path()) };
+        let record = grader::grade::grade(&bench, &options, &Silent).expect("a record").record;
+        let pictures = record.stages[0].checks.iter().filter(|check| check.kind == CheckKind::Image);
+        let n = pictures.filter(|check| check.verdict == Verdict::Pass).count();
+        assert_eq!(n, n_right, "{first:?} and {more:?}");
+    }
+}
+
+/// A bug of its own in each of five functions: the file, what is right, what stands there.
+const FIVE_BUGS: [(&str, &str, &str); 5] = [
+    ("shade", "material.kd * n_dot_l", "material.kd * n_dot_l * n_dot_l"),
+    ("shadow", "share *= kt;", "share = kt;"),
+    ("reflection", "depth < max_depth", "depth <= max_depth"),
+    ("transform", "matrix3.transpose()", "matrix3.inverse()"),
+    ("smooth", "weights.z * c).normalize()", "weights.z * c)"),
+];
+
+#[test]
+fn five_bugs_take_a_few_lines_that_name_the_functions() {
+    let stages: Vec<String> = files_by_stage().into_keys().collect();
+    let folder = submission(&stages);
+    for (name, right, wrong) in FIVE_BUGS {
+        let path = folder.path().join(format!("src/{name}.rs"));
+        let text = fs::read_to_string(&path).expect("a file of the solution");
+        assert!(text.contains(right), "{name}.rs");
+        fs::write(&path, text.replace(right, wrong)).expect("a file that can be written");
+    }
+    let report = terminal::render(&grade(folder.path()), Look { is_verbose: false, columns: 100 });
+    let report = anstream::adapter::strip_str(&report).to_string();
+    assert!(report.lines().count() < 80, "{} lines:\n{report}", report.lines().count());
+    assert!(report.lines().all(|line| line.chars().count() <= 100), "{report}");
+    for check in ["shade/term_", "tinted/", "goes_on/", "normal_", "interpolate/"] {
+        assert!(report.contains(check), "no {check} in\n{report}");
     }
 }
 

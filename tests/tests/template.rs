@@ -1,9 +1,15 @@
 //! The template is the solution with the bodies taken out, and `template.toml` says whose each file is.
+//!
+//! The grader carries the template in `grader/given`, where no student edits it. After a change
+//! there, `BLESS=1 cargo test -p tests --test template` copies it to the template and its given
+//! files to the solution.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::PathBuf;
 
+use grader::functions::{FUNCTIONS, Function};
+use grader::submission::Template;
 use serde::Deserialize;
 
 #[derive(Deserialize)]
@@ -74,11 +80,47 @@ fn every_file_of_the_students_belongs_to_one_stage() {
     }
 }
 
-#[test]
-fn given_files_are_the_same_in_the_solution() {
-    for file in manifest().pristine.iter().filter(|file| *file != "Cargo.toml") {
-        assert_eq!(text(&format!("student_template/{file}")), text(&format!("tests/solution/{file}")), "{file}");
+/// Returns a complaint if the file at `path` differs from the text that the grader carries.
+///
+/// With `BLESS` set, that text is written there first.
+fn copied(path: &str, carried: &str) -> Option<String> {
+    if std::env::var_os("BLESS").is_some() {
+        fs::write(root(path), carried).unwrap_or_else(|why| panic!("{path}: {why}"));
     }
+    (fs::read_to_string(root(path)).unwrap_or_default() != carried).then(|| format!("{path} differs"))
+}
+
+#[test]
+fn the_grader_carries_the_template_that_is_handed_out() {
+    let carried = Template::carried();
+    let mut differ: Vec<String> = vec![];
+    for (file, text) in carried.pristine.iter().chain(&carried.student) {
+        differ.extend(copied(&format!("student_template/{file}"), text));
+    }
+    for (file, text) in carried.pristine.iter().filter(|(file, _)| file.starts_with("src/") || *file == "clippy.toml") {
+        differ.extend(copied(&format!("tests/solution/{file}"), text));
+    }
+    assert!(differ.is_empty(), "not as in grader/given: {}", differ.join(", "));
+    let carries: BTreeSet<String> = carried.pristine.keys().chain(carried.student.keys()).cloned().collect();
+    assert_eq!(carries, below("grader/given"));
+}
+
+#[test]
+fn the_lists_of_the_grader_are_those_of_the_template() {
+    let (carried, listed) = (Template::carried(), manifest());
+    let mut pristine: BTreeSet<String> = listed.pristine.into_iter().collect();
+    assert!(pristine.insert("template.toml".to_owned()), "the list does not name itself");
+    assert_eq!(carried.pristine.into_keys().collect::<BTreeSet<_>>(), pristine);
+    assert_eq!(carried.student.into_keys().collect::<BTreeSet<_>>(), listed.student.into_iter().collect());
+    let manifest: toml::Table = text("student_template/Cargo.toml").parse().unwrap();
+    let dependencies: Vec<String> = manifest["dependencies"].as_table().unwrap().keys().cloned().collect();
+    assert_eq!(carried.dependencies, dependencies);
+}
+
+/// The files below a folder, relative to it.
+fn below(folder: &str) -> BTreeSet<String> {
+    let files = grader::files::below(&root(folder)).unwrap();
+    files.iter().map(|file| file.strip_prefix(root(folder)).unwrap().to_str().unwrap().to_owned()).collect()
 }
 
 #[test]
@@ -90,6 +132,24 @@ fn the_solution_keeps_the_contracts_of_the_template() {
         n_functions += handed_out.len();
     }
     assert_eq!(n_functions, 26);
+}
+
+/// Reports name the functions by this table.
+#[test]
+fn the_functions_that_reports_name_are_where_the_table_says() {
+    let manifest = manifest();
+    for Function { key, name, file, is_given, .. } in FUNCTIONS {
+        let source = text(&format!("student_template/{file}"));
+        assert!(source.contains(&format!("\npub fn {name}(")), "{file} has no function {name}");
+        let whose = if is_given { &manifest.pristine } else { &manifest.student };
+        assert!(whose.iter().any(|one| one == file), "{key}: {file}");
+    }
+    let n_of = |key: &str| FUNCTIONS.iter().filter(|function| function.key == key).count();
+    let schema = cases::schema::probe_schema();
+    let questions = schema["definitions"]["Question"]["oneOf"].as_array().expect("a form for each function");
+    let keys: Vec<&str> = questions.iter().filter_map(|one| one["properties"]["fn"]["const"].as_str()).collect();
+    assert_eq!(keys.len(), FUNCTIONS.len());
+    assert!(keys.iter().all(|key| n_of(key) == 1), "{keys:?}");
 }
 
 /// A body says which function it is, by which rule, and where; and there is nothing else in it.

@@ -9,7 +9,7 @@ use tests::{code_lines, files, name, workspace};
 fn dependencies(crate_folder: &str) -> BTreeSet<String> {
     let text = std::fs::read_to_string(workspace().join(crate_folder).join("Cargo.toml")).expect("a manifest");
     let manifest: toml::Table = text.parse().expect("TOML");
-    let ours = ["cases", "reference", "student_template", "grader", "tests", "solution"];
+    let ours = ["cases", "reference", "student_template", "grader", "pages", "tests", "solution"];
     ["dependencies", "dev-dependencies", "build-dependencies"]
         .iter()
         .filter_map(|table| manifest.get(*table)?.as_table())
@@ -22,10 +22,11 @@ fn dependencies(crate_folder: &str) -> BTreeSet<String> {
 fn crates_know_only_whom_they_may() {
     for (crate_folder, may_know) in [
         ("cases", &[][..]),
-        ("reference", &["cases"]),
+        ("grader/pages", &[][..]),
+        ("reference", &["cases", "pages"]),
         ("student_template", &["cases"]),
         ("tests/solution", &["cases"]),
-        ("grader", &["cases"]),
+        ("grader", &["cases", "pages"]),
     ] {
         let knows = dependencies(crate_folder);
         assert!(knows.iter().all(|d| may_know.contains(&d.as_str())), "{crate_folder} depends on {knows:?}");
@@ -44,7 +45,32 @@ struct Ban {
 const CLOCK: &[&str] = &["std::time", "Instant::", "SystemTime", "std::env", "env::var", "env::args"];
 const FILES: &[&str] = &["std::fs", "File::", "fs::"];
 
+/// Each of them panics where its reader has gone away, and prints what it is given unguarded.
+const PRINTS: &[&str] = &["println!", "print!", "eprintln!", "eprint!", "io::stdout()", "io::stderr()"];
+const PRINTS_BECAUSE: &str = "only `pages::say` prints: it guards text and outlives its reader";
+
 const BANS: &[Ban] = &[
+    Ban {
+        folder: "grader/src",
+        words: PRINTS,
+        // A bar draws on the error stream by itself, where that is a terminal.
+        except: &["grader/src/commands/compare.rs", "grader/src/progress.rs"],
+        because: PRINTS_BECAUSE,
+    },
+    Ban { folder: "reference/src", words: PRINTS, except: &[], because: PRINTS_BECAUSE },
+    Ban {
+        folder: "grader/pages/src",
+        words: CLOCK,
+        // A bar shows the time that is left.
+        except: &["grader/pages/src/bar.rs"],
+        because: "what is printed depends on no clock and no environment",
+    },
+    Ban {
+        folder: "grader/pages/src",
+        words: FILES,
+        except: &[],
+        because: "what is printed is handed on; programs write files",
+    },
     Ban {
         folder: "cases/src",
         words: CLOCK,
@@ -55,7 +81,7 @@ const BANS: &[Ban] = &[
         folder: "cases/src",
         words: FILES,
         except: &[
-            "cases/src/film/files.rs",
+            "cases/src/files",
             "cases/src/program.rs",
             "cases/src/scene/text_file.rs",
             "cases/src/scene/raw/objects.rs",
@@ -88,7 +114,7 @@ const BANS: &[Ban] = &[
             "grader/src/arguments.rs",
             "grader/src/commands",
             "grader/src/diagnose",
-            "grader/src/exam.rs",
+            "grader/src/exam",
             "grader/src/exercise",
             "grader/src/grade",
             "grader/src/judge",
@@ -98,6 +124,12 @@ const BANS: &[Ban] = &[
             "grader/src/report",
         ],
         because: "scores, batches, builds and the sandbox never see pixels",
+    },
+    Ban {
+        folder: "grader/src",
+        words: &["sandbox::run("],
+        except: &["grader/src/build/own.rs", "grader/src/build/rustc.rs", "grader/src/exercise/attempt.rs"],
+        because: "a failure counts only after `sandbox::blame` has looked at the machine, as these do",
     },
     Ban {
         folder: "grader/src/report",
@@ -158,6 +190,39 @@ fn light_becomes_bytes_in_one_place() {
             }
         }
     }
+}
+
+/// These calls create, fill or move a file. One module makes them for every file that others read.
+const WRITES: &[&str] = &["fs::write", "File::create", "fs::rename", "fs::copy", ".persist("];
+
+/// These files make such a call too, each for a reason.
+const WRITERS: &[(&str, &str)] = &[
+    ("cases/src/files/write.rs", "the module that exists for it"),
+    ("reference/src/vary/folder.rs", "moves a folder that is whole to its place"),
+    ("grader/src/files.rs", "moves a folder that is whole to its place"),
+    ("grader/src/batch/store.rs", "gives a published report a second name"),
+    ("grader/src/build/rustc.rs", "fills a folder before it is published"),
+    ("grader/src/build/sdk.rs", "fills a folder before it is published"),
+    ("grader/src/exercise/explain.rs", "fills a folder of one run"),
+    ("grader/src/exercise/pictures.rs", "fills a folder of one run"),
+    ("grader/src/leftovers.rs", "marks a temporary folder"),
+    ("grader/src/sandbox/place.rs", "fills a folder of one run"),
+    ("grader/src/submission/archive/mod.rs", "unpacks into a fresh folder"),
+];
+
+#[test]
+fn files_are_written_in_one_place() {
+    let mut found = BTreeSet::new();
+    for folder in ["cases/src", "reference/src", "grader/src"] {
+        for path in files(folder, "rs").iter().filter(|path| !path.ends_with("tests.rs")) {
+            let writes = |(_, line): &(usize, String)| WRITES.iter().any(|word| line.contains(word));
+            if code_lines(path).iter().any(writes) {
+                found.insert(name(path));
+            }
+        }
+    }
+    let listed: BTreeSet<String> = WRITERS.iter().map(|(file, _)| (*file).to_owned()).collect();
+    assert_eq!(found, listed, "use `cases::files::write`; a file that needs no exception any more leaves the list");
 }
 
 /// The only files with code that the compiler cannot prove sound.
@@ -289,6 +354,24 @@ fn links_between_documents_lead_somewhere() {
             if !file.is_empty() && !file.contains("://") {
                 assert!(full.with_file_name("").join(file).exists(), "{path} links to {target}, which is not there");
             }
+        }
+    }
+}
+
+/// A path in backticks that names a file of the workspace. Placeholders are in capitals.
+#[test]
+fn files_that_documents_name_exist() {
+    let is_path = |word: &str| {
+        let folder = word.split('/').next().unwrap_or_default();
+        ["cases", "docs", "grader", "reference", "student_template", "tests"].contains(&folder)
+            && word.contains('/')
+            && word.rsplit('/').next().is_some_and(|name| name.contains('.'))
+            && !word.contains(|c: char| c.is_uppercase() || " *{…".contains(c))
+    };
+    for path in tracked().into_iter().filter(|path| path.ends_with(".md") && path != "CHANGELOG.md") {
+        let text = std::fs::read_to_string(workspace().join(&path)).expect("a tracked file");
+        for word in text.split('`').skip(1).step_by(2).filter(|word| is_path(word)) {
+            assert!(workspace().join(word).exists(), "{path} names `{word}`, which is not there");
         }
     }
 }

@@ -6,16 +6,15 @@ use std::sync::LazyLock;
 
 use cases::answer::ImageAnswer;
 use cases::course::course_of;
-use cases::film;
 use cases::glam::DVec3;
 use cases::stage::{self, Bounds, Case, Stage};
 use grader::exam::Exam;
-use grader::grade::{Bench, Options, Silent, grade};
+use grader::grade::{self, Bench, Options, grade};
 use grader::judge;
 use grader::record::{CheckRecord, Verdict};
-use reference::expect::{self, Expected, Set};
-use reference::rules::Rules;
-use reference::vary::{Care, Original, Varied, folder};
+use reference::expect::{self, Expected, Progress, Set};
+use reference::vary::folder::{self, Draft};
+use reference::vary::{Care, Original, Varied};
 use tempfile::TempDir;
 use tests::{public_stages, workspace};
 use toml::Value;
@@ -27,15 +26,18 @@ const NEXT_TO_NOTHING: u32 = 50;
 
 static PUBLIC: LazyLock<Set> = LazyLock::new(|| {
     let course = course_of(&public_stages()).unwrap_or_else(|problems| panic!("{problems}"));
-    Set::new(stages(&public_stages()), Rules::of(&course))
+    Set::new(stages(&public_stages()), &course)
 });
 
 fn stages(folder: &Path) -> Vec<Stage> {
-    stage::load_all(folder).unwrap_or_else(|problems| panic!("{problems}"))
+    stage::load_all(folder, &cases::Course::default()).unwrap_or_else(|problems| panic!("{problems}"))
 }
 
-static ORIGINALS: LazyLock<Vec<Original>> =
-    LazyLock::new(|| folder::originals(&public_stages(), &PUBLIC, || {}).unwrap_or_else(|wrong| panic!("{wrong}")));
+static ORIGINALS: LazyLock<Vec<Original>> = LazyLock::new(|| {
+    let originals = folder::originals(&public_stages(), &PUBLIC, || {}).unwrap_or_else(|wrong| panic!("{wrong}"));
+    assert_eq!(originals.constant, Vec::<String>::new(), "a public case has no `[vary]`");
+    originals.varying
+});
 
 /// The case under `seed`, where two right programs stand for all.
 fn varied(original: &Original, seed: u64) -> Varied {
@@ -59,19 +61,24 @@ fn hidden(n: usize) -> TempDir {
     let third = ORIGINALS.iter().enumerate().filter(|(at, _)| at % SEEDS.len() == n);
     let third: Vec<Varied> = third.map(|(_, original)| varied(original, SEEDS[n])).collect();
     let place = tempfile::tempdir().expect("a temporary folder");
-    folder::write(&public_stages(), &PUBLIC.stages, &third, place.path()).unwrap_or_else(|why| panic!("{why}"));
-    let set = Set::new(stages(place.path()), PUBLIC.rules);
-    let write = |file: &Expected| film::replace(&file.path, &file.bytes).expect("a file that can be written");
-    for (n, stage) in set.stages.iter().enumerate() {
-        for case in &stage.cases {
-            let answer = expect::of_case(place.path(), &set, n, case).unwrap_or_else(|why| panic!("{why}"));
-            answer.files.iter().for_each(write);
-        }
-        let checks = expect::of_checks(place.path(), stage, &set.rules).unwrap_or_else(|why| panic!("{why:?}"));
-        checks.iter().for_each(write);
-    }
-    write(&expect::mistakes(place.path(), &set.rules).expect("a list of mistakes"));
+    let draft =
+        Draft::write(&public_stages(), &PUBLIC, &third, &[], place.path()).unwrap_or_else(|why| panic!("{why}"));
+    let set = Set::new(stages(&draft.stages()), &PUBLIC.course);
+    let answers = expect::of_set(&draft.stages(), &set, |_| true, &Silent).unwrap_or_else(|why| panic!("{why}"));
+    cases::files::write_all(answers.files().map(Expected::as_output)).unwrap_or_else(|why| panic!("{why}"));
+    draft.publish(place.path()).unwrap_or_else(|why| panic!("{why}"));
     place
+}
+
+/// Work that nobody watches or stops.
+struct Silent;
+
+impl Progress for Silent {
+    fn step(&self) {}
+
+    fn is_stopped(&self) -> bool {
+        false
+    }
 }
 
 #[test]
@@ -164,14 +171,14 @@ fn on_hidden_sets_the_solution_earns_everything_and_public_pictures_nothing() {
         let lost = lost_by_the_solution(&bench);
         assert!(lost.is_empty(), "seed {seed}:\n{}", lost.join("\n"));
         for (id, answer) in bench.exam.stages.iter().flat_map(|questions| &questions.images) {
-            check_answer(id, answer.as_ref().unwrap_or_else(|why| panic!("{why}")));
+            check_answer(id, answer);
         }
     }
 }
 
 fn lost_by_the_solution(bench: &Bench) -> Vec<String> {
     let options = Options::new(workspace().join("tests/solution"));
-    let graded = grade(bench, &options, &Silent).unwrap_or_else(|why| panic!("{why}"));
+    let graded = grade(bench, &options, &grade::Silent).unwrap_or_else(|why| panic!("{why}"));
     let checks = graded.record.stages.iter().flat_map(|stage| &stage.checks);
     let said = |check: &CheckRecord| check.finding.as_ref().map(|finding| finding.message.clone());
     let lost = checks.filter(|check| check.earned != check.possible);
@@ -182,7 +189,7 @@ fn lost_by_the_solution(bench: &Bench) -> Vec<String> {
 fn check_answer(id: &str, answer: &ImageAnswer) {
     let contested = answer.contested_share();
     assert!(contested < 0.03, "{id}: {:.1} % of the pixels are contested", 100.0 * contested);
-    let judged = judge::picture(PUBLIC.picture(case(id)), answer);
+    let judged = judge::picture(&PUBLIC.picture(case(id)), answer);
     assert!(
         judged.verdict != Verdict::Pass && judged.share <= NEXT_TO_NOTHING,
         "{id}: the public picture earns {} ‰",

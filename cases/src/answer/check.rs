@@ -4,14 +4,18 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::Digest;
 use super::mistake::lines;
 use crate::probe::Answer;
 
 /// The answer to a unit check, one of the list stored as `checks.answers.json` in its stage.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CheckAnswer {
-    /// The check's.
+    /// The id of the check.
     pub id: String,
+    /// What the answer was made from. A list without digests is read as one of stale answers.
+    #[serde(default)]
+    pub made_from: Digest,
     /// The right answer.
     pub answer: Answer,
     /// How far each number of the answer may be from it, absolutely: from the conditioning of the question.
@@ -44,13 +48,20 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
+    use crate::Course;
 
     #[test]
     fn check_answers_come_back_infinities_included() {
         let to_light = Answer::ToLight { direction: DVec3::Y, t: f64::INFINITY };
         let wrong = BTreeMap::from([("light_reversed".to_owned(), Answer::Miss(true))]);
-        let answer =
-            |id: &str, answer, wrong| CheckAnswer { id: id.to_owned(), answer, allowed: 1.9e-6, either: false, wrong };
+        let answer = |id: &str, answer, wrong| CheckAnswer {
+            id: id.to_owned(),
+            made_from: Digest::of_mistakes(&Course::default()),
+            answer,
+            allowed: 1.9e-6,
+            either: false,
+            wrong,
+        };
         let answers = vec![answer("a/b/c", to_light, wrong), answer("a/b/d", Answer::Miss(true), BTreeMap::default())];
         let text = check_answers_to_string(&answers).unwrap();
         assert_eq!(check_answers_from_str(&text).unwrap(), answers);

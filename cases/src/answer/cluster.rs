@@ -7,7 +7,7 @@ pub fn largest_cluster(out: &[bool], width: u32) -> u32 {
     clusters.largest()
 }
 
-/// The clusters of a picture that comes row by row: memory goes with the runs of pixels that are out, not with the picture.
+/// `Clusters` finds the clusters of a picture that comes row by row. Its memory is that of two rows.
 #[derive(Clone, Debug, Default)]
 pub struct Clusters {
     /// Of each run, the run it was joined to; a root is joined to itself.
@@ -16,6 +16,8 @@ pub struct Clusters {
     sizes: Vec<u32>,
     /// The runs of the row before: first and last column, number.
     before: Vec<(usize, usize, u32)>,
+    /// The largest cluster so far has this many pixels.
+    largest: u32,
 }
 
 impl Clusters {
@@ -38,12 +40,29 @@ impl Clusters {
                 self.join(*run, other);
             }
         }
+        self.forget(&mut runs);
         self.before = runs;
     }
 
-    /// The pixels of the largest cluster so far.
+    /// Returns the number of pixels of the largest cluster so far.
     pub fn largest(&self) -> u32 {
-        self.sizes.iter().copied().max().unwrap_or(0)
+        self.largest
+    }
+
+    /// Keeps only the clusters that the runs of the last row belong to: no other can still grow.
+    fn forget(&mut self, runs: &mut [(usize, usize, u32)]) {
+        self.largest = self.sizes.iter().copied().fold(self.largest, u32::max);
+        let mut kept = vec![None; self.joined.len()];
+        let mut sizes = Vec::new();
+        for (_, _, run) in runs {
+            let root = self.root(*run) as usize;
+            *run = *kept[root].get_or_insert_with(|| {
+                sizes.push(self.sizes[root]);
+                sizes.len() as u32 - 1
+            });
+        }
+        self.joined = (0..sizes.len() as u32).collect();
+        self.sizes = sizes;
     }
 
     fn run(&mut self, size: u32) -> u32 {
@@ -101,6 +120,45 @@ mod tests {
         check(&["####", "####", "####"], 12);
         check(&["#.#.#", "#.#.#", ".#.#."], 8); // joined from below
         check(&["##.##", "...#.", "#####"], 8);
+    }
+
+    /// Counts the pixels that are connected with the one at `at`, and takes them out.
+    fn flood(out: &mut [bool], width: usize, at: usize) -> u32 {
+        let mut reached = vec![at];
+        let mut n = 0;
+        while let Some(at) = reached.pop() {
+            if std::mem::take(&mut out[at]) {
+                n += 1;
+                reached.extend(neighbours(at, width, out.len()));
+            }
+        }
+        n
+    }
+
+    #[test]
+    fn rows_give_the_clusters_that_a_flood_gives() {
+        let mut state = 1_u64;
+        let mut below = |n: u64| {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (state >> 33) % n
+        };
+        for _ in 0..2000 {
+            let (width, height, share) = (1 + below(12) as usize, 1 + below(12) as usize, below(10));
+            let out: Vec<bool> = (0..width * height).map(|_| below(10) < share).collect();
+            let mut left = out.clone();
+            let expected = (0..out.len()).map(|at| flood(&mut left, width, at)).max().unwrap_or(0);
+            assert_eq!(largest_cluster(&out, width as u32), expected, "{width}: {out:?}");
+        }
+    }
+
+    #[test]
+    fn memory_does_not_grow_with_the_picture() {
+        let mut clusters = Clusters::default();
+        for row in 0..1000 {
+            clusters.row(&[row % 2 == 0, false, row % 2 == 0, false]);
+            assert!(clusters.joined.len() <= 4, "{} runs are kept", clusters.joined.len());
+        }
+        assert_eq!(clusters.largest(), 1);
     }
 
     #[test]

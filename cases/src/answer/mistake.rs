@@ -2,8 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Digest;
+
 /// A known way to get a rule wrong, one of the list stored as `mistakes.answers.json` beside the stages.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 pub struct Mistake {
     /// Such as `mirror_backwards`; the name of its pictures and answers.
     pub id: String,
@@ -15,20 +18,32 @@ pub struct Mistake {
     pub look_at: String,
 }
 
-/// The text to store for them: a JSON list, a mistake a line.
+/// The list as it is stored.
+#[derive(Deserialize)]
+struct Stored {
+    made_from: Digest,
+    mistakes: Vec<Mistake>,
+}
+
+/// Returns the text to store for the list: a JSON object with a mistake a line.
 ///
 /// # Errors
 /// What the encoder says.
-pub fn mistakes_to_string(mistakes: &[Mistake]) -> Result<String, serde_json::Error> {
-    lines(mistakes)
+pub fn mistakes_to_string(made_from: &Digest, mistakes: &[Mistake]) -> Result<String, serde_json::Error> {
+    Ok(format!("{{\"made_from\":\"{made_from}\",\"mistakes\":{}}}\n", lines(mistakes)?.trim_end()))
 }
 
-/// The mistakes that `text` holds.
+/// Returns what the list in `text` was made from, and the mistakes. A list without a digest, as it was
+/// stored once, was made from nothing that is known.
 ///
 /// # Errors
 /// What is missing or of the wrong kind, with line and column.
-pub fn mistakes_from_str(text: &str) -> Result<Vec<Mistake>, serde_json::Error> {
-    serde_json::from_str(text)
+pub fn mistakes_from_str(text: &str) -> Result<(Digest, Vec<Mistake>), serde_json::Error> {
+    if text.trim_start().starts_with('[') {
+        return Ok((Digest::default(), serde_json::from_str(text)?));
+    }
+    let Stored { made_from, mistakes } = serde_json::from_str(text)?;
+    Ok((made_from, mistakes))
 }
 
 /// A JSON list, an item a line.
@@ -40,13 +55,19 @@ pub(super) fn lines<T: Serialize>(items: &[T]) -> Result<String, serde_json::Err
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Course;
 
     #[test]
     fn mistakes_come_back() {
         let says = "the \"mirror\" is turned".to_owned();
         let one = Mistake { id: "a_b".to_owned(), rule: 7, says, look_at: "reflection.rs reflect".to_owned() };
-        let text = mistakes_to_string(&[one.clone(), one.clone()]).unwrap();
-        assert_eq!(mistakes_from_str(&text).unwrap(), [one.clone(), one]);
-        assert!(mistakes_from_str("[{}]").is_err());
+        let made_from = Digest::of_mistakes(&Course::default());
+        let text = mistakes_to_string(&made_from, &[one.clone(), one.clone()]).unwrap();
+        assert_eq!(mistakes_from_str(&text).unwrap(), (made_from, vec![one.clone(), one]));
+        assert_eq!(text.lines().count(), 4);
+        assert_eq!(mistakes_from_str("[]").unwrap(), (Digest::default(), vec![]));
+        for broken in ["[{}]", "{}", "{\"mistakes\":[]}"] {
+            assert!(mistakes_from_str(broken).is_err(), "{broken}");
+        }
     }
 }

@@ -1,7 +1,9 @@
-//! The stored answers that the judge compares with. Only `reference expect` writes them.
+//! The stored answers that the judge compares with. Only `reference` writes them.
 
 mod check;
 mod cluster;
+mod digest;
+pub mod load;
 mod mistake;
 mod picture;
 
@@ -9,8 +11,10 @@ use std::path::{Path, PathBuf};
 
 pub use check::{CheckAnswer, check_answers_from_str, check_answers_to_string};
 pub use cluster::{Clusters, largest_cluster, neighbours};
+pub use digest::{Digest, RULES_VERSION};
+pub use load::AnswerError;
 pub use mistake::{Mistake, mistakes_from_str, mistakes_to_string};
-pub use picture::{ImageAnswer, Levels, Limits, Wrong};
+pub use picture::{ImageAnswer, Levels, Limits, Wrong, full_light};
 
 /// Where the answer to the case `id` is stored below `stages`.
 pub fn image_answer_path(stages: &Path, id: &str) -> PathBuf {

@@ -3,6 +3,7 @@
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
+use super::Digest;
 use crate::film::exr::{self, Depth, Part, Plane, plane_name};
 use crate::film::{Image, PictureError, byte, level};
 
@@ -39,6 +40,14 @@ pub struct Limits {
     pub legal_count: u32,
     /// The weighted share of pixels that is right without the effect: what earns nothing.
     pub unearned: f64,
+}
+
+/// The note in the file.
+#[derive(Serialize, Deserialize)]
+struct Notes {
+    made_from: Digest,
+    #[serde(flatten)]
+    limits: Limits,
 }
 
 /// What a known mistake changes in the picture.
@@ -119,12 +128,14 @@ impl ImageAnswer {
         n as f64 / self.lo.len() as f64
     }
 
-    /// The bytes to store: an OpenEXR file of the parts `answer` and `mistakes`, the limits as a note. They depend on the content alone.
+    /// Returns the bytes to store: an OpenEXR file of the parts `answer` and `mistakes`, with the limits
+    /// and the digest of what the answer was made from as a note. They depend on the content alone.
     ///
     /// # Errors
     /// A list of another length than the picture's, or what the encoder says.
-    pub fn encode(&self, wrong: &[Wrong]) -> Result<Vec<u8>, PictureError> {
-        let notes = serde_json::to_string(&self.limits).map_err(|why| PictureError::Broken(why.to_string()))?;
+    pub fn encode(&self, made_from: &Digest, wrong: &[Wrong]) -> Result<Vec<u8>, PictureError> {
+        let notes = Notes { made_from: made_from.clone(), limits: self.limits };
+        let notes = serde_json::to_string(&notes).map_err(|why| PictureError::Broken(why.to_string()))?;
         let expected: Vec<Levels> = self.expected.pixels().iter().map(|light| light.to_array().map(byte)).collect();
         let mut planes = Vec::from(layer("", &expected));
         planes.extend(layer("lo", &self.lo));
@@ -138,13 +149,24 @@ impl ImageAnswer {
         exr::encode((self.expected.width(), self.expected.height()), &parts, &notes)
     }
 
-    /// The answer that `bytes` hold, demanded to be `width` × `height` before anything is decoded. The mistakes are left packed.
+    /// Returns what the answer in `bytes` was made from, or `None` for a file that does not say so.
+    /// Nothing but the header is read.
+    ///
+    /// # Errors
+    /// A broken file.
+    pub fn made_from(bytes: &[u8]) -> Result<Option<Digest>, PictureError> {
+        let notes = exr::notes(bytes)?;
+        Ok(serde_json::from_str::<Notes>(&notes).ok().map(|notes| notes.made_from))
+    }
+
+    /// Returns the answer that `bytes` hold, whose size has to be `width` × `height`, as is checked
+    /// before anything is decoded. The mistakes stay packed.
     ///
     /// # Errors
     /// Another size, a plane or the limits missing, or a broken file.
     pub fn decode(bytes: &[u8], width: u32, height: u32) -> Result<Self, PictureError> {
         let (part, notes) = exr::decode_first(bytes, width, height)?;
-        let limits =
+        let Notes { limits, .. } =
             serde_json::from_str(&notes).map_err(|why| PictureError::Broken(format!("it holds no limits: {why}")))?;
         let light = levels_of(&part, "")?.into_iter().map(|levels| DVec3::from(levels.map(f64::from)) / 255.0);
         let expected = Image::from_pixels(width, height, light.collect())
@@ -152,6 +174,13 @@ impl ImageAnswer {
         let weight = part.plane(WEIGHT)?.iter().map(|share| to_byte(*share)).collect();
         Ok(Self { expected, lo: levels_of(&part, "lo")?, hi: levels_of(&part, "hi")?, weight, limits })
     }
+}
+
+/// Returns the sample that stands for full light in the part `part` of an EXR file.
+///
+/// The result is 255/256 in a stored answer, and 1 elsewhere.
+pub fn full_light(part: &str) -> f64 {
+    if part == ANSWER { 255.0 / f64::from(UNIT) } else { 1.0 }
 }
 
 impl Wrong {
@@ -226,6 +255,7 @@ fn levels_of(part: &Part, name: &str) -> Result<Vec<Levels>, PictureError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Course;
 
     /// All 256 levels in a row, and light above 1.
     fn answer() -> ImageAnswer {
@@ -245,11 +275,13 @@ mod tests {
     #[test]
     fn an_answer_and_its_mistakes_come_back() {
         let wrong = Wrong { id: "no_shadows".to_owned(), changes: (0..512).map(change).collect() };
-        let bytes = answer().encode(std::slice::from_ref(&wrong)).unwrap();
+        let made_from = Digest::of_mistakes(&Course::default());
+        let bytes = answer().encode(&made_from, std::slice::from_ref(&wrong)).unwrap();
+        assert_eq!(ImageAnswer::made_from(&bytes).unwrap(), Some(made_from.clone()));
         assert_eq!(ImageAnswer::decode(&bytes, 256, 2).unwrap(), answer());
         assert_eq!(Wrong::ids(&bytes, 256, 2).unwrap(), ["no_shadows"]);
         assert_eq!(Wrong::decode_all(&bytes, 256, 2).unwrap(), [wrong]);
-        assert_eq!(Wrong::decode_all(&answer().encode(&[]).unwrap(), 256, 2).unwrap(), []);
+        assert_eq!(Wrong::decode_all(&answer().encode(&made_from, &[]).unwrap(), 256, 2).unwrap(), []);
         assert!(ImageAnswer::decode(&bytes, 2, 256).is_err());
     }
 

@@ -6,8 +6,10 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde_json::Value as Json;
 use toml::de::DeValue;
 
+use crate::effects::Effects;
 use crate::problem::{did_you_mean, quoted};
 use crate::ray::RAY_EPSILON;
+use crate::scene::raw::effect::EffectName;
 use crate::scene::raw::numbers::finite;
 use crate::scene::raw::read::{Notes, Read, Table, Value, json};
 
@@ -31,6 +33,8 @@ pub struct Decision {
 pub enum Legal {
     /// Each as it is written in the file, and what it means; the lecture's first.
     OneOf(&'static [(&'static str, &'static str)]),
+    /// Any set of effects; the lecture's is empty.
+    Effects,
     /// Any number from `least` to `most`.
     Range {
         /// Least value.
@@ -48,8 +52,15 @@ impl Legal {
         match self {
             Self::OneOf(values) => values.first().map_or_else(String::new, |(written, _)| (*written).to_owned()),
             Self::Range { lecture, .. } => format!("{lecture:e}"),
+            Self::Effects => effects_as_written(Effects::NONE),
         }
     }
+}
+
+/// Returns the form in which a file has a set of effects, such as `["shadows", "reflection"]`.
+pub(super) fn effects_as_written(effects: Effects) -> String {
+    let names: Vec<String> = effects.iter().map(|effect| format!("\"{effect}\"")).collect();
+    format!("[{}]", names.join(", "))
 }
 
 /// A type with a value for everything that may be chosen.
@@ -60,27 +71,50 @@ pub(super) trait Choice: Copy + Default + 'static {
     const VALUES: &'static [(Self, &'static str, &'static str)];
 }
 
-/// The value written so, or `None` once what is wrong has been noted.
+/// Returns the value that a file gives, or `None` once its problem has been noted.
 pub(super) fn read<T: Choice>(value: &Value<'_>, notes: &mut Notes) -> Option<T> {
-    let legal = || T::VALUES.iter().map(|(_, written, _)| *written);
+    let legal = T::VALUES.iter().map(|(_, written, _)| *written);
+    let written = one_of(T::KEY, legal, value, notes)?;
+    T::VALUES.iter().find(|(_, legal, _)| *legal == written).map(|(value, ..)| *value)
+}
+
+/// Returns the form in which a file has a legal value of `decision`, as [`Course::written`] gives it, or
+/// `None` once its problem has been noted.
+///
+/// [`Course::written`]: super::Course::written
+pub(super) fn value_as_written(decision: &Decision, value: &Value<'_>, notes: &mut Notes) -> Option<String> {
+    match decision.legal {
+        Legal::OneOf(values) => one_of(decision.key, values.iter().map(|(written, _)| *written), value, notes),
+        Legal::Range { .. } => RawEpsilon::read(value, notes).map(|epsilon| format!("{:e}", epsilon.0)),
+        Legal::Effects => RawEffects::read(value, notes).map(|effects| effects_as_written(effects.0)),
+    }
+}
+
+/// Returns the one of the `legal` values, in its written form, that `value` is.
+fn one_of<'a>(
+    key: &str,
+    legal: impl Iterator<Item = &'a str> + Clone,
+    value: &Value<'_>,
+    notes: &mut Notes,
+) -> Option<String> {
     let written = match value.get_ref() {
         DeValue::String(text) => format!("\"{text}\""),
         DeValue::Integer(_) | DeValue::Float(_) => format!("{:?}", finite(value, "a number", notes)?),
         _ => {
-            notes.wrong(value, &format!("one of {}", quoted(legal())));
+            notes.wrong(value, &format!("one of {}", quoted(legal)));
             return None;
         }
     };
-    let found = T::VALUES.iter().find(|(_, legal, _)| *legal == written);
-    if found.is_none() {
-        let all = format!("legal values are {}; the first is the lecture's", quoted(legal()));
-        let problem = notes.add(value.span(), format!("`{}` cannot be {written}", T::KEY), "no course decides so");
-        problem.help(match did_you_mean(&written, legal()) {
-            Some(meant) => format!("did you mean `{meant}`? {all}"),
-            None => all,
-        });
+    if legal.clone().any(|legal| legal == written) {
+        return Some(written);
     }
-    found.map(|(value, ..)| *value)
+    let all = format!("legal values are {}; the first is the lecture's", quoted(legal.clone()));
+    let problem = notes.add(value.span(), format!("`{key}` cannot be {written}"), "no course decides so");
+    problem.help(match did_you_mean(&written, legal) {
+        Some(meant) => format!("did you mean `{meant}`? {all}"),
+        None => all,
+    });
+    None
 }
 
 /// The value as it is written in a file.
@@ -96,6 +130,36 @@ pub(super) fn schema<T: Choice>() -> Schema {
     let values: Vec<Json> = T::VALUES.iter().map(|(_, written, _)| json(written)).collect();
     let means: Vec<String> = T::VALUES.iter().map(|(_, written, means)| format!("`{written}`: {means}")).collect();
     json_schema!({ "enum": values, "default": values.first(), "markdownDescription": means.join("; ") })
+}
+
+/// A set of effects as a course gives it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct RawEffects(pub(super) Effects);
+
+impl Read for RawEffects {
+    fn read(value: &Value<'_>, notes: &mut Notes) -> Option<Self> {
+        let names = Vec::<EffectName>::read(value, notes)?;
+        Some(Self(names.into_iter().map(|name| name.0).collect()))
+    }
+
+    fn absent(_: &str, _: &Table<'_>, _: &mut Notes) -> Option<Self> {
+        Some(Self(Effects::NONE))
+    }
+}
+
+impl JsonSchema for RawEffects {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "Effects".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let effect = EffectName::json_schema(generator);
+        json_schema!({ "type": "array", "items": effect, "default": [] })
+    }
 }
 
 /// RAY_EPSILON as a course gives it. [rule 21]
@@ -202,6 +266,8 @@ macro_rules! decisions {
                 $( #[doc = $decides] $key: $name, )*
                 /// RAY_EPSILON: a hit at a lesser t does not count.
                 epsilon: $crate::course::choice::RawEpsilon,
+                /// The effects that the programs of this course simulate in every stage.
+                always_simulated: $crate::course::choice::RawEffects,
             }
         }
 
@@ -214,17 +280,21 @@ macro_rules! decisions {
             )*
             /// RAY_EPSILON, from 1e-6 to 1e-3. [rule 21]
             pub epsilon: f64,
+            /// The effects that the programs of this course simulate in every stage.
+            pub always_simulated: $crate::effects::Effects,
         }
 
         impl Default for Course {
             fn default() -> Self {
-                Self { $( $key: $name::default(), )* epsilon: $crate::RAY_EPSILON }
+                let always_simulated = $crate::effects::Effects::NONE;
+                Self { $( $key: $name::default(), )* epsilon: $crate::RAY_EPSILON, always_simulated }
             }
         }
 
         impl From<RawCourse> for Course {
             fn from(raw: RawCourse) -> Self {
-                Self { $( $key: raw.$key, )* epsilon: raw.epsilon.0 }
+                let always_simulated = raw.always_simulated.0;
+                Self { $( $key: raw.$key, )* epsilon: raw.epsilon.0, always_simulated }
             }
         }
 
@@ -234,6 +304,7 @@ macro_rules! decisions {
                 vec![
                     $( $crate::course::choice::written(&self.$key), )*
                     format!("{:e}", self.epsilon),
+                    $crate::course::choice::effects_as_written(self.always_simulated),
                 ]
             }
         }
@@ -260,6 +331,13 @@ macro_rules! decisions {
                     most: $crate::course::choice::RawEpsilon::MOST,
                     lecture: $crate::RAY_EPSILON,
                 },
+            },
+            $crate::course::Decision {
+                key: "always_simulated",
+                decides: "The effects that every program of this course simulates in every stage, also before their own stage",
+                rules: &[],
+                number: None,
+                legal: $crate::course::Legal::Effects,
             },
         ];
     };

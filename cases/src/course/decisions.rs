@@ -32,7 +32,7 @@ decisions! {
         /// Phong's (R·V)₊^ns, R the direction to the light mirrored about N
         Phong = "phong",
     }
-    /// Which surfaces a light behind them shines on, by the size of N·L whatever its sign, and with B = 1
+    /// Which surfaces a light shines on from behind: on these, B is 1 and the size of N·L counts, whatever its sign
     two_sided: TwoSided [3, 11] {
         /// none
         Never = "never",
@@ -73,7 +73,7 @@ decisions! {
         /// as from outside
         AsOutside = "as_outside",
     }
-    /// The depth at which a ray still spawns others; where max_depth is 0 a scene calls for none of them, and none is cast
+    /// The depths at which a ray still spawns others; in a scene with max_depth 0, no ray does, whatever the course decides
     depth: DepthTest [13] {
         /// depth < max_depth
         Less = "<",

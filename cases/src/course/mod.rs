@@ -4,13 +4,17 @@
 //! is no decision of a course: a scene file says it, and programs get scenes in which nothing is left out.
 
 mod choice;
+mod condition;
 mod decisions;
+mod deviations;
 mod page;
 
 use std::path::{Path, PathBuf};
 
 pub use choice::{Decision, Legal};
+pub(crate) use condition::Condition;
 pub use decisions::*;
+pub use deviations::{Deviation, deviations};
 pub use page::markdown;
 
 use crate::problem::Problems;

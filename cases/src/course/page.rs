@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::{Course, DECISIONS, Decision, Legal};
+use crate::effects::Effect;
 
 const HEAD: &str = "\
 # What this course decides
@@ -50,6 +51,10 @@ fn values(decision: &Decision) -> String {
         }
         Legal::Range { least, most, lecture } => {
             format!("`{lecture:e}`; any number from {least:e} to {most:e}")
+        }
+        Legal::Effects => {
+            let effects: Vec<String> = Effect::ALL.iter().map(|effect| format!("`\"{effect}\"`")).collect();
+            format!("`[]`; any list of {}", effects.join(", "))
         }
     }
 }

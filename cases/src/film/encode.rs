@@ -48,6 +48,24 @@ pub fn level(light: f64) -> f64 {
     light.clamp(0.0, 1.0) * 255.0
 }
 
+/// One 8-bit level is exactly this many 16-bit levels, since 65,535 = 255 · 257.
+pub const WORDS_IN_BYTE: f64 = 257.0;
+
+/// Converts light to 16-bit levels, without rounding or clamping. The result is exact for every
+/// f32.
+///
+/// The levels of every PNG are whole on this scale, too. Pictures are compared on it, so that
+/// rounding never decides whether they agree.
+pub(super) fn words(light: f64) -> f64 {
+    light * 65535.0
+}
+
+/// Converts 16-bit levels to light. This is the inverse of [`words`] for every f32, and n · 257
+/// levels give the f64 nearest to n/255.
+pub(super) fn of_words(levels: f64) -> f64 {
+    levels / 65535.0
+}
+
 fn clamped(light: f64) -> f64 {
     if light.is_nan() { 0.0 } else { light.clamp(0.0, 1.0) }
 }

@@ -10,8 +10,8 @@ use ::exr::meta::Headers;
 use ::exr::meta::header::Header;
 use ::exr::prelude::{
     AnyChannel, AnyChannels, AttributeValue, Compression, Encoding, FlatSamples, Image as Exr, ImageAttributes,
-    IntegerBounds, Layer as ExrPart, LayerAttributes, MetaData, ReadChannels, ReadLayers, Text, WritableImage, f16,
-    read,
+    IntegerBounds, Layer as ExrPart, LayerAttributes, MetaData, ReadChannels, ReadLayers, ReadSpecificChannel,
+    SampleType, Text, Vec2, WritableImage, f16, read,
 };
 use glam::DVec3;
 
@@ -19,6 +19,9 @@ use super::{Image, PictureError};
 
 /// Files with more parts or planes than this are refused before anything is decoded.
 const MOST: usize = 1024;
+/// A byte of a file can stand for this many bytes. The compressors reach 1,000, on planes of one
+/// value.
+const MOST_RATIO: usize = 2048;
 /// The attribute of the first part that carries the notes.
 const NOTES: &str = "notes";
 
@@ -124,8 +127,83 @@ pub fn decode_first(bytes: &[u8], width: u32, height: u32) -> Result<(Part, Stri
     demand(bytes, (width, height))?;
     let reader = read().no_deep_data().largest_resolution_level().all_channels().first_valid_layer().all_attributes();
     let file = reader.non_parallel().from_buffered(Cursor::new(bytes)).map_err(broken)?;
-    let notes = notes(&file.layer_data);
+    let notes = notes_in(&file.layer_data.attributes);
     Ok((our_part(file.layer_data), notes))
+}
+
+/// `Shown` is the picture in the planes `R`, `G` and `B` of the first part of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shown {
+    /// The picture has this width and height.
+    pub size: (u32, u32),
+    /// The pixels come row by row, the top row first.
+    pub pixels: Vec<[f32; 3]>,
+    /// The part has this name, which may be empty.
+    pub part: String,
+}
+
+/// Reads the planes `R`, `G` and `B` of the first part.
+///
+/// `admit` decides on the size before anything is decoded.
+///
+/// # Errors
+/// [`PictureError`]: `admit` refuses the size, a plane is missing or holds no floats, the planes do
+/// not cover the whole picture, or the file is damaged.
+pub fn decode_rgb(bytes: &[u8], admit: impl Fn((u32, u32)) -> Result<(), PictureError>) -> Result<Shown, PictureError> {
+    let headers = headers(bytes)?;
+    let first = headers.first().ok_or_else(|| PictureError::Broken("it has no part".to_owned()))?;
+    let size = size(first);
+    admit(size)?;
+    demand_rgb(first)?;
+    demand_length(bytes.len(), first)?;
+    let width = size.0 as usize;
+    let reader = read().no_deep_data().largest_resolution_level().specific_channels();
+    let reader = reader.required("R").required("G").required("B").collect_pixels(
+        |size: Vec2<usize>, _: &_| vec![[0.0; 3]; size.area()],
+        move |pixels: &mut Vec<[f32; 3]>, at: Vec2<usize>, (r, g, b): (f32, f32, f32)| {
+            pixels[at.y() * width + at.x()] = [r, g, b];
+        },
+    );
+    let reader = reader.first_valid_layer().all_attributes().non_parallel();
+    let file = reader.from_buffered(Cursor::new(bytes)).map_err(broken)?;
+    Ok(Shown { size, pixels: file.layer_data.channel_data.pixels, part: name(first) })
+}
+
+/// Checks that `R`, `G` and `B` hold floats for every pixel of the whole picture.
+fn demand_rgb(first: &Header) -> Result<(), PictureError> {
+    let broken = |why: String| Err(PictureError::Broken(why));
+    if first.deep {
+        return broken("it holds deep data, which is no picture".to_owned());
+    }
+    let shown = first.shared_attributes.display_window;
+    if (shown.position, shown.size) != (first.own_attributes.layer_position, first.layer_size) {
+        return broken("it is a part of a picture: its data window is not its display window".to_owned());
+    }
+    for wanted in ["R", "G", "B"] {
+        let plane = first.channels.list.iter().find(|plane| plane.name.eq(wanted));
+        match plane {
+            None => return broken(format!("its first part has no plane {wanted}")),
+            Some(plane) if plane.sample_type == SampleType::U32 => {
+                return broken(format!("its plane {wanted} holds whole numbers, not light"));
+            }
+            Some(_) => {}
+        }
+    }
+    Ok(())
+}
+
+/// Checks that a file of `length` bytes can hold the planes. So a short file cannot claim much
+/// memory.
+fn demand_length(length: usize, first: &Header) -> Result<(), PictureError> {
+    let sample_bytes: usize = first.channels.list.iter().map(|plane| plane.sample_type.bytes_per_sample()).sum();
+    let wanted = first.layer_size.0.saturating_mul(first.layer_size.1).saturating_mul(sample_bytes);
+    if wanted / MOST_RATIO > length {
+        let ((width, height), n) = (size(first), first.channels.list.len());
+        return Err(PictureError::Broken(format!(
+            "it has {length} bytes, which cannot hold {n} planes of {width}×{height} pixels"
+        )));
+    }
+    Ok(())
 }
 
 /// All parts that `bytes` hold.
@@ -136,7 +214,7 @@ pub fn decode(bytes: &[u8], width: u32, height: u32) -> Result<(Vec<Part>, Strin
     demand(bytes, (width, height))?;
     let reader = read().no_deep_data().largest_resolution_level().all_channels().all_layers().all_attributes();
     let file = reader.non_parallel().from_buffered(Cursor::new(bytes)).map_err(broken)?;
-    let notes = file.layer_data.first().map(notes).unwrap_or_default();
+    let notes = file.layer_data.first().map(|part| notes_in(&part.attributes)).unwrap_or_default();
     Ok((file.layer_data.into_iter().map(our_part).collect(), notes))
 }
 
@@ -146,30 +224,48 @@ pub fn decode(bytes: &[u8], width: u32, height: u32) -> Result<(Vec<Part>, Strin
 /// As [`decode_first`].
 pub fn plane_names(bytes: &[u8], width: u32, height: u32) -> Result<Vec<(String, Vec<String>)>, PictureError> {
     let planes = |header: &Header| header.channels.list.iter().map(|channel| channel.name.to_string()).collect();
-    let name = |header: &Header| header.own_attributes.layer_name.as_ref().map(Text::to_string).unwrap_or_default();
     Ok(demand(bytes, (width, height))?.iter().map(|header| (name(header), planes(header))).collect())
 }
 
-/// Reads the headers alone.
+/// Returns the notes that `bytes` hold; an empty text where there are none. Nothing is decoded.
+///
+/// # Errors
+/// A broken file.
+pub fn notes(bytes: &[u8]) -> Result<String, PictureError> {
+    Ok(headers(bytes)?.first().map(|header| notes_in(&header.own_attributes)).unwrap_or_default())
+}
+
+/// Reads the headers alone, and checks that every part has the size `wanted`.
 fn demand(bytes: &[u8], wanted: (u32, u32)) -> Result<Headers, PictureError> {
+    let headers = headers(bytes)?;
+    match headers.iter().map(size).find(|found| *found != wanted) {
+        Some(found) => Err(PictureError::Size { found, wanted }),
+        None => Ok(headers),
+    }
+}
+
+fn size(header: &Header) -> (u32, u32) {
+    let side = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+    (side(header.layer_size.0), side(header.layer_size.1))
+}
+
+fn name(header: &Header) -> String {
+    header.own_attributes.layer_name.as_ref().map(Text::to_string).unwrap_or_default()
+}
+
+/// Reads the headers alone.
+fn headers(bytes: &[u8]) -> Result<Headers, PictureError> {
     let headers = MetaData::read_from_buffered(Cursor::new(bytes), true).map_err(broken)?.headers;
     let n_planes: usize = headers.iter().map(|header| header.channels.list.len()).sum();
     if headers.len() > MOST || n_planes > MOST {
         let n = headers.len();
         return Err(PictureError::Broken(format!("it has {n} parts with {n_planes} planes, at most {MOST} are read")));
     }
-    for header in &headers {
-        let side = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
-        let found = (side(header.layer_size.0), side(header.layer_size.1));
-        if found != wanted {
-            return Err(PictureError::Size { found, wanted });
-        }
-    }
     Ok(headers)
 }
 
-fn notes(part: &ExrPart<AnyChannels<FlatSamples>>) -> String {
-    match part.attributes.other.get(&Text::from(NOTES)) {
+fn notes_in(attributes: &LayerAttributes) -> String {
+    match attributes.other.get(&Text::from(NOTES)) {
         Some(AttributeValue::Text(text)) => text.to_string(),
         _ => String::new(),
     }

@@ -1,113 +1,137 @@
-//! PNGs read row by row as the 8-bit levels that they hold: for pictures too large to be light, or to be held at all.
+//! Reads a picture row by row, so that a large one need not be held in memory.
 
-use std::io::{BufRead, Seek};
+use std::io::{Read, Seek, SeekFrom};
 
-use png::{BitDepth, ColorType, Decoder, Limits, Reader, Transformations};
+use glam::DVec3;
 
-use super::PictureError;
-use super::files::{MAX_CHUNKS, is_png, png_size};
+use super::encode::{of_words, words};
+use super::pfm::{Header, MOST_HEADER};
+use super::png::{PngRows, size_of};
+use super::signature::{self, Signature};
+use super::{Image, PictureError};
 
-/// Bytes at the head of a PNG that give its size away.
-const HEAD: usize = 24;
-
-/// A PNG of at most 8 bits a channel, from which rows are taken, the top one first.
-pub struct Rows<R: BufRead + Seek> {
-    /// Pixels in a row.
-    pub width: u32,
-    /// Rows.
-    pub height: u32,
-    n_channels: usize,
+/// `Rows` is an open picture from which rows are taken, the top row first.
+pub struct Rows<R: Read + Seek> {
+    size: (u32, u32),
     source: Source<R>,
-    /// A row with all its channels.
-    row: Vec<u8>,
 }
 
-/// Where rows come from.
-enum Source<R: BufRead + Seek> {
-    /// Decoded as they are asked for.
-    Stream(Box<Reader<R>>),
-    /// Decoded at once, since an interlaced file holds its rows in another order; what is left of them, and where that begins.
-    Held(Vec<u8>, usize),
+/// A `Source` yields rows.
+enum Source<R: Read + Seek> {
+    Png(PngRows<R>),
+    /// All pixels are in memory. A sample of 1 is this many 16-bit levels, and the next row begins
+    /// at this index.
+    Held(Vec<[f32; 3]>, f64, usize),
 }
 
-impl<R: BufRead + Seek> Rows<R> {
-    /// The rows of the picture in `file`, or `None` where it is no PNG of at most 8 bits a channel, which has other levels.
-    ///
-    /// Grey and palettes become colours, alpha is ignored, as [`read_exact`](super::read_exact) has it.
-    ///
-    /// # Errors
-    /// More than `max_side` pixels in a row or column, before anything is decoded; a broken file.
-    pub fn open(mut file: R, max_side: u32) -> Result<Option<Self>, PictureError> {
-        let head = file.fill_buf()?;
-        if !is_png(head) {
-            return Ok(None);
+/// An `Admit` function refuses sizes before memory is allocated. The flag says whether the whole
+/// picture must be held.
+type Admit<'a> = &'a dyn Fn((u32, u32), bool) -> Result<(), PictureError>;
+
+impl<R: Read + Seek> Rows<R> {
+    /// Opens the PNG or PFM in `file`, which must have the size `wanted`.
+    pub(super) fn open_exact(mut file: R, wanted: (u32, u32)) -> Result<Self, PictureError> {
+        let read = "PNG or PFM";
+        let (head, kind) = look(&mut file, read)?;
+        if kind == Signature::Exr {
+            return Err(PictureError::Foreign { read, found: "these are the bytes of an OpenEXR file" });
         }
-        let size = head.get(..HEAD).and_then(png_size);
-        if let Some(found) = size.filter(|(width, height)| *width > max_side || *height > max_side) {
-            return Err(PictureError::Size { found, wanted: (max_side, max_side) });
-        }
-        let mut decoder = Decoder::new_with_limits(file, Limits { bytes: MAX_CHUNKS });
-        decoder.set_transformations(Transformations::EXPAND);
-        let mut reader = decoder.read_info().map_err(broken)?;
-        let (colour, depth) = reader.output_color_type();
-        if depth != BitDepth::Eight {
-            return Ok(None);
-        }
-        let info = reader.info();
-        let (width, height, n_channels) = (info.width, info.height, colour.samples());
-        let row = vec![0; width as usize * n_channels];
-        let source = match info.interlaced {
-            false => Source::Stream(Box::new(reader)),
-            true => {
-                let mut held = vec![0; row.len() * height as usize];
-                reader.next_frame(&mut held).map_err(broken)?;
-                Source::Held(held, 0)
-            }
-        };
-        debug_assert!(colour != ColorType::Indexed, "palettes are expanded");
-        Ok(Some(Self { width, height, n_channels, source, row }))
+        let admit = |found, _| if found == wanted { Ok(()) } else { Err(PictureError::Size { found, wanted }) };
+        Self::plain(file, &head, kind, &admit)
     }
 
-    /// Fills `levels` with the next rows: red, green, blue of each pixel, row after row.
+    /// Opens a PNG or a PFM that begins with `head`.
+    pub(super) fn plain(mut file: R, head: &[u8], kind: Signature, admit: Admit) -> Result<Self, PictureError> {
+        let admit = |found, is_held| admit(found, is_held).and_then(|()| has_pixels(found));
+        if kind == Signature::Png {
+            size_of(head).filter(|size| has_pixels(*size).is_err()).map_or(Ok(()), |size| admit(size, false))?;
+            let rows = PngRows::open(file, &admit)?;
+            return Ok(Self { size: rows.size, source: Source::Png(rows) });
+        }
+        let header = Header::parse(head)?;
+        admit(header.size, true)?;
+        let length = file.seek(SeekFrom::End(0))?;
+        file.seek(SeekFrom::Start(header.start(head, length)?))?;
+        Ok(Self::held(header.size, header.pixels(file)?, words(1.0)))
+    }
+
+    /// Makes a picture of pixels in memory, of which a sample of 1 is `unit` 16-bit levels.
+    pub(super) fn held(size: (u32, u32), pixels: Vec<[f32; 3]>, unit: f64) -> Self {
+        Self { size, source: Source::Held(pixels, unit, 0) }
+    }
+
+    /// Returns width and height.
+    pub fn size(&self) -> (u32, u32) {
+        self.size
+    }
+
+    /// Returns whether every sample is one of 256 levels, so that [`bytes`](Self::bytes) works.
+    pub fn has_bytes(&self) -> bool {
+        matches!(&self.source, Source::Png(rows) if !rows.is_deep)
+    }
+
+    /// Fills `levels` with the next rows in 8-bit levels: red, green and blue of each pixel.
     ///
     /// # Errors
-    /// A broken file, or one that has no more such rows.
-    pub fn read(&mut self, levels: &mut [u8]) -> Result<(), PictureError> {
-        for row in levels.chunks_mut(self.width as usize * 3) {
-            if self.n_channels == 3 {
-                self.source.next(row)?;
-                continue;
+    /// The file is damaged, its samples are not bytes, or there are no more rows.
+    pub fn bytes(&mut self, levels: &mut [u8]) -> Result<(), PictureError> {
+        match &mut self.source {
+            Source::Png(rows) if !rows.is_deep => {
+                levels.chunks_exact_mut(self.size.0 as usize * 3).try_for_each(|row| rows.bytes(row))
             }
-            self.source.next(&mut self.row)?;
-            for (pixel, channels) in row.chunks_exact_mut(3).zip(self.row.chunks_exact(self.n_channels)) {
-                pixel.copy_from_slice(&if self.n_channels < 3 {
-                    [channels[0]; 3]
-                } else {
-                    [channels[0], channels[1], channels[2]]
-                });
-            }
+            _ => Err(PictureError::Broken("its samples are not bytes".to_owned())),
         }
-        Ok(())
     }
-}
 
-impl<R: BufRead + Seek> Source<R> {
-    fn next(&mut self, row: &mut [u8]) -> Result<(), PictureError> {
-        match self {
-            Self::Stream(reader) => match reader.read_row(row).map_err(broken)? {
-                Some(_) => Ok(()),
-                None => Err(PictureError::Broken("rows are missing".to_owned())),
-            },
-            Self::Held(held, at) => {
-                let next = held.get(*at..*at + row.len());
-                row.copy_from_slice(next.ok_or_else(|| PictureError::Broken("rows are missing".to_owned()))?);
-                *at += row.len();
+    /// Fills `levels` with the next rows in 16-bit levels, where light of 1 is 65,535.
+    ///
+    /// No sample of any kind of file is rounded or clamped.
+    ///
+    /// # Errors
+    /// The file is damaged, or there are no more rows.
+    pub fn words(&mut self, levels: &mut [f64]) -> Result<(), PictureError> {
+        match &mut self.source {
+            Source::Png(rows) => levels.chunks_exact_mut(self.size.0 as usize * 3).try_for_each(|row| rows.words(row)),
+            Source::Held(pixels, unit, at) => {
+                let rest = pixels.get(*at..*at + levels.len() / 3);
+                let rest = rest.ok_or_else(|| PictureError::Broken("it has no more rows".to_owned()))?;
+                let samples = rest.as_flattened().iter().map(|sample| f64::from(*sample) * *unit);
+                levels.iter_mut().zip(samples).for_each(|(to, from)| *to = from);
+                *at += rest.len();
                 Ok(())
             }
         }
     }
+
+    /// Reads the whole picture in linear light.
+    ///
+    /// # Errors
+    /// The file is damaged, or rows were already taken.
+    pub fn into_image(mut self) -> Result<Image, PictureError> {
+        let (width, height) = self.size;
+        let mut pixels = vec![]; // its size follows the rows in the file, not the header
+        let mut row = vec![0.0; width as usize * 3];
+        for _ in 0..height {
+            self.words(&mut row)?;
+            pixels.extend(row.as_chunks::<3>().0.iter().map(|levels| DVec3::from_array(levels.map(of_words))));
+        }
+        Image::from_pixels(width, height, pixels).ok_or_else(|| PictureError::Broken("pixels are missing".to_owned()))
+    }
 }
 
-fn broken(why: png::DecodingError) -> PictureError {
-    PictureError::Broken(why.to_string())
+/// Returns the first bytes of `file` and the kind of picture that they belong to.
+pub(super) fn look(file: &mut (impl Read + Seek), read: &'static str) -> Result<(Vec<u8>, Signature), PictureError> {
+    let mut head = vec![];
+    file.by_ref().take(MOST_HEADER as u64).read_to_end(&mut head)?;
+    file.rewind()?;
+    let kind = signature::of(&head, read)?;
+    Ok((head, kind))
+}
+
+/// Checks that a picture of this size has pixels.
+pub(super) fn has_pixels((width, height): (u32, u32)) -> Result<(), PictureError> {
+    match width.min(height) {
+        0 => Err(PictureError::Broken(format!("it is {width}×{height} pixels, which is no picture"))),
+        _ => Ok(()),
+    }
 }

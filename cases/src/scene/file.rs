@@ -11,36 +11,43 @@ use super::model::Scene;
 use super::raw::read::{Notes, Read, Value};
 use super::raw::{RawRender, RawScene, RawSceneFile};
 use super::{json, resolve, text_file, validate};
+use crate::course::Course;
 use crate::problem::{Problems, Source};
 
+/// Bytes of a file of which every error of syntax is reported. Of a larger one only the first is, since a few
+/// megabytes of rubbish have millions, at a kilobyte each.
+const MAX_RECOVERED_BYTES: usize = 256 << 10;
 /// Bytes of a scene or case file.
 pub const MAX_SCENE_BYTES: u64 = 16 << 20;
 
-/// The scene of the file at `path`: a scene or case in TOML, or a resolved scene in JSON where the name ends in `.json`.
+/// Returns the scene of the file at `path`: a scene or a case in TOML, or a resolved scene in JSON
+/// where the name ends in `.json`.
 ///
-/// A case whose folder holds a `stage.toml` has the effects that its stage allows; any other scene those it calls for.
-/// Meshes are sought relative to the file's folder.
+/// A resolved scene lists its effects. Any other scene requests those that it calls for under
+/// `course`; a case whose folder holds a `stage.toml`, those of them that its stage allows. Paths of
+/// meshes are relative to the folder of the file.
 ///
 /// # Errors
 /// Everything that is wrong with the file.
-pub fn load(path: &Path) -> Result<Scene, Problems> {
+pub fn load(path: &Path, course: &Course) -> Result<Scene, Problems> {
     if crate::stage::is_case(path) {
-        return crate::stage::load_case(path).map(|case| case.scene);
+        return crate::stage::load_case(path, course).map(|case| case.scene);
     }
     let (name, text) = (path.display().to_string(), read(path)?);
     if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("json")) {
         return parse_json(&name, &text);
     }
-    parse(&name, &text, path.parent().unwrap_or(Path::new("")))
+    parse(&name, &text, path.parent().unwrap_or(Path::new("")), course)
 }
 
-/// The scene of a TOML text, called `name` in messages; meshes are sought relative to `base_dir`.
+/// Returns the scene of a TOML text, which messages call `name`, with the effects that it calls for
+/// under `course`. Paths of meshes are relative to `base_dir`.
 ///
 /// # Errors
 /// Everything that is wrong with the text.
-pub fn parse(name: &str, text: &str, base_dir: &Path) -> Result<Scene, Problems> {
+pub fn parse(name: &str, text: &str, base_dir: &Path, course: &Course) -> Result<Scene, Problems> {
     let (raw, mut notes) = document::<RawSceneFile>(name, text);
-    let scene = raw.and_then(|raw| body(&raw.render.0, &raw.scene.0, base_dir, &mut notes));
+    let scene = raw.and_then(|raw| body(&raw.render.0, &raw.scene.0, base_dir, course, &mut notes));
     notes.finish(scene)
 }
 
@@ -93,7 +100,13 @@ pub(crate) fn root(source: &Arc<Source>) -> (Option<Value<'_>>, Notes) {
         notes.add(0..0, "the file is empty", "");
         return (None, notes);
     }
-    let (table, errors) = DeTable::parse_recoverable(text);
+    let (table, errors) = match text.len() <= MAX_RECOVERED_BYTES {
+        true => DeTable::parse_recoverable(text),
+        false => match DeTable::parse(text) {
+            Ok(table) => (table, vec![]),
+            Err(first) => (Spanned::new(0..0, DeTable::new()), vec![first]),
+        },
+    };
     for error in &errors {
         let span = error.span().map_or(0..0, |span| widened(text, span));
         notes.add(span, format!("this is not TOML: {}", error.message()), "");
@@ -112,13 +125,14 @@ fn widened(text: &str, span: Range<usize>) -> Range<usize> {
     }
 }
 
-/// Settings and scene, each looked at even where the other is missing.
+/// Resolves settings and scene. The problems of each are noted even where the other is missing.
 pub(crate) fn body(
     render: &Option<RawRender>,
     scene: &Option<RawScene>,
     base_dir: &Path,
+    course: &Course,
     notes: &mut Notes,
 ) -> Option<Scene> {
     let render = render.as_ref().and_then(|raw| resolve::render(raw, notes));
-    scene.as_ref().and_then(|raw| resolve::scene(raw, render, base_dir, notes))
+    scene.as_ref().and_then(|raw| resolve::scene(raw, render, base_dir, course, notes))
 }

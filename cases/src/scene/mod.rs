@@ -8,10 +8,8 @@
 mod file;
 pub mod json;
 #[cfg(feature = "authoring")]
-mod mesh_file;
+mod mesh;
 mod model;
-#[cfg(feature = "authoring")]
-mod ply;
 #[cfg(feature = "authoring")]
 pub(crate) mod raw;
 #[cfg(feature = "authoring")]

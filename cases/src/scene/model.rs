@@ -98,6 +98,13 @@ pub enum Light {
     },
 }
 
+impl Scene {
+    /// Returns the material of `object`, an object of this scene.
+    pub fn material(&self, object: &Object) -> &Material {
+        &self.materials[object.material]
+    }
+}
+
 impl Light {
     /// I_j. [rule 3]
     pub fn colour(&self) -> DVec3 {

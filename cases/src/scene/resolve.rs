@@ -10,7 +10,8 @@ use super::raw::numbers::{Index, unit};
 use super::raw::objects::{RawMesh, RawMeshInline, RawObject, RawTransform};
 use super::raw::read::{At, Each, Maybe, Notes};
 use super::raw::{RawAttenuation, RawCamera, RawLight, RawMaterial, RawRender, RawScene};
-use super::{mesh_file, transform};
+use super::{mesh, transform};
+use crate::course::Course;
 use crate::effects::{self, Effects};
 use crate::problem::{did_you_mean, quoted};
 
@@ -29,9 +30,18 @@ const AIR: f64 = 1.0003;
 /// How nearly parallel `up` may be to the view: the sine of the angle between them.
 const LEAST_SINE_OF_UP: f64 = 1e-6;
 
-/// The scene that `raw` describes, with the effects it calls for; what is wrong with it is noted, and the result then only
-/// serves to find more that is wrong.
-pub(crate) fn scene(raw: &RawScene, render: Option<Render>, base: &Path, notes: &mut Notes) -> Option<Scene> {
+/// Returns the scene that `raw` describes, with the effects that it calls for under `course`.
+///
+/// Every problem of `raw` goes to `notes`. Where there is one, or where `render` is missing, the
+/// result is `None`: a part of a scene would have indices that point at nothing.
+pub(crate) fn scene(
+    raw: &RawScene,
+    render: Option<Render>,
+    base: &Path,
+    course: &Course,
+    notes: &mut Notes,
+) -> Option<Scene> {
+    let n_before = notes.len();
     let materials: Vec<Material> = raw.materials.iter().filter_map(|(name, raw)| material(name, raw, notes)).collect();
     let index_of = raw.materials.keys().enumerate().map(|(index, name)| (name.as_str(), index)).collect();
     let mut walk = Walk {
@@ -45,19 +55,22 @@ pub(crate) fn scene(raw: &RawScene, render: Option<Render>, base: &Path, notes: 
     let root = Context { name: "objects", material: None, world_from_here: DAffine3::IDENTITY, nesting: 0 };
     walk.list(&raw.objects, &root, notes);
     let (meshes, objects) = (walk.meshes, walk.objects);
+    let camera = raw.camera.0.as_ref().and_then(|raw| camera(raw, notes));
+    let lights = raw.lights.0.iter().flatten().filter_map(|raw| light(raw, notes)).collect();
+    if notes.len() > n_before || raw.has_hole() {
+        return None;
+    }
     let mut scene = Scene {
         render: render?,
         effects: Effects::NONE,
-        camera: raw.camera.0.as_ref().and_then(|raw| camera(raw, notes))?,
+        camera: camera?,
         background: raw.background.get(),
-        lights: raw.lights.0.iter().flatten().filter_map(|raw| light(raw, notes)).collect(),
+        lights,
         materials,
         meshes,
         objects,
     };
-    if notes.is_empty() {
-        scene.effects = effects::called_for(&scene);
-    }
+    scene.effects = effects::called_for(&scene, course);
     Some(scene)
 }
 
@@ -116,7 +129,7 @@ fn attenuation(raw: &At<RawAttenuation>, notes: &mut Notes) -> Option<Attenuatio
     Some(Attenuation { quadratic, linear, constant })
 }
 
-/// The material that `raw` describes; its place among the others is kept even where it is wrong.
+/// Returns the material that `raw` describes; `None` where it could not be read.
 pub(crate) fn material(name: &str, raw: &Maybe<RawMaterial>, notes: &mut Notes) -> Option<Material> {
     let raw = raw.0.as_ref()?;
     let [ks, kt] = [raw.ks.get(), raw.kt.get()];
@@ -268,7 +281,7 @@ impl Walk<'_> {
                 if let Some(known) = self.files.get(&key) {
                     return *known;
                 }
-                let read = mesh_file::read(raw, &key.0, notes);
+                let read = mesh::read(raw, &key.0, notes);
                 self.files.insert(key, read.is_some().then_some(self.meshes.len()));
                 read?
             }

@@ -10,6 +10,7 @@ use toml::de::DeValue;
 use super::Check;
 use super::ask::{self, Named};
 use super::load::{limit, stem};
+use crate::course::{Condition, Course};
 use crate::effects::Effects;
 use crate::probe::Answer;
 use crate::problem::{Problems, Source};
@@ -48,26 +49,27 @@ table! {
     }
 }
 
-/// The checks of the file at `path`, whose stage allows these effects: the scenes of checks simulate all of them.
-pub(super) fn load(path: &Path, stage: &str, allows: Effects) -> Result<Vec<Check>, Problems> {
-    parse(&path.display().to_string(), &scene::read(path)?, path, stage, allows)
-}
-
-fn parse(name: &str, text: &str, path: &Path, stage: &str, allows: Effects) -> Result<Vec<Check>, Problems> {
+/// Returns the checks of the file at `path` under `course`. Their scenes request every effect that
+/// the stage allows, or that the programs of the course always simulate.
+pub(super) fn load(path: &Path, stage: &str, allows: Effects, course: &Course) -> Result<Vec<Check>, Problems> {
+    let (name, text) = (path.display().to_string(), scene::read(path)?);
     let source = Source::new(name, text);
     let (root, mut notes) = scene::root(&source);
     let checks = root.and_then(|root| {
         let table = Table::open("a file of unit checks", &["scenes", "materials", "check"], &root, &mut notes)?;
         let base = path.parent().unwrap_or(Path::new(""));
-        let named = named(&table, base, allows, &mut notes);
-        let items = table.entry("check").and_then(|items| items.get_ref().as_array());
-        let Some(items) = items else {
+        let named = named(&table, base, allows, course, &mut notes);
+        let Some(items) = table.entry("check") else {
             notes.add(0..0, "missing key `check`", "").help("unit checks are written as `[[check]]`");
+            return None;
+        };
+        let Some(items) = items.get_ref().as_array() else {
+            notes.wrong(items, "a list of checks, written as `[[check]]`");
             return None;
         };
         let mut names = HashSet::new();
         let prefix = format!("{stage}/{}", stem(path));
-        let read = |item| check(item, &prefix, &named, &mut names, &mut notes);
+        let read = |item| check(item, &prefix, &named, course, &mut names, &mut notes);
         // All are read before the first failure counts.
         let checks: Vec<Option<Check>> = items.iter().map(read).collect();
         checks.into_iter().collect()
@@ -75,7 +77,7 @@ fn parse(name: &str, text: &str, path: &Path, stage: &str, allows: Effects) -> R
     notes.finish(checks)
 }
 
-fn named(table: &Table<'_>, base: &Path, allows: Effects, notes: &mut Notes) -> Named {
+fn named(table: &Table<'_>, base: &Path, allows: Effects, course: &Course, notes: &mut Notes) -> Named {
     type Raw<T> = Option<BTreeMap<String, Maybe<T>>>;
     let scenes = table.field::<Raw<RawCheckScene>>("scenes", notes).flatten().unwrap_or_default();
     let materials = table.field::<Raw<RawMaterial>>("materials", notes).flatten().unwrap_or_default();
@@ -83,7 +85,7 @@ fn named(table: &Table<'_>, base: &Path, allows: Effects, notes: &mut Notes) -> 
         materials.iter().map(|(name, raw)| (name.clone(), resolve::material(name, raw, notes))).collect();
     let scenes = scenes
         .into_iter()
-        .map(|(name, raw)| (name, raw.0.and_then(|raw| check_scene(raw, &materials, base, allows, notes))))
+        .map(|(name, raw)| (name, raw.0.and_then(|raw| check_scene(raw, &materials, base, allows, course, notes))))
         .collect();
     Named { scenes, materials: resolved }
 }
@@ -93,6 +95,7 @@ fn check_scene(
     materials: &BTreeMap<String, Maybe<RawMaterial>>,
     base: &Path,
     allows: Effects,
+    course: &Course,
     notes: &mut Notes,
 ) -> Option<Scene> {
     let RawCheckRender { size, max_depth, threshold } = raw.render;
@@ -108,9 +111,9 @@ fn check_scene(
         materials: all,
         objects: raw.objects,
     };
-    let mut scene = resolve::scene(&raw, render, base, notes)?;
-    limit(&mut scene, allows, notes);
-    scene.effects = allows;
+    let mut scene = resolve::scene(&raw, render, base, course, notes)?;
+    limit(&mut scene, allows, course, notes);
+    scene.effects = allows.union(course.always_simulated);
     Some(scene)
 }
 
@@ -118,10 +121,11 @@ fn check(
     item: &Value<'_>,
     prefix: &str,
     named: &Named,
+    course: &Course,
     names: &mut HashSet<String>,
     notes: &mut Notes,
 ) -> Option<Check> {
-    let table = Table::open("a check", &["name", "about", "rules", "ask", "paper"], item, notes)?;
+    let table = Table::open("a check", &["name", "about", "rules", "ask", "paper", "under"], item, notes)?;
     let name = table.field::<At<String>>("name", notes).and_then(|name| own(name, names, notes));
     let about = table.field::<String>("about", notes);
     let rules = table.field::<Vec<Rule>>("rules", notes);
@@ -129,10 +133,7 @@ fn check(
         Some(value) => ask::read(value, named, notes),
         None => table.field::<Maybe<String>>("ask", notes).and(None),
     };
-    let paper = match table.entry("paper") {
-        Some(value) => paper(value, notes).map(Some),
-        None => Some(None),
-    };
+    let paper = paper(&table, course, notes);
     Some(Check {
         id: format!("{prefix}/{}", name?),
         about: about?,
@@ -156,8 +157,23 @@ fn own(name: At<String>, names: &mut HashSet<String>, notes: &mut Notes) -> Opti
     Some(name.value)
 }
 
-/// An answer worked out on paper, in the protocol's form.
-fn paper(value: &Value<'_>, notes: &mut Notes) -> Option<Answer> {
+/// Returns the answer on paper, if there is one and `under` does not restrict it to other courses.
+fn paper(table: &Table<'_>, course: &Course, notes: &mut Notes) -> Option<Option<Answer>> {
+    let under = table.field::<Option<At<Condition>>>("under", notes)?;
+    let paper = table.entry("paper").map(|value| answer(value, notes));
+    if let (Some(under), None) = (&under, &paper) {
+        let label = "`under` says in which courses the `paper` answer holds";
+        notes.add(under.span.clone(), "there is no answer on paper", label);
+    }
+    let holds = under.is_none_or(|under| under.holds(course));
+    match paper {
+        Some(answer) => answer.map(|answer| holds.then_some(answer)),
+        None => Some(None),
+    }
+}
+
+/// Reads an answer in the form of the protocol.
+fn answer(value: &Value<'_>, notes: &mut Notes) -> Option<Answer> {
     let form = json(value.get_ref());
     let answer = serde_json::from_value::<Answer>(form.clone()).map_err(|why| why.to_string());
     // Keys that mean nothing are ignored when read; written again, the answer shows that they are gone.

@@ -1,27 +1,38 @@
-//! Loading stages: every file of the folder is read, and everything that is wrong in any of them is said at once.
+//! Loads stages. Every file of the folder is read, and the problems of all files are reported at once.
 
 use std::path::{Path, PathBuf};
 
 use super::raw::RawStage;
-use super::{Case, Check, Stage, checks};
+use super::{Base, Case, Check, Stage, checks};
+use crate::course::Course;
 use crate::effects::{self, Effect, Effects};
 use crate::problem::{Problems, quoted};
 use crate::scene::raw::read::Notes;
 use crate::scene::raw::{RawCase, vary};
 use crate::scene::{self, Scene};
 
-/// The stages below `stages_dir`, ordered by name, each with its cases and unit checks ordered by file name.
+/// Returns the stages below `stages_dir` under `course`, ordered by name, each with its cases and unit
+/// checks ordered by file name.
 ///
 /// # Errors
 /// Everything that is wrong in any file of any stage.
-pub fn load_all(stages_dir: &Path) -> Result<Vec<Stage>, Problems> {
+pub fn load_all(stages_dir: &Path, course: &Course) -> Result<Vec<Stage>, Problems> {
     let folders: Vec<PathBuf> = entries(stages_dir)?.into_iter().filter(|path| path.is_dir()).collect();
     let names: Vec<String> = folders.iter().map(|folder| file_name(folder)).collect();
     if folders.is_empty() {
         let help = "stages are folders such as `01_ray_casting` with a `stage.toml`".to_owned();
         return Err(Problems::of_file(stages_dir.display().to_string(), "there are no stages here", Some(help)));
     }
-    all(folders.iter().enumerate().map(|(at, folder)| stage(folder, &names[..at])).collect())
+    let stage = |(at, folder): (usize, &PathBuf)| stage(folder, &names[..at], course);
+    let mut stages = all(folders.iter().enumerate().map(stage).collect())?;
+    for at in 1..stages.len() {
+        let before = stages[..at].iter().fold(Effects::NONE, |all, stage| all.union(stage.allows));
+        let added = stages[at].allows.difference(before);
+        if added != Effects::NONE {
+            stages[at].base = Base::Without(added);
+        }
+    }
+    Ok(stages)
 }
 
 /// Whether `path` is an image case of a stage: a TOML file whose folder holds a `stage.toml`.
@@ -29,16 +40,18 @@ pub fn is_case(path: &Path) -> bool {
     is_toml(path) && file_name(path) != "stage.toml" && path.with_file_name("stage.toml").is_file()
 }
 
-/// The image case at `path`, with the effects that the stage around it allows.
+/// Returns the image case at `path`. Its scene requests the effects that it calls for under `course`
+/// and that the stage around it allows.
 ///
 /// # Errors
 /// Everything that is wrong with the case or its `stage.toml`; a case outside any stage.
-pub fn load_case(path: &Path) -> Result<Case, Problems> {
+pub fn load_case(path: &Path, course: &Course) -> Result<Case, Problems> {
     let folder = path.canonicalize().ok().and_then(|path| path.parent().map(Path::to_path_buf));
     let folder = folder.unwrap_or_else(|| path.parent().unwrap_or(Path::new("")).to_path_buf());
     let about = path.with_file_name("stage.toml");
     let raw = raw_stage(&about, None);
-    let case = case(path, &file_name(&folder), raw.as_ref().map_or_else(|_| Effects::all(), allowed));
+    let allows = raw.as_ref().map_or_else(|_| Effects::all(), allowed);
+    let case = case(path, &file_name(&folder), allows, course);
     both(raw, case).map(|(_, case)| case)
 }
 
@@ -71,20 +84,21 @@ fn all<T>(results: Vec<Result<T, Problems>>) -> Result<Vec<T>, Problems> {
     Problems::new(problems).map_or(Ok(values), Err)
 }
 
-/// The stage in `folder`; `before` names those that come earlier.
-fn stage(folder: &Path, before: &[String]) -> Result<Stage, Problems> {
+/// Returns the stage in `folder` with the base of a first stage; `before` names the earlier stages.
+fn stage(folder: &Path, before: &[String], course: &Course) -> Result<Stage, Problems> {
     let id = file_name(folder);
     let raw = raw_stage(&folder.join("stage.toml"), Some(before));
     let allows = raw.as_ref().map_or_else(|_| Effects::all(), allowed);
     let files = entries(folder)?;
-    let cases = files.iter().filter(|path| is_case(path)).map(|path| case(path, &id, allows)).collect();
-    let checks = checks(&folder.join("checks"), &id, allows);
+    let cases = files.iter().filter(|path| is_case(path)).map(|path| case(path, &id, allows, course)).collect();
+    let checks = checks(&folder.join("checks"), &id, allows, course);
     let (raw, (cases, checks)) = both(raw, both(all(cases), checks))?;
     Ok(Stage {
         id,
         title: raw.title,
         about: raw.about,
         allows,
+        base: Base::Background,
         needs: raw.needs.into_iter().map(|name| name.value).collect(),
         unit_points: raw.unit_points.0,
         cases,
@@ -93,10 +107,10 @@ fn stage(folder: &Path, before: &[String]) -> Result<Stage, Problems> {
 }
 
 /// The unit checks of the files in `folder`, if there is such a folder.
-fn checks(folder: &Path, stage: &str, allows: Effects) -> Result<Vec<Check>, Problems> {
+fn checks(folder: &Path, stage: &str, allows: Effects, course: &Course) -> Result<Vec<Check>, Problems> {
     let files = if folder.is_dir() { entries(folder)? } else { vec![] };
     let files = files.iter().filter(|path| is_toml(path));
-    all(files.map(|path| checks::load(path, stage, allows)).collect()).map(|lists| lists.concat())
+    all(files.map(|path| checks::load(path, stage, allows, course)).collect()).map(|lists| lists.concat())
 }
 
 fn raw_stage(path: &Path, before: Option<&[String]>) -> Result<RawStage, Problems> {
@@ -115,22 +129,23 @@ fn allowed(raw: &RawStage) -> Effects {
     raw.allows.iter().map(|name| name.0).collect()
 }
 
-/// The case at `path` in the stage of that id.
-fn case(path: &Path, stage: &str, allows: Effects) -> Result<Case, Problems> {
-    parse_case(path, &scene::read(path)?, stage, allows)
+/// Returns the case at `path` in the stage of that id.
+fn case(path: &Path, stage: &str, allows: Effects, course: &Course) -> Result<Case, Problems> {
+    parse_case(path, &scene::read(path)?, stage, allows, course)
 }
 
-/// The case that a file at `path` would be in the stage of that id, with the effects that the stage allows, if it held `text`.
+/// Returns the case that a file with this `text` at `path` is, in the stage of that id, which
+/// `allows` these effects, under `course`. Nothing but the meshes of the scene is read.
 ///
 /// # Errors
 /// Everything that is wrong with the text.
-pub fn parse_case(path: &Path, text: &str, stage: &str, allows: Effects) -> Result<Case, Problems> {
+pub fn parse_case(path: &Path, text: &str, stage: &str, allows: Effects, course: &Course) -> Result<Case, Problems> {
     let (raw, mut notes) = scene::document::<RawCase>(&path.display().to_string(), text);
     let found = raw.and_then(|raw| {
         let base = path.parent().unwrap_or(Path::new(""));
         let bounds = raw.vary.as_ref().map(|vary| vary::bounds(vary, raw.scene.0.as_ref(), &mut notes));
-        let mut scene = scene::body(&raw.render.0, &raw.scene.0, base, &mut notes)?;
-        limit(&mut scene, allows, &mut notes);
+        let mut scene = scene::body(&raw.render.0, &raw.scene.0, base, course, &mut notes)?;
+        limit(&mut scene, allows, course, &mut notes);
         Some(Case {
             id: format!("{stage}/{}", stem(path)),
             title: raw.title,
@@ -144,9 +159,11 @@ pub fn parse_case(path: &Path, text: &str, stage: &str, allows: Effects) -> Resu
     notes.finish(found)
 }
 
-/// Takes out of the scene's effects what the stage does not allow; what cannot be left out of a picture is a problem.
-pub(super) fn limit(scene: &mut Scene, allows: Effects, notes: &mut Notes) {
-    for reason in effects::reasons(scene).iter().filter(|reason| scene.effects.has(reason.effect)) {
+/// Removes the effects from `scene` that neither the stage allows nor the programs of the course always
+/// simulate. An effect that no tracer can leave out of the picture is a problem instead.
+pub(super) fn limit(scene: &mut Scene, allows: Effects, course: &Course, notes: &mut Notes) {
+    let allows = allows.union(course.always_simulated);
+    for reason in effects::reasons(scene, course).iter().filter(|reason| scene.effects.has(reason.effect)) {
         let must_be_allowed = matches!(reason.effect, Effect::Transforms | Effect::Attenuation);
         if must_be_allowed && !allows.has(reason.effect) {
             let message = format!("this stage does not allow {}: {}", reason.effect, reason.because);

@@ -10,6 +10,8 @@ pub(crate) mod raw;
 pub use bounds::Bounds;
 pub use load::{allowed_at, is_case, load_all, load_case, parse_case};
 
+use serde::Serialize;
+
 use crate::effects::Effects;
 use crate::probe::Ask;
 use crate::scene::Scene;
@@ -23,8 +25,11 @@ pub struct Stage {
     pub title: String,
     /// What the stage is about, in a few sentences.
     pub about: String,
-    /// The effects its cases may show; a case renders what its scene calls for and this allows.
+    /// The effects that its cases may show, as `stage.toml` lists them. A case requests what its scene
+    /// calls for, as far as this, or the course for all stages, allows it.
     pub allows: Effects,
+    /// The picture that earns nothing in its cases: what a tracer shows that lacks this stage.
+    pub base: Base,
     /// Ids of the stages that a student needs first.
     pub needs: Vec<String>,
     /// Points for all unit checks together, in thousandths.
@@ -33,6 +38,24 @@ pub struct Stage {
     pub cases: Vec<Case>,
     /// Unit checks, in file order.
     pub checks: Vec<Check>,
+}
+
+impl Stage {
+    /// Returns the ids of all image cases and unit checks, in order.
+    pub fn ids(&self) -> impl Iterator<Item = &str> {
+        let checks = self.checks.iter().map(|check| check.id.as_str());
+        self.cases.iter().map(|case| case.id.as_str()).chain(checks)
+    }
+}
+
+/// The picture of a case by a tracer that lacks everything that the stage of the case adds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Base {
+    /// The background alone: before the first stage there is no tracer.
+    Background,
+    /// The scene without these effects, which the stage is the first to allow.
+    Without(Effects),
 }
 
 /// An image case, `stages/NN_name/CASE.toml`.
@@ -65,6 +88,6 @@ pub struct Check {
     pub rules: Vec<u8>,
     /// The question.
     pub ask: Ask,
-    /// The answer where the author worked it out on paper.
+    /// The answer that the author worked out on paper, where it holds for the course.
     pub paper: Option<crate::probe::Answer>,
 }

@@ -15,13 +15,15 @@ pub struct OnBench<'a> {
 }
 
 impl<'a> OnBench<'a> {
-    /// Grades the stages selected by what their ids begin with; none: all.
+    /// Grades the stages whose ids begin with one of the given texts; all where none is given.
     ///
     /// # Errors
-    /// No compiler.
+    /// No such stage; answers that are missing or stale; no compiler.
     pub fn new(bench: &'a Bench, stages: &[String]) -> Result<Self, GradeError> {
+        bench.selected(stages, &[])?;
         let mut stages = stages.to_vec();
         stages.sort();
+        grade::check_answers(bench, &Options { stages: stages.clone(), ..Options::new("") })?;
         let epoch = format!("{} {stages:?}", bench.epoch()?);
         Ok(Self { bench, stages, epoch })
     }

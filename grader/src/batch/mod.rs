@@ -11,13 +11,14 @@
 
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::files;
 use crate::grade::{GradeError, Graded};
 use crate::plain;
 use crate::record::{FindingKind, Record, Verdict};
 use crate::report::class::{self, Entry};
+use crate::workers::{Panicked, guarded, side_by_side};
 
 mod bench;
 mod progress;
@@ -124,8 +125,7 @@ pub fn run(grader: &impl Grader, options: &Options, listener: &dyn Listener) -> 
     }
     let store = Store::open(&options.out, grader.epoch()).map_err(unwritable)?;
     listener.begin(submissions.len());
-    let brought = side_by_side(options.jobs, &submissions, |one| bring(grader, &store, one, listener));
-    let brought = brought.map_err(unwritable)?;
+    let brought = bring_all(grader, &store, &submissions, options.jobs, listener).map_err(unwritable)?;
     listener.end();
     let summary = summarise(&submissions, &brought, left_aside);
     if summary.n_left == 0 {
@@ -134,31 +134,38 @@ pub fn run(grader: &impl Grader, options: &Options, listener: &dyn Listener) -> 
     Ok(summary)
 }
 
-/// What `work` makes of each item, in their order, `jobs` at a time; after an error no other is begun.
+/// Deaths of the grader, each while it graded this submission alone, after which it is not graded
+/// in the next run.
+const MAX_DEATHS: u32 = 2;
+
+/// Brings all submissions, `jobs` at a time; after results that cannot be written, no other is
+/// begun.
 ///
-/// Not by rayon: a worker of it that waits for the programs of one submission would meanwhile begin another.
-fn side_by_side<T: Sync, R: Send>(
+/// Those that were being graded when a run died come last and one by one, so that the one which
+/// killed it stands in nobody's way.
+fn bring_all(
+    grader: &impl Grader,
+    store: &Store,
+    submissions: &[Submission],
     jobs: usize,
-    items: &[T],
-    work: impl Fn(&T) -> io::Result<R> + Sync,
-) -> io::Result<Vec<R>> {
-    let next = AtomicUsize::new(0);
-    let worker = || {
-        let mut done = Vec::new();
-        loop {
-            let n = next.fetch_add(1, Ordering::Relaxed);
-            let Some(item) = items.get(n) else { return Ok(done) };
-            let result = work(item).inspect_err(|_| next.store(items.len(), Ordering::Relaxed))?;
-            done.push((n, result));
+    listener: &dyn Listener,
+) -> io::Result<Vec<Brought>> {
+    let is_over = AtomicBool::new(false);
+    let work = |n: &usize| {
+        if is_over.load(Ordering::Relaxed) {
+            return Ok(Brought::Left);
         }
+        bring(grader, store, &submissions[*n], listener).inspect_err(|_| is_over.store(true, Ordering::Relaxed))
     };
-    let mut done: Vec<(usize, R)> = std::thread::scope(|scope| {
-        let workers: Vec<_> = (0..jobs.clamp(1, items.len().max(1))).map(|_| scope.spawn(worker)).collect();
-        let ended = workers.into_iter().map(|one| one.join().expect("panics of the grader are caught one by one"));
-        ended.collect::<io::Result<Vec<_>>>().map(|parts| parts.into_iter().flatten().collect())
-    })?;
-    done.sort_by_key(|(n, _)| *n);
-    Ok(done.into_iter().map(|(_, result)| result).collect())
+    let all = 0..submissions.len();
+    let (suspects, others): (Vec<usize>, Vec<usize>) = all.partition(|n| store.deaths(&submissions[*n].id).is_some());
+    let mut brought = side_by_side(jobs, &others, work);
+    brought.extend(side_by_side(1, &suspects, work));
+    let or_failed = |one: Result<_, Panicked>| one.unwrap_or_else(|why| Ok(Brought::Failed(why.to_string())));
+    let brought = brought.into_iter().map(or_failed).collect::<io::Result<Vec<Brought>>>()?;
+    let mut in_order: Vec<(usize, Brought)> = others.into_iter().chain(suspects).zip(brought).collect();
+    in_order.sort_by_key(|(n, _)| *n);
+    Ok(in_order.into_iter().map(|(_, brought)| brought).collect())
 }
 
 /// What became of one submission.
@@ -194,24 +201,24 @@ fn find_or_grade(grader: &impl Grader, store: &Store, one: &Submission) -> io::R
     if let Some(record) = grader.digest(&one.path).and_then(|digest| store.find(&digest, &one.name)) {
         return Ok(Brought::Taken(record));
     }
+    if store.deaths(&one.id).is_some_and(|n| n >= MAX_DEATHS) {
+        let why = format!("the grader died {MAX_DEATHS} times while it graded this alone: see why, and run again");
+        return Ok(Brought::Failed(why));
+    }
+    store.begin(&one.id)?;
+    // A fault of the grader in one submission must not end the run of the others.
     let graded = guarded(|| grader.grade(one));
+    store.end(&one.id);
     if grader.is_stopped() {
         return Ok(Brought::Left);
     }
     match graded {
-        Err(why) => Ok(Brought::Failed(why)),
-        Ok(graded) => match fault(&graded.record) {
+        Err(why) => Ok(Brought::Failed(why.to_string())),
+        Ok(Err(why)) => Ok(Brought::Failed(why.to_string())),
+        Ok(Ok(graded)) => match fault(&graded.record) {
             Some(why) => Ok(Brought::Failed(why)),
             None => store.publish(&graded).map(|()| Brought::Graded(graded.record)),
         },
-    }
-}
-
-/// A fault of ours in one submission must not end the run of the others.
-fn guarded(grade: impl FnOnce() -> Result<Graded, GradeError>) -> Result<Graded, String> {
-    match std::panic::catch_unwind(std::panic::AssertUnwindSafe(grade)) {
-        Ok(graded) => graded.map_err(|why| why.to_string()),
-        Err(_) => Err("the grader panicked; this is a fault of the grader".to_owned()),
     }
 }
 

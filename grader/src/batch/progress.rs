@@ -2,7 +2,8 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
+use pages::{bar, plain, say};
 
 use super::Submission;
 use crate::record::Record;
@@ -42,18 +43,17 @@ impl Shown {
         self.bar.inc(1);
         if self.bar.is_hidden() {
             if is_shown_anyway || !self.is_quiet {
-                eprintln!("[{n_done}/{}] {line}", self.bar.length().unwrap_or(0));
+                say::err(&format!("[{n_done}/{}] {line}", self.bar.length().unwrap_or(0)));
             }
         } else if is_shown_anyway {
-            self.bar.println(line);
+            self.bar.println(plain::printable(&line));
         }
     }
 }
 
 impl Listener for Shown {
     fn begin(&self, n_submissions: usize) {
-        let style = ProgressStyle::with_template("{bar:30} {pos}/{len} submissions, {eta} left  {wide_msg}");
-        self.bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        self.bar.set_style(bar::style("{bar:30} {pos}/{len} submissions{left}  {wide_msg}"));
         self.bar.set_length(n_submissions as u64);
         self.bar.enable_steady_tick(std::time::Duration::from_millis(500));
     }
@@ -64,7 +64,7 @@ impl Listener for Shown {
 
     fn graded(&self, submission: &Submission, record: &Record) {
         let line = line(submission, record);
-        self.bar.set_message(line.clone());
+        self.bar.set_message(plain::printable(&line));
         self.step(line, false);
     }
 
@@ -78,6 +78,5 @@ impl Listener for Shown {
 }
 
 fn line(submission: &Submission, record: &Record) -> String {
-    let (earned, possible) = (words::points(record.score.earned), words::points(record.score.possible));
-    format!("{}: {earned} of {possible} points", submission.name)
+    format!("{}: {} points", submission.name, words::share(record.score.earned, record.score.possible))
 }

@@ -1,22 +1,29 @@
 //! Results on disk: published once, whole, under the hash of all they depend on.
 
+use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use crate::files;
 use crate::grade::Graded;
+use crate::leftovers::{self, Held};
 use crate::record::{Record, SCHEMA};
 use crate::report::html;
-
-/// What was not published for so long will not be: one submission takes minutes.
-const ABANDONED: Duration = Duration::from_secs(24 * 60 * 60);
 
 /// The folder of results, for one epoch.
 pub(super) struct Store {
     out: PathBuf,
     epoch: String,
+    /// The folder where files are made before they get their names, and where notes lie on what is
+    /// being graded.
+    work: Held,
+    /// Submissions that were being graded when a run died, by id, with the number of deaths while
+    /// nothing else was.
+    suspects: BTreeMap<String, u32>,
 }
+
+/// The ending of a file that notes that a submission is being graded.
+const DOING: &str = ".doing";
 
 impl Store {
     /// Makes the folders, and clears what a run that was killed left in them.
@@ -24,8 +31,31 @@ impl Store {
         for folder in ["results", "records", "reports"] {
             std::fs::create_dir_all(out.join(folder))?;
         }
-        files::clear_parts(&out.join("results"), ABANDONED)?;
-        Ok(Self { out: out.to_owned(), epoch: epoch.to_owned() })
+        let suspects = suspects(out)?;
+        files::clear_parts(out)?;
+        files::clear_parts(&out.join("results"))?;
+        Ok(Self { out: out.to_owned(), epoch: epoch.to_owned(), work: Held::new(out, files::PARTS)?, suspects })
+    }
+
+    /// Returns how often a run died while it graded this submission and no other, or `None` where
+    /// none died while it graded this one.
+    pub(super) fn deaths(&self, id: &str) -> Option<u32> {
+        self.suspects.get(id).copied()
+    }
+
+    /// Notes that a submission is being graded, in case that the run dies.
+    pub(super) fn begin(&self, id: &str) -> io::Result<()> {
+        let n_deaths = self.deaths(id).unwrap_or(0);
+        std::fs::write(self.doing(id), n_deaths.to_string())
+    }
+
+    /// Notes that it is not graded any more.
+    pub(super) fn end(&self, id: &str) {
+        let _ = std::fs::remove_file(self.doing(id)); // The whole folder goes when the run ends.
+    }
+
+    fn doing(&self, id: &str) -> PathBuf {
+        self.work.path().join(format!("{id}{DOING}"))
     }
 
     fn folder(&self, digest: &str, name: &str) -> PathBuf {
@@ -56,32 +86,40 @@ impl Store {
         }
         files::publish_folder(&folder, |fresh| {
             html::write(&fresh.join("report.html"), graded)?;
-            files::write(&fresh.join("record.json"), &json(&graded.record))
+            files::write(&fresh.join("record.json"), graded.record.to_json().as_bytes())
         })
     }
 
     /// Puts a published record and its report where people look for them.
     pub(super) fn show(&self, id: &str, record: &Record) -> io::Result<()> {
         let report = self.folder(&record.submission.digest, &record.submission.path).join("report.html");
-        link(&report, &self.out.join("reports").join(format!("{id}.html")))?;
-        files::write(&self.out.join("records").join(format!("{id}.json")), &json(record))
+        self.link(&report, &self.out.join("reports").join(format!("{id}.html")))?;
+        files::write(&self.out.join("records").join(format!("{id}.json")), record.to_json().as_bytes())
+    }
+
+    /// Makes `to` a second name of `from`, or a copy where the file system has no second names.
+    fn link(&self, from: &Path, to: &Path) -> io::Result<()> {
+        let part = self.work.path().join(to.file_name().unwrap_or_default());
+        if std::fs::hard_link(from, &part).is_err() {
+            return files::write(to, &std::fs::read(from)?);
+        }
+        let renamed = std::fs::rename(&part, to);
+        let _ = std::fs::remove_file(&part); // A rename onto another name of the same file leaves both.
+        renamed
     }
 }
 
-fn json(record: &Record) -> Vec<u8> {
-    let mut bytes = serde_json::to_vec_pretty(record).expect("a record has string keys and no failing part");
-    bytes.push(b'\n');
-    bytes
-}
-
-/// Makes `to` a second name of `from`, or a copy where the file system has no second names.
-fn link(from: &Path, to: &Path) -> io::Result<()> {
-    let part = to.with_extension(format!("part-{}", std::process::id()));
-    let _ = std::fs::remove_file(&part); // left by a process of the same number that was killed
-    if std::fs::hard_link(from, &part).is_err() {
-        return files::write(to, &std::fs::read(from)?);
+/// Returns what was being graded when earlier runs died, from the folders that they left in `out`.
+fn suspects(out: &Path) -> io::Result<BTreeMap<String, u32>> {
+    let mut suspects = BTreeMap::new();
+    for left in leftovers::left_behind(out, files::PARTS)? {
+        let names = files::below(&left.path)?.into_iter().filter_map(|path| {
+            let id = path.file_name()?.to_str()?.strip_suffix(DOING)?.to_owned();
+            Some((id, std::fs::read_to_string(&path).ok()?.trim().parse().unwrap_or(0)))
+        });
+        let doing: Vec<(String, u32)> = names.collect();
+        let is_alone = u32::from(doing.len() == 1);
+        suspects.extend(doing.into_iter().map(|(id, n_deaths)| (id, n_deaths + is_alone)));
     }
-    let renamed = std::fs::rename(&part, to);
-    let _ = std::fs::remove_file(&part); // a rename onto a name of the same file leaves both
-    renamed
+    Ok(suspects)
 }

@@ -6,9 +6,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::plain;
-use crate::submission::archive;
+use crate::submission::{looks_handed_in, without_ending};
 
-/// A folder or an archive.
+/// A folder, an archive, or a single file that looks like somebody's work.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Submission {
     /// Of letters, digits, `.`, `_`, `-` and `~`; no two are equal, not even but for case.
@@ -51,8 +51,8 @@ fn why_not(path: &Path) -> io::Result<Option<&'static str>> {
     Ok(match () {
         () if name.starts_with(b".") || name == b"__MACOSX" => Some("made by a system, not by a student"),
         () if kind.is_symlink() => Some("a link: its target may be anywhere"),
-        () if kind.is_dir() || (kind.is_file() && archive::is_archive(path)) => None,
-        () => Some("neither a folder nor an archive (.zip, .tar.gz, .tgz)"),
+        () if kind.is_dir() || (kind.is_file() && looks_handed_in(path)) => None,
+        () => Some("neither a folder nor an archive (.zip, .tar.gz, .tgz, .tar) nor a single source or document"),
     })
 }
 
@@ -79,18 +79,10 @@ fn file_name(path: &Path) -> &OsStr {
     path.file_name().unwrap_or_default()
 }
 
-/// The name without the ending of an archive.
+/// Returns the name without the ending of an archive.
 fn stem(path: &Path) -> &[u8] {
     let name = file_name(path).as_encoded_bytes();
-    let is_archive = archive::is_archive(path) && !path.is_dir();
-    let ending = [".tar.gz", ".tgz", ".zip"].into_iter().find(|ending| {
-        let end = name.len().saturating_sub(ending.len());
-        name[end..].eq_ignore_ascii_case(ending.as_bytes())
-    });
-    match ending {
-        Some(ending) if is_archive => &name[..name.len() - ending.len()],
-        _ => name,
-    }
+    if path.is_dir() { name } else { without_ending(name) }
 }
 
 /// At most 80 safe characters; others become `_`.

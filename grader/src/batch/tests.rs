@@ -217,6 +217,35 @@ fn what_a_kill_leaves_behind_does_no_harm() {
 }
 
 #[test]
+fn what_killed_the_grader_comes_last_and_not_for_ever() {
+    let class = Class::new(&THREE);
+    // A run died while it graded alice and bob, and another one while it graded bob alone.
+    let die = |ids: &[(&str, &str)]| {
+        let part = class.out(&format!(".part-{}", ids.len()));
+        fs::create_dir_all(&part).unwrap();
+        ids.iter().for_each(|(id, n)| fs::write(part.join(format!("{id}.doing")), n).unwrap());
+    };
+    let order = |grader: &Fake| grader.graded.lock().unwrap().clone();
+    die(&[("alice", "0"), ("bob", "0")]);
+    let grader = Fake::new("1", ALL);
+    assert_eq!(class.run(&grader, 1).exit_code(), 0);
+    assert_eq!(order(&grader), ["carol", "alice", "bob"]);
+    die(&[("bob", "0")]);
+    let grader = Fake::new("2", ALL);
+    assert_eq!(class.run(&grader, 1).exit_code(), 0);
+    assert_eq!(order(&grader), ["alice", "carol", "bob"]);
+    die(&[("bob", "1")]);
+    let grader = Fake::new("3", ALL);
+    let summary = class.run(&grader, 1);
+    assert_eq!((summary.exit_code(), summary.failed.len()), (3, 1));
+    assert!(summary.failed[0].1.contains("died 2 times"), "{:?}", summary.failed);
+    assert_eq!(order(&grader), ["alice", "carol"]);
+    let grader = Fake::new("3", ALL);
+    assert_eq!(class.run(&grader, 1).exit_code(), 0);
+    assert_eq!(order(&grader), ["bob"], "the next run tries again");
+}
+
+#[test]
 fn what_is_our_fault_is_reported_and_never_published() {
     let class = Class::new(&[("a", "machine"), ("b", "ours"), ("c", "internal"), ("d", "panic"), ("e", "5000")]);
     let summary = class.run(&Fake::new("1", ALL), 2);
@@ -268,12 +297,31 @@ fn what_is_no_submission_is_left_aside_and_named() {
     let class = Class::new(&[("alice", "1")]);
     let folder = class.place.path().join("in");
     fs::write(folder.join("grades.txt"), "").unwrap();
+    fs::write(folder.join("grades.csv"), "").unwrap();
+    fs::write(folder.join("notes"), "PK is a pair of letters").unwrap();
     fs::write(folder.join(".DS_Store"), "").unwrap();
     std::os::unix::fs::symlink("/etc", folder.join("eve")).unwrap();
     fs::create_dir(folder.join("out")).unwrap();
     let (found, left) = submissions::list(&folder, &folder.join("out")).unwrap();
     assert_eq!(found.iter().map(|one| &*one.id).collect::<Vec<_>>(), ["alice"]);
-    assert_eq!(left.iter().map(|one| &*one.name).collect::<Vec<_>>(), [".DS_Store", "eve", "grades.txt"]);
+    assert_eq!(
+        left.iter().map(|one| &*one.name).collect::<Vec<_>>(),
+        [".DS_Store", "eve", "grades.csv", "grades.txt", "notes"]
+    );
+}
+
+#[test]
+fn what_somebody_handed_in_has_a_row_whatever_it_is() {
+    let class = Class::new(&[("alice", "1")]);
+    let folder = class.place.path().join("in");
+    for name in ["bob.7z", "carol.rar", "dave.tar", "erin.tar.xz", "frank.pdf", "main.rs"] {
+        fs::write(folder.join(name), "").unwrap();
+    }
+    fs::write(folder.join("grace"), "PK\x03\x04").unwrap();
+    let (found, left) = submissions::list(&folder, Path::new("/nowhere")).unwrap();
+    let names: Vec<&str> = found.iter().map(|one| &*one.name).collect();
+    assert_eq!(names, ["alice", "bob", "carol", "dave", "erin", "frank.pdf", "grace", "main.rs"]);
+    assert_eq!(left, []);
 }
 
 #[test]

@@ -1,67 +1,65 @@
 //! From a submission to a program that can be run.
 
 mod diagnostics;
+mod entry;
 mod own;
+mod program;
 mod rustc;
 mod sdk;
 mod toolchain;
 
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::time::Duration;
 
-pub use sdk::Sdk;
+pub use entry::StoreError;
+pub use program::Program;
+pub use sdk::{Sdk, SdkError};
 pub use toolchain::Toolchain;
 
-use crate::sandbox::{Clock, Folder, Limits, Outcome};
+use crate::sandbox::{Clock, FolderError, Limits, Outcome, Shortage};
 use crate::submission::{Kind, Submission, Template};
-
-/// A program that answers the calls of the protocol.
-#[derive(Debug)]
-pub struct Program {
-    /// What is executed.
-    pub path: PathBuf,
-    /// Arguments before those of the protocol.
-    pub args: Vec<OsString>,
-    /// PATH of its environment.
-    pub search: OsString,
-    /// Where a private copy lies; goes away with this.
-    folder: Option<Folder>,
-}
-
-impl Program {
-    /// A program that lies somewhere for good.
-    pub fn new(path: impl Into<PathBuf>, args: Vec<OsString>, search: impl Into<OsString>) -> Self {
-        Self { path: path.into(), args, search: search.into(), folder: None }
-    }
-
-    /// Whether the submission says what is executed, and not the grader, which has compiled it.
-    pub fn is_foreign(&self) -> bool {
-        self.folder.is_some()
-    }
-}
 
 /// A program, and what there is to say of its making.
 #[derive(Debug)]
 pub struct Built {
-    /// It.
+    /// The program.
     pub program: Program,
-    /// What the compiler warned of.
+    /// The compiler's warnings.
     pub warnings: Vec<String>,
-    /// Time by the clock; none where a stored build was taken.
+    /// Wall time, which is zero where a stored build was taken.
     pub time: Duration,
 }
 
 /// Why there is no program.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
 pub enum BuildError {
     /// The submission is to blame; the text is for the student.
+    #[error("{0}")]
     Rejected(String),
-    /// The machine or the grader is.
-    Ours(String),
+    /// The machine or the grader is to blame.
+    #[error(transparent)]
+    Ours(#[from] Fault),
     /// The user stopped the grader.
+    #[error("the grader was interrupted while building")]
     Interrupted,
+}
+
+/// A fault of the machine or the grader that keeps a submission from being built.
+#[derive(Debug, thiserror::Error)]
+pub enum Fault {
+    /// The machine fell short.
+    #[error(transparent)]
+    Machine(#[from] Shortage),
+    /// There is no temporary folder.
+    #[error(transparent)]
+    Folder(#[from] FolderError),
+    /// What the grader stored cannot be used.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+    /// Anything else; the text is for the one who grades.
+    #[error("{0}")]
+    Other(String),
 }
 
 /// What building needs, found once and shared by all submissions.
@@ -72,7 +70,7 @@ pub struct Workshop {
     /// The assignment as it is handed out.
     pub template: Template,
     toolchain: OnceLock<Result<Toolchain, String>>,
-    sdk: OnceLock<Result<Sdk, String>>,
+    sdk: OnceLock<Result<Sdk, SdkError>>,
 }
 
 impl Workshop {
@@ -88,8 +86,7 @@ impl Workshop {
             "the workspace of the assignment (with `student_template` and `cases`) is not above the cases, \
              the grader's binary, or the current folder: run from within it",
         )?;
-        let template = Template::load(&root.join("student_template"))?;
-        Ok(Self { root, template, toolchain: OnceLock::new(), sdk: OnceLock::new() })
+        Ok(Self { root, template: Template::carried(), toolchain: OnceLock::new(), sdk: OnceLock::new() })
     }
 
     /// Where prepared things are stored between runs.
@@ -101,17 +98,21 @@ impl Workshop {
     ///
     /// # Errors
     /// Says how to get one.
-    pub fn toolchain(&self) -> Result<&Toolchain, String> {
-        self.toolchain.get_or_init(|| Toolchain::find(&self.root)).as_ref().map_err(Clone::clone)
+    pub fn toolchain(&self) -> Result<&Toolchain, Fault> {
+        let found = self.toolchain.get_or_init(|| Toolchain::find(&self.root));
+        found.as_ref().map_err(|why| Fault::Other(why.clone()))
     }
 
     /// The compiled crates that student code is linked with; made at the first call, which takes a while.
     ///
     /// # Errors
-    /// What cargo says.
-    pub fn sdk(&self, tell: &dyn Fn(&str)) -> Result<&Sdk, String> {
-        let prepare = || Sdk::prepare(self.toolchain()?, self, tell);
-        self.sdk.get_or_init(prepare).as_ref().map_err(Clone::clone)
+    /// What cargo says, and a store that cannot be used. The error stays the same while this process runs.
+    pub fn sdk(&self, tell: &dyn Fn(&str)) -> Result<&Sdk, Fault> {
+        let prepare = || {
+            let toolchain = self.toolchain().map_err(|why| SdkError::Toolchain(why.to_string()))?;
+            Sdk::prepare(toolchain, self, tell)
+        };
+        self.sdk.get_or_init(prepare).as_ref().map_err(|why| Fault::Other(why.to_string()))
     }
 }
 
@@ -136,29 +137,35 @@ pub fn build(submission: &Submission, workshop: &Workshop, tell: &dyn Fn(&str)) 
 
 /// What a compiler may use.
 const LIMITS: Limits = Limits {
-    wall: Duration::from_secs(300),
-    cpu: Duration::from_secs(300),
+    cpu: Duration::from_secs(600),
+    idle: Duration::from_secs(120),
+    wall: Duration::from_secs(1800),
     memory: 4 << 30,
     file_size: 256 << 20,
+    folder_size: 2 << 30,
     output: 16 << 20,
     processes: 128,
 };
 
 /// What a build that was stopped means.
 fn stopped(outcome: Outcome, limits: &Limits) -> BuildError {
-    let seconds = limits.wall.as_secs();
+    let rejected = |why: &str| BuildError::Rejected(format!("the build {why}"));
     match outcome {
         Outcome::Interrupted => BuildError::Interrupted,
-        Outcome::CouldNotStart(why) | Outcome::NoProgram(why) => {
-            BuildError::Ours(format!("the build cannot be started: {why}"))
+        Outcome::Machine(shortage) => Fault::Machine(shortage).into(),
+        Outcome::NoProgram(why) => Fault::Other(format!("the build cannot be started: {why}")).into(),
+        Outcome::TimedOut(Clock::Cpu) => {
+            let seconds = limits.cpu.as_secs();
+            rejected(&format!("takes more than {seconds} s of CPU time (a macro that calls itself?)"))
         }
-        Outcome::TimedOut(Clock::Wall | Clock::Cpu) => {
-            BuildError::Rejected(format!("the build did not end within {seconds} s (a macro that calls itself?)"))
+        Outcome::TimedOut(Clock::Idle) => {
+            rejected(&format!("waited for more than {} s without computing anything", limits.idle.as_secs()))
         }
-        Outcome::OutOfMemory => BuildError::Rejected("the build takes more than 4 GiB of memory".to_owned()),
-        Outcome::TooMuchOutput(stream) => BuildError::Rejected(format!("the build writes too much to {stream}")),
-        Outcome::TooManyProcesses => BuildError::Rejected("the build starts too many processes".to_owned()),
-        Outcome::Exited(code) => BuildError::Rejected(format!("the build ends with code {code}")),
-        Outcome::Signalled(signal) => BuildError::Rejected(format!("the build ends with signal {signal}")),
+        Outcome::TimedOut(Clock::Wall) => rejected(&format!("did not end within {} s", limits.wall.as_secs())),
+        Outcome::OutOfMemory => rejected("takes more than 4 GiB of memory"),
+        Outcome::TooMuchOutput(stream) => rejected(&format!("writes too much to {stream}")),
+        Outcome::TooManyProcesses => rejected("starts too many processes"),
+        Outcome::Exited(code) => rejected(&format!("ends with code {code}")),
+        Outcome::Signalled(signal) => rejected(&format!("ends with signal {signal}")),
     }
 }

@@ -1,17 +1,20 @@
 //! A submission that says how it is built: its command runs in a private copy of the folder.
 
 use std::ffi::OsString;
-use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::{BuildError, Built, LIMITS, Program, stopped};
-use crate::sandbox::{self, Call, Folder, Outcome};
+use super::{BuildError, Built, Fault, LIMITS, Program, stopped};
+use crate::sandbox::{self, Call, Folder, Outcome, Turn};
 use crate::submission::Own;
+
+/// Bytes that must be left for a build: small tools leave no trace of what they lacked.
+const NEEDED: u64 = 16 << 20;
 
 /// Copies, builds if there is a command for it, and says what is to be run.
 pub(super) fn build(own: &Own, tell: &dyn Fn(&str)) -> Result<Built, BuildError> {
-    let folder = copy(own).map_err(|why| BuildError::Ours(format!("the submission cannot be copied: {why}")))?;
+    let folder = Folder::new().map_err(Fault::from)?;
+    copy(own, &folder).map_err(|why| Fault::Other(format!("the submission cannot be copied: {why}")))?;
     let search = std::env::var_os("PATH").unwrap_or_else(|| "/usr/bin:/bin".into());
     let mut time = Duration::ZERO;
     if let Some(words) = &own.build {
@@ -25,19 +28,17 @@ pub(super) fn build(own: &Own, tell: &dyn Fn(&str)) -> Result<Built, BuildError>
             "the run command of submission.toml starts with `{word}`, which is not there"
         )));
     }
-    Ok(Built { program: Program { path, args, search, folder: Some(folder) }, warnings: vec![], time })
+    Ok(Built { program: Program::in_folder(path, args, search, folder), warnings: vec![], time })
 }
 
-/// A private copy. All files are made executable: archives do not say which are.
-fn copy(own: &Own) -> std::io::Result<Folder> {
-    let folder = Folder::new()?;
+/// Makes a private copy. All files are made executable: archives do not say which are.
+fn copy(own: &Own, folder: &Folder) -> std::io::Result<()> {
     for file in &own.files {
         let to = folder.path().join(file);
         std::fs::create_dir_all(to.parent().unwrap_or(folder.path()))?;
-        std::fs::copy(own.folder.join(file), &to)?;
-        std::fs::set_permissions(&to, std::fs::Permissions::from_mode(0o755))?;
+        sandbox::place_program(&to, &std::fs::read(own.folder.join(file))?)?;
     }
-    Ok(folder)
+    Ok(())
 }
 
 /// The words of a command, where one that begins with `./` is a path in `folder`.
@@ -53,17 +54,22 @@ fn run(words: &[String], folder: &Path, search: &OsString) -> Result<Duration, B
     let (program, args) = command(words, folder);
     let environment =
         [("PATH", search.clone()), ("HOME", folder.into()), ("TMPDIR", folder.into()), ("LANG", "C.UTF-8".into())];
-    let finished = sandbox::run(&Call {
+    let call = Call {
         program,
         args,
         folder: folder.to_owned(),
         environment: environment.map(|(name, value)| (name.into(), value)).to_vec(),
         stdin: vec![],
         limits: LIMITS,
-    });
+        needed: NEEDED,
+    };
+    let finished = sandbox::run(&call, Turn::Shared);
+    if finished.outcome == Outcome::Exited(0) {
+        return Ok(finished.wall);
+    }
+    let finished = sandbox::blame(&call, finished);
     let said = finished.stderr_text().unwrap_or_default();
     match finished.outcome {
-        Outcome::Exited(0) => Ok(finished.wall),
         Outcome::Exited(code) => Err(BuildError::Rejected(format!("the build command ends with code {code}:\n{said}"))),
         Outcome::NoProgram(why) => Err(BuildError::Rejected(format!("the build command cannot be started: {why}"))),
         outcome => Err(stopped(outcome, &LIMITS)),

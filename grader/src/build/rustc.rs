@@ -5,11 +5,11 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use tempfile::TempDir;
-
-use super::{BuildError, Built, LIMITS, Program, Sdk, Workshop, diagnostics, stopped};
+use super::entry;
+use super::program::{PROGRAM, Stored};
+use super::{BuildError, Built, Fault, LIMITS, Program, Sdk, Workshop, diagnostics, stopped};
 use crate::files;
-use crate::sandbox::{self, Call, Limits, Outcome};
+use crate::sandbox::{self, Call, Finished, Folder, Limits, Outcome, Turn};
 
 /// How student code is compiled; part of the key.
 const FLAGS: [&str; 11] = [
@@ -25,12 +25,12 @@ const FLAGS: [&str; 11] = [
     "strip=debuginfo",
     "--error-format=json",
 ];
-/// A right one takes a second or two.
-const QUICK: Limits = Limits { wall: Duration::from_secs(60), cpu: Duration::from_secs(60), ..LIMITS };
+/// CPU time of the compiler; a right program takes a second or two.
+const CPU: Duration = Duration::from_secs(60);
+/// Bytes that the compiler and the linker write for a program, temporary files included: four times
+/// what was measured.
+const NEEDED: u64 = 8 << 20;
 const SEARCH: &str = "/usr/bin:/bin";
-const PROGRAM: &str = "program";
-const WARNINGS: &str = "warnings.json";
-
 /// Takes the stored program of these sources, or compiles it.
 pub(super) fn build(
     sources: &BTreeMap<String, String>,
@@ -38,57 +38,65 @@ pub(super) fn build(
     workshop: &Workshop,
     tell: &dyn Fn(&str),
 ) -> Result<Built, BuildError> {
-    let sdk = workshop.sdk(tell).map_err(BuildError::Ours)?;
+    let sdk = workshop.sdk(tell)?;
     let key = blake3::hash(format!("{digest} {} {FLAGS:?}", sdk.key).as_bytes()).to_hex();
-    let stored = workshop.store().join("builds").join(&key[..32]);
-    if let Some(built) = take(&stored, Duration::ZERO) {
-        return Ok(built);
+    let folder = workshop.store().join("builds").join(&key[..32]);
+    if let Some(stored) = Stored::take(&folder).map_err(Fault::from)? {
+        return built(stored, Duration::ZERO);
     }
     tell("compiling the submission");
-    let rustc = workshop.toolchain().map_err(BuildError::Ours)?.rustc();
-    let time = compile(&rustc, sources, sdk, &stored)?;
-    take(&stored, time).ok_or_else(|| BuildError::Ours(format!("{} cannot be read", stored.display())))
+    let time = compile(&workshop.toolchain()?.rustc(), sources, sdk, &folder)?;
+    let missing = || Fault::Other(format!("{} is not there after it was stored", folder.display()));
+    built(Stored::take(&folder).map_err(Fault::from)?.ok_or_else(missing)?, time)
 }
 
-fn take(stored: &Path, time: Duration) -> Option<Built> {
-    let path = stored.join(PROGRAM);
-    let warnings = serde_json::from_slice(&std::fs::read(stored.join(WARNINGS)).ok()?).ok()?;
-    let program = Program::new(path, vec![], SEARCH);
-    program.path.is_file().then_some(Built { program, warnings, time })
+fn built(stored: Stored, time: Duration) -> Result<Built, BuildError> {
+    let warnings = stored.about.clone();
+    Ok(Built { program: Program::of_stored(stored, SEARCH)?, warnings, time })
 }
 
-/// Compiles in a folder of its own and publishes program and warnings at `stored`.
+/// Compiles in a folder of its own, and stores program and warnings as the entry `stored`.
 fn compile(rustc: &Path, sources: &BTreeMap<String, String>, sdk: &Sdk, stored: &Path) -> Result<Duration, BuildError> {
-    let ours = |why: std::io::Error| BuildError::Ours(format!("the build folder: {why}"));
-    let folder = TempDir::new().map_err(ours)?;
+    let folder = Folder::new().map_err(Fault::from)?;
     for (name, text) in sources {
-        files::write(&folder.path().join(name), text.as_bytes()).map_err(ours)?;
+        let write = files::write(&folder.path().join(name), text.as_bytes());
+        write.map_err(|why| Fault::Other(format!("the build folder: {why}")))?;
     }
-    let finished = sandbox::run(&call(rustc, sdk, folder.path()));
+    let call = call(rustc, sdk, folder.path());
+    let finished = sandbox::run(&call, Turn::Shared);
+    if finished.outcome != Outcome::Exited(0) {
+        return Err(failed(sandbox::blame(&call, finished), sdk, &call.limits));
+    }
+    let warnings = diagnostics::parse(&finished.stderr).warnings;
+    entry::publish(stored, &warnings, |fresh| {
+        std::fs::copy(folder.path().join(PROGRAM), fresh.join(PROGRAM)).map(drop)
+    })
+    .map_err(Fault::from)?;
+    Ok(finished.wall)
+}
+
+/// Why there is no program. Libraries that were changed are looked for before the student is
+/// blamed.
+fn failed(finished: Finished, sdk: &Sdk, limits: &Limits) -> BuildError {
+    if let Err(why) = sdk.check() {
+        return Fault::from(why).into();
+    }
     let said = diagnostics::parse(&finished.stderr);
     match finished.outcome {
-        Outcome::Exited(0) => {}
-        Outcome::Exited(1) if !said.errors.is_empty() => return Err(BuildError::Rejected(said.errors_text())),
+        Outcome::Exited(1) if !said.errors.is_empty() => BuildError::Rejected(said.errors_text()),
         Outcome::Exited(_) | Outcome::Signalled(_) => {
             let text = finished.stderr_text().unwrap_or_default();
-            return Err(BuildError::Rejected(format!("the compiler fails:\n{text}")));
+            BuildError::Rejected(format!("the compiler fails:\n{text}"))
         }
-        outcome => return Err(stopped(outcome, &QUICK)),
+        outcome => stopped(outcome, limits),
     }
-    let warnings = serde_json::to_vec(&said.warnings).map_err(|why| BuildError::Ours(why.to_string()))?;
-    files::publish_folder(stored, |fresh| {
-        std::fs::copy(folder.path().join(PROGRAM), fresh.join(PROGRAM))?;
-        std::fs::write(fresh.join(WARNINGS), &warnings)
-    })
-    .map_err(ours)?;
-    Ok(finished.wall)
 }
 
 fn call(rustc: &Path, sdk: &Sdk, folder: &Path) -> Call {
     let mut args: Vec<OsString> = FLAGS.map(OsString::from).to_vec();
-    args.extend(["-L".into(), with("dependency=", &sdk.folder)]);
-    for (name, file) in &sdk.externs {
-        args.extend(["--extern".into(), with(&format!("{name}="), &sdk.folder.join(file))]);
+    args.extend(["-L".into(), with("dependency=", sdk.folder())]);
+    for (name, file) in sdk.externs() {
+        args.extend(["--extern".into(), with(&format!("{name}="), &file)]);
     }
     let mut prefix = with("--remap-path-prefix=", folder);
     prefix.push("=.");
@@ -99,7 +107,8 @@ fn call(rustc: &Path, sdk: &Sdk, folder: &Path) -> Call {
         folder: folder.to_owned(),
         environment: vec![("PATH".into(), SEARCH.into()), ("TMPDIR".into(), folder.into())],
         stdin: vec![],
-        limits: QUICK,
+        limits: LIMITS.with_time(CPU),
+        needed: NEEDED,
     }
 }
 
@@ -107,4 +116,40 @@ fn with(prefix: &str, path: &Path) -> OsString {
     let mut text = OsString::from(prefix);
     text.push(PathBuf::from(path));
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The compiler ends with an error. Who is to blame, where `spoil` does something to the
+    /// libraries?
+    fn check(spoil: impl Fn(&Path), is_rejected: bool) {
+        let home = tempfile::tempdir().unwrap();
+        let folder = home.path().join("sdk");
+        let externs = BTreeMap::from([("cases".to_owned(), "libcases.rlib".to_owned())]);
+        let fill = |fresh: &Path| std::fs::write(fresh.join("libcases.rlib"), "a library");
+        entry::publish(&folder, &externs, fill).unwrap();
+        let sdk = Sdk::of_entry(entry::Entry::take(&folder).unwrap().unwrap());
+        spoil(&folder.join("libcases.rlib"));
+        let said = br#"{"level":"error","message":"can't find crate for `cases`"}"#.to_vec();
+        let finished = Finished { stderr: said, ..Finished::without_run(Outcome::Exited(1)) };
+        let found = failed(finished, &sdk, &LIMITS);
+        match is_rejected {
+            true => assert!(matches!(&found, BuildError::Rejected(why) if why.contains("find crate")), "{found}"),
+            false => {
+                assert!(matches!(&found, BuildError::Ours(Fault::Store(_))), "{found}");
+                assert!(!folder.exists(), "the spoilt libraries are still there");
+            }
+        }
+    }
+
+    #[test]
+    fn libraries_that_were_changed_are_not_the_students_fault() {
+        check(|_| {}, true);
+        check(|library| std::fs::write(library, "a librarx").unwrap(), false);
+        check(|library| std::fs::write(library, "").unwrap(), false);
+        check(|library| std::fs::remove_file(library).unwrap(), false);
+        check(|library| std::os::unix::fs::symlink("/dev/null", library.with_extension("so")).unwrap(), false);
+    }
 }

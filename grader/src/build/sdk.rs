@@ -1,69 +1,133 @@
 //! The crates that student code is linked with, compiled once for one compiler, one lock file and one state of `cases`.
 //!
-//! A folder `sdk-KEY` with the libraries, and `sdk.json` that says which of them the student's code may name. With these a
-//! submission is one call of rustc: no cargo, no lock, and no way for a `build.rs` or a manifest to take part.
+//! An entry `sdk-KEY` of the store holds the libraries, and says which of them the student's code
+//! may name. With these a submission is one call of rustc: no cargo, no lock, and no way for a
+//! `build.rs` or a manifest to take part.
 
 use std::collections::BTreeMap;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use serde::Deserialize;
 
+use super::entry::{self, Entry, StoreError};
 use super::{Toolchain, Workshop};
 use crate::files;
+use crate::leftovers::Held;
 
-/// Compiled crates.
+/// Compiled crates, compared with what was stored when this process took them.
 #[derive(Clone, Debug)]
 pub struct Sdk {
-    /// Where the libraries lie.
-    pub folder: PathBuf,
-    /// File names of the libraries that student code may name, by crate.
-    pub externs: BTreeMap<String, String>,
+    /// The libraries, and the file names of those that student code may name, by crate.
+    entry: Entry<BTreeMap<String, String>>,
     /// Hash of all that went into it.
     pub key: String,
 }
 
+/// Why there are no compiled crates. The grader or the machine is to blame.
+#[derive(Debug, thiserror::Error)]
+pub enum SdkError {
+    /// There is no compiler, or none that can be used.
+    #[error("{0}")]
+    Toolchain(String),
+    /// The crates do not build, or cannot be read.
+    #[error("{0}")]
+    Cases(String),
+    /// What is stored cannot be used.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+}
+
 /// The build; part of the key.
-const ARGS: [&str; 7] = [
-    "build",
-    "--release",
-    "--locked",
-    "-p",
-    "cases",
-    "--no-default-features",
-    "--message-format=json-render-diagnostics",
-];
-const INDEX: &str = "sdk.json";
+const ARGS: [&str; 6] =
+    ["build", "--release", "-p", "cases", "--no-default-features", "--message-format=json-render-diagnostics"];
 
 impl Sdk {
     /// Takes the stored one, or makes it.
-    pub(super) fn prepare(toolchain: &Toolchain, workshop: &Workshop, tell: &dyn Fn(&str)) -> Result<Self, String> {
+    pub(super) fn prepare(toolchain: &Toolchain, workshop: &Workshop, tell: &dyn Fn(&str)) -> Result<Self, SdkError> {
         let root = &workshop.root;
-        let key = key(toolchain, workshop).map_err(|why| format!("the sources of `cases` cannot be read: {why}"))?;
+        let key = key(toolchain, workshop)
+            .map_err(|why| SdkError::Cases(format!("the sources of `cases` cannot be used: {why}")))?;
         let folder = workshop.store().join(format!("sdk-{key}"));
-        if !folder.join(INDEX).is_file() {
-            tell("compiling the crates that submissions use (once, a minute or so)");
-            let artifacts = compile(toolchain, root)?;
-            publish(&artifacts, &workshop.template.dependencies, &folder)?;
+        // What a killed run left is in nobody's way, so a store that cannot be cleared is no reason
+        // to stop.
+        let _ = files::clear_parts(&workshop.store());
+        if let Some(entry) = Entry::take(&folder)? {
+            return Ok(Self { entry, key });
         }
-        let index = std::fs::read(folder.join(INDEX)).map_err(|why| why.to_string());
-        let externs = index.and_then(|bytes| serde_json::from_slice(&bytes).map_err(|why| why.to_string()));
-        let externs = externs.map_err(|why| format!("{} is broken ({why}): delete that folder", folder.display()))?;
-        Ok(Self { folder, externs, key })
+        tell("compiling the crates that submissions use (once, a minute or so)");
+        let alone = alone(root, &workshop.store())
+            .map_err(|why| SdkError::Cases(format!("`cases` cannot be made ready to be built: {why}")))?;
+        let artifacts = compile(toolchain, root, alone.path()).map_err(SdkError::Cases)?;
+        publish(&artifacts, &workshop.template.dependencies, &folder)?;
+        let missing = || SdkError::Cases(format!("{} is not there after it was stored", folder.display()));
+        Ok(Self { entry: Entry::take(&folder)?.ok_or_else(missing)?, key })
+    }
+
+    #[cfg(test)]
+    pub(super) fn of_entry(entry: Entry<BTreeMap<String, String>>) -> Self {
+        Self { entry, key: String::new() }
+    }
+
+    /// Where the libraries lie.
+    pub(super) fn folder(&self) -> &Path {
+        &self.entry.folder
+    }
+
+    /// The libraries that student code may name, by crate.
+    pub(super) fn externs(&self) -> impl Iterator<Item = (&String, PathBuf)> {
+        self.entry.about.iter().map(|(name, file)| (name, self.entry.folder.join(file)))
+    }
+
+    /// Compares the libraries with what was stored.
+    ///
+    /// # Errors
+    /// Libraries that were changed; they are removed.
+    pub(super) fn check(&self) -> Result<(), StoreError> {
+        self.entry.check()
     }
 }
 
-fn key(toolchain: &Toolchain, workshop: &Workshop) -> std::io::Result<String> {
+fn key(toolchain: &Toolchain, workshop: &Workshop) -> io::Result<String> {
+    let root = &workshop.root;
     let mut hasher = blake3::Hasher::new();
-    hasher.update(toolchain.version.as_bytes());
+    hasher.update(&entry::VERSION.to_le_bytes()).update(toolchain.version.as_bytes());
     hasher.update(format!("{ARGS:?}{:?}", workshop.template.dependencies).as_bytes());
-    for file in ["Cargo.lock", "Cargo.toml", "cases/Cargo.toml"] {
-        hasher.update(&std::fs::read(workshop.root.join(file))?);
+    hasher.update(manifest(root)?.as_bytes());
+    for file in ["Cargo.lock", "cases/Cargo.toml"] {
+        hasher.update(&std::fs::read(root.join(file))?);
     }
-    for file in files::below(&workshop.root.join("cases/src"))? {
-        hasher.update(file.as_os_str().as_encoded_bytes()).update(&std::fs::read(&file)?);
+    for file in files::below(&root.join("cases/src"))? {
+        let name = file.strip_prefix(root).unwrap_or(&file);
+        hasher.update(name.as_os_str().as_encoded_bytes()).update(&std::fs::read(&file)?);
     }
     Ok(hasher.finalize().to_hex()[..32].to_owned())
+}
+
+/// Makes a workspace of `cases` alone, in `store`, with the versions that the whole workspace has
+/// locked.
+///
+/// The template is a member of the whole workspace. A dependency that a student adds to it, or a
+/// mistake in its manifest, would keep cargo from building anything there.
+fn alone(root: &Path, store: &Path) -> io::Result<Held> {
+    std::fs::create_dir_all(store)?;
+    let folder = Held::new(store, files::PARTS)?;
+    std::fs::write(folder.path().join("Cargo.toml"), manifest(root)?)?;
+    std::fs::copy(root.join("Cargo.lock"), folder.path().join("Cargo.lock"))?;
+    std::os::unix::fs::symlink(root.join("cases"), folder.path().join("cases"))?;
+    Ok(folder)
+}
+
+/// Returns the manifest of the workspace at `root` with `cases` as its only member.
+fn manifest(root: &Path) -> io::Result<String> {
+    let wrong = |why: String| io::Error::new(io::ErrorKind::InvalidData, format!("Cargo.toml: {why}"));
+    let text = std::fs::read_to_string(root.join("Cargo.toml"))?;
+    let mut table: toml::Table = text.parse().map_err(|why: toml::de::Error| wrong(why.to_string()))?;
+    let workspace = table.get_mut("workspace").and_then(toml::Value::as_table_mut);
+    let workspace = workspace.ok_or_else(|| wrong("there is no workspace in it".to_owned()))?;
+    workspace.insert("members".to_owned(), toml::Value::from(vec!["cases"]));
+    toml::to_string(&table).map_err(|why| wrong(why.to_string()))
 }
 
 /// A library that cargo has made, or found fresh.
@@ -85,11 +149,14 @@ struct Target {
     name: String,
 }
 
-/// Builds without the network if it can be done, else with it.
-fn compile(toolchain: &Toolchain, root: &Path) -> Result<Vec<Artifact>, String> {
+/// Builds the workspace in `alone` without the network if it can be done, else with it.
+///
+/// The crates that the workspace at `root` has compiled are used again.
+fn compile(toolchain: &Toolchain, root: &Path, alone: &Path) -> Result<Vec<Artifact>, String> {
     let run = |more: &[&str]| -> Result<Output, String> {
         let mut cargo = Command::new(toolchain.cargo());
-        cargo.args(ARGS).args(more).current_dir(root).env("RUSTC", toolchain.rustc()).env_remove("RUSTFLAGS");
+        cargo.args(ARGS).args(more).arg("--target-dir").arg(root.join("target")).current_dir(alone);
+        cargo.env("RUSTC", toolchain.rustc()).env_remove("RUSTFLAGS");
         cargo.output().map_err(|why| format!("cargo cannot be run: {why}"))
     };
     let mut output = run(&["--offline"])?;
@@ -111,21 +178,21 @@ fn libraries(message: Message) -> Vec<Artifact> {
     message.filenames.into_iter().filter(is_library).map(artifact).collect()
 }
 
-/// Copies the libraries to a fresh neighbour of `folder` and renames it, so that `folder` is whole or not there.
-fn publish(artifacts: &[Artifact], dependencies: &[String], folder: &Path) -> Result<(), String> {
+/// Stores the libraries, with the names of those that the template depends on.
+fn publish(artifacts: &[Artifact], dependencies: &[String], folder: &Path) -> Result<(), SdkError> {
     let mut externs = BTreeMap::new();
     for name in dependencies {
         let name = name.replace('-', "_");
-        let found = artifacts.iter().find(|artifact| artifact.crate_name == name);
-        let found = found.ok_or(format!("the template depends on `{name}`, which `cases` does not bring along"))?;
+        let found = artifacts.iter().find(|artifact| artifact.crate_name == name).ok_or_else(|| {
+            SdkError::Cases(format!("the template depends on `{name}`, which `cases` does not bring along"))
+        })?;
         externs.insert(name, found.file.file_name().unwrap_or_default().to_string_lossy().into_owned());
     }
-    let index = serde_json::to_vec_pretty(&externs).map_err(|why| why.to_string())?;
-    files::publish_folder(folder, |fresh| {
+    entry::publish(folder, &externs, |fresh| {
         for artifact in artifacts {
             std::fs::copy(&artifact.file, fresh.join(artifact.file.file_name().unwrap_or_default()))?;
         }
-        std::fs::write(fresh.join(INDEX), &index)
-    })
-    .map_err(|why| format!("{} cannot be written: {why}", folder.display()))
+        Ok(())
+    })?;
+    Ok(())
 }

@@ -1,5 +1,6 @@
 //! The Rust compiler itself, behind the proxy that rustup puts in its place.
 
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -43,7 +44,12 @@ impl Toolchain {
 }
 
 fn ask(command: &mut Command) -> Result<String, String> {
-    let output = command.output().map_err(|why| format!("the Rust compiler cannot be run ({why}): {HELP}"))?;
+    let output = command.output().map_err(|why| match why.kind() {
+        ErrorKind::NotFound | ErrorKind::PermissionDenied => {
+            format!("the Rust compiler cannot be run ({why}): {HELP}")
+        }
+        _ => format!("the machine cannot start the Rust compiler: {why}"),
+    })?;
     if !output.status.success() {
         return Err(format!("the Rust compiler fails: {}: {HELP}", String::from_utf8_lossy(&output.stderr).trim()));
     }

@@ -1,47 +1,61 @@
 //! `grader batch`.
 
+use cases::files::is_usage;
 use grader::batch::{self, BatchError, OnBench, Options, Shown, Summary};
 use grader::grade::{Bench, GradeError, Options as One};
+use grader::sandbox::LEVEL;
+use pages::{lines, say};
+
+use grader::sandbox;
 
 use crate::arguments::{Batch, stages};
-use crate::exit::{Done, Outcome};
+use crate::commands::grade::say_lowered;
+use crate::exit::{self, Done, Outcome};
 use crate::progress::Talk;
 
 pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
+    sandbox::clear_leftovers();
     let allowance = arguments.limit.allowance();
+    say_lowered(&allowance, talk);
     let bench = Bench { allowance, ..Bench::open(&stages(arguments.cases.as_deref())?)? };
     // Done ahead so that the first wait is explained. Where it fails, the submissions that need the crates say so.
     let _ = bench.workshop.sdk(&|what| {
         if !talk.is_quiet {
-            eprintln!("{what}");
+            say::err(what);
         }
     });
     let grader = OnBench::new(&bench, &arguments.stage)?;
     let jobs = arguments.jobs.map_or_else(|| One::new(&arguments.folder).jobs, usize::from);
     let options = Options { folder: arguments.folder.clone(), out: arguments.out.clone(), jobs };
-    let summary = batch::run(&grader, &options, &Shown::new(talk.is_quiet)).map_err(|why| match why {
+    let summary = batch::run(&grader, &options, &Shown::new(talk.is_quiet)).map_err(|why| match &why {
         BatchError::Folder { .. } | BatchError::Empty(_) => GradeError::Input(why.to_string()),
+        BatchError::Out { why: cause, .. } if is_usage(cause) => GradeError::Input(why.to_string()),
         BatchError::Out { .. } => GradeError::Machine(why.to_string()),
     })?;
     if !talk.is_quiet {
-        say(&summary, &options);
+        for aside in &summary.left_aside {
+            say::err(&format!("left aside: {} ({})", aside.name, aside.why));
+        }
+        exit::print(&closing(&summary, &options))?;
     }
     Ok(if summary.failed.is_empty() { Done::Passed } else { Done::Ours })
 }
 
-fn say(summary: &Summary, options: &Options) {
-    for aside in &summary.left_aside {
-        eprintln!("left aside: {} ({})", aside.name, aside.why);
-    }
-    let Summary { n_done, n_graded, n_left, .. } = summary;
-    println!("{n_done} submissions have a record, {n_graded} of them graded in this run");
+/// The last lines: how many records there are, where the table is, what is left to do.
+fn closing(summary: &Summary, options: &Options) -> String {
+    let Summary { n_done, n_graded, n_left, failed, .. } = summary;
+    let have = if *n_done == 1 { "has" } else { "have" };
+    let submissions = lines::count(*n_done, "submission");
+    let mut text = format!("{submissions} {have} a record, {n_graded} of them graded in this run\n");
     if *n_left > 0 {
-        println!("{n_left} are left, so there is no table yet: run the same command again to go on");
+        text += &format!("{n_left} are left, so there is no table yet: run the same command again to go on\n");
     } else {
-        println!("table: {}", options.out.join("class.html").display());
+        text += &format!("table: {}\n", options.out.join("class.html").display());
     }
-    if !summary.failed.is_empty() {
-        println!("{} could not be graded, for no fault of the student's; run again:", summary.failed.len());
-        summary.failed.iter().for_each(|(name, why)| println!("  {name}: {why}"));
+    text += &format!("protection: {LEVEL}\n");
+    if !failed.is_empty() {
+        text += &format!("{} could not be graded, for no fault of the student's; run again:\n", failed.len());
+        text.extend(failed.iter().map(|(name, why)| format!("  {name}: {why}\n")));
     }
+    text
 }

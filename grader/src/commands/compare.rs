@@ -1,126 +1,153 @@
 //! `grader compare`.
 
-use std::fmt::Display;
-use std::io::BufReader;
 use std::path::Path;
 
 use cases::answer::{ImageAnswer, Limits};
-use cases::film::{Image, PictureError, Rows, read_exact};
+use cases::film::{PictureError, Rows, most_bytes};
+use grader::blame::{self, Blame};
+use grader::exam;
 use grader::grade::GradeError;
-use grader::judge;
+use grader::input::{self, Input};
+use grader::judge::{self, RowsCompared};
 use grader::record::Verdict;
+use grader::sandbox::interrupted;
 
 use crate::arguments::Compare;
-use crate::exit::{Done, Outcome};
+use crate::exit::{Done, Outcome, print};
 
-/// Pixels in a row, and rows, that a picture may have.
-const MAX_SIDE: u32 = 16_384;
-/// Pixels that are decoded before they are compared: few enough to stay near the processor.
+/// This many pixels are decoded before they are compared: few enough to stay in the cache.
 const BAND_PIXELS: usize = 1 << 15;
-/// Pictures of fewer pixels are decoded before a second thread has started.
+/// A picture of fewer pixels is decoded faster than a second thread starts.
 const LEAST_SHARED: usize = 1 << 18;
-/// Bytes of a file that are read at once.
-const FILE_BYTES: usize = 1 << 16;
-
 pub(crate) fn run(arguments: &Compare) -> Outcome {
-    if let (Some(b), None) = (&arguments.b, &arguments.answer)
-        && let Some(done) = by_rows(&arguments.a, b, arguments.tolerance.unwrap_or(0.0))?
-    {
-        return Ok(done);
+    let Compare { a, b, answer, tolerance } = arguments;
+    match (b, answer) {
+        (Some(b), None) => with_other(a, b, tolerance.unwrap_or(0.0)),
+        (None, Some(answer)) => with_answer(a, answer, *tolerance),
+        _ => Err(GradeError::Input("say what to compare with".to_owned())),
     }
-    let a = read(&arguments.a)?;
-    let answer = match (&arguments.b, &arguments.answer) {
-        (_, Some(path)) => stored(path, &a)?,
-        (Some(path), None) => {
-            let expected = read(path)?;
-            same_size((&arguments.a, (a.width(), a.height())), (path, (expected.width(), expected.height())))?;
-            ImageAnswer::exact(expected, 0.0, 0)
-        }
-        (None, None) => return Err(GradeError::Input("say what to compare with".to_owned())),
-    };
-    let slack = arguments.tolerance.unwrap_or(answer.limits.slack);
-    let answer = ImageAnswer { limits: Limits { slack, ..answer.limits }, ..answer };
-    let judge::Difference { n_out, cluster, .. } = judge::compare(&a, &answer);
-    let judgement = judge::picture(&a, &answer);
-    let Limits { count, cluster: most, .. } = answer.limits;
-    match &judgement.finding {
-        Some(finding) => anstream::println!("{}", finding.message),
-        None => anstream::println!(
-            "they agree: {n_out} pixels differ by more than {slack} levels, {cluster} of them side by side; {count} may, {most} of them side by side"
-        ),
-    }
-    Ok(Done::of(judgement.verdict == Verdict::Pass))
 }
 
-/// Compares two PNGs of 8 bits a channel, decoded side by side, some rows at a time; `None` where they are something else.
-fn by_rows(a_path: &Path, b_path: &Path, slack: f64) -> Result<Option<Done>, GradeError> {
-    let (Some(mut a), Some(mut b)) = (rows(a_path)?, rows(b_path)?) else { return Ok(None) };
-    same_size((a_path, (a.width, a.height)), (b_path, (b.width, b.height)))?;
-    let (width, height) = (a.width as usize, a.height as usize);
+/// A `Picture` is read row by row, and keeps the name that the user typed.
+struct Picture<'a> {
+    name: &'a Path,
+    rows: Rows<Input>,
+}
+
+impl<'a> Picture<'a> {
+    fn open(name: &'a Path) -> Result<Self, GradeError> {
+        let input = input::open(name, |head| most_bytes(head).map_err(|why| why.to_string()))?;
+        let rows = Rows::open(input).map_err(|why| unreadable(name, &why))?;
+        Ok(Self { name, rows })
+    }
+
+    fn shown(&self) -> String {
+        let (width, height) = self.rows.size();
+        format!("{} is {width}×{height}", input::shown(self.name))
+    }
+}
+
+/// Blames the machine for a failure to read, and the file for its content.
+fn unreadable(name: &Path, why: &PictureError) -> GradeError {
+    let text = format!("{}: {why}", input::shown(name));
+    match why {
+        PictureError::Io(_) => GradeError::Machine(text),
+        _ => GradeError::Input(text),
+    }
+}
+
+/// Compares two pictures, which are decoded at the same time, some rows after others.
+fn with_other(a: &Path, b: &Path, slack: f64) -> Outcome {
+    input::demand_two(a, b)?;
+    let (mut a, mut b) = (Picture::open(a)?, Picture::open(b)?);
+    let (width, height) = a.rows.size();
+    if (width, height) != b.rows.size() {
+        return Err(GradeError::Input(format!("{} pixels, {}: nothing to compare", a.shown(), b.shown())));
+    }
+    let mut compared = RowsCompared::new(width, slack);
+    if a.rows.has_bytes() && b.rows.has_bytes() {
+        bands(&mut a, &mut b, Rows::bytes, |one, other| compared.take(one, other))?;
+    } else {
+        bands(&mut a, &mut b, Rows::words, |one, other| compared.take_words(one, other))?;
+    }
+    let comparison = compared.finish();
+    let agree = comparison.difference.n_out == 0;
+    match agree {
+        true => print(&format!("they agree: no pixel differs by more than {slack} levels\n"))?,
+        false => print(&format!("{}\n", comparison.text))?,
+    }
+    Ok(Done::of(agree))
+}
+
+/// Reads both pictures with `read`, band by band, and calls `take` with each pair of bands.
+fn bands<T: Copy + Default + Send>(
+    a: &mut Picture,
+    b: &mut Picture,
+    read: fn(&mut Rows<Input>, &mut [T]) -> Result<(), PictureError>,
+    mut take: impl FnMut(&[T], &[T]),
+) -> Result<(), GradeError> {
+    let (width, height) = a.rows.size();
+    let (width, height) = (width as usize, height as usize);
     let n_rows = (BAND_PIXELS / width).clamp(1, height);
-    let (mut one, mut other) = (vec![0; n_rows * width * 3], vec![0; n_rows * width * 3]);
-    let mut compared = judge::RowsCompared::new(a.width, slack);
+    let (mut one, mut other) = (vec![T::default(); n_rows * width * 3], vec![T::default(); n_rows * width * 3]);
     for first in (0..height).step_by(n_rows) {
+        if interrupted() {
+            return Err(GradeError::Machine("interrupted while comparing".to_owned()));
+        }
         let n = n_rows.min(height - first) * width * 3;
         let (one, other) = (&mut one[..n], &mut other[..n]);
-        let read = |rows: &mut File, levels: &mut [u8], path| rows.read(levels).map_err(|why| unreadable(path, &why));
-        let (mut read_a, mut read_b) = (|| read(&mut a, one, a_path), || read(&mut b, other, b_path));
+        let read = |picture: &mut Picture, band: &mut [T]| {
+            read(&mut picture.rows, band).map_err(|why| unreadable(picture.name, &why))
+        };
+        let (mut read_a, mut read_b) = (|| read(a, one), || read(b, other));
         let (a_read, b_read) =
             if width * height < LEAST_SHARED { (read_a(), read_b()) } else { rayon::join(read_a, read_b) };
         a_read.and(b_read)?;
-        compared.take(one, other);
+        take(one, other);
     }
-    let (difference, text) = compared.finish();
-    let agree = difference.n_out == 0;
-    match agree {
-        true => anstream::println!("they agree: no pixel differs by more than {slack} levels"),
-        false => anstream::println!("{text}"),
-    }
-    Ok(Some(Done::of(agree)))
+    Ok(())
 }
 
-/// A PNG whose rows are decoded as they are asked for.
-type File = Rows<BufReader<std::fs::File>>;
-
-fn rows(path: &Path) -> Result<Option<File>, GradeError> {
-    let file = std::fs::File::open(path).map_err(|why| unreadable(path, &why))?;
-    Rows::open(BufReader::with_capacity(FILE_BYTES, file), MAX_SIDE).map_err(|why| unreadable(path, &why))
-}
-
-fn unreadable(path: &Path, why: &dyn Display) -> GradeError {
-    GradeError::Input(format!("{}: {why}", path.display()))
-}
-
-fn bytes(path: &Path) -> Result<Vec<u8>, GradeError> {
-    std::fs::read(path).map_err(|why| unreadable(path, &why))
-}
-
-/// Reads a picture of whatever size it says, within reason.
-fn read(path: &Path) -> Result<Image, GradeError> {
-    let bytes = bytes(path)?;
-    let wrong = |why: PictureError| unreadable(path, &why);
-    match read_exact(&bytes, 0, 0) {
-        Err(PictureError::Size { found: (width, height), .. }) if width <= MAX_SIDE && height <= MAX_SIDE => {
-            read_exact(&bytes, width, height).map_err(wrong)
+/// Judges a picture by a stored answer, as the picture of a submission is judged. The answer must
+/// belong to the case beside it.
+fn with_answer(name: &Path, answer: &Path, tolerance: Option<f64>) -> Outcome {
+    let picture = Picture::open(name)?;
+    let answer = stored(answer, picture.rows.size())?;
+    let picture = picture.rows.into_image().map_err(|why| unreadable(name, &why))?;
+    let slack = tolerance.unwrap_or(answer.limits.slack);
+    let answer = ImageAnswer { limits: Limits { slack, ..answer.limits }, ..answer };
+    let judgement = judge::picture(&picture, &answer);
+    let text = match &judgement.finding {
+        Some(finding) => finding.message.clone(),
+        None => {
+            let judge::Difference { n_out, cluster, .. } = judge::compare(&picture, &answer);
+            let Limits { count, cluster: most, .. } = answer.limits;
+            format!(
+                "they agree: {n_out} pixels differ by more than {slack} levels, {cluster} of them side by side; \
+                 {count} may, {most} of them side by side"
+            )
         }
-        Err(PictureError::Size { found: (width, height), .. }) => {
-            Err(GradeError::Input(format!("{}: {width}×{height} pixels are too many", path.display())))
-        }
-        other => other.map_err(wrong),
-    }
+    };
+    print(&format!("{text}\n"))?;
+    Ok(Done::of(judgement.verdict == Verdict::Pass))
 }
 
-fn stored(path: &Path, picture: &Image) -> Result<ImageAnswer, GradeError> {
-    ImageAnswer::decode(&bytes(path)?, picture.width(), picture.height()).map_err(|why| unreadable(path, &why))
-}
-
-fn same_size((a_path, a): (&Path, (u32, u32)), (b_path, b): (&Path, (u32, u32))) -> Result<(), GradeError> {
-    if a == b {
-        return Ok(());
+/// Reads the stored answer `name`, which must be one for a picture of `size`.
+fn stored(name: &Path, size: (u32, u32)) -> Result<ImageAnswer, GradeError> {
+    let answer = exam::stored_answer(name).map_err(|why| match blame::of(&why) {
+        Blame::Machine => GradeError::Machine(why.to_string()),
+        Blame::File => GradeError::Input(why.to_string()),
+    })?;
+    let wanted = (answer.expected.width(), answer.expected.height());
+    match wanted == size {
+        true => Ok(answer),
+        false => Err(GradeError::Input(format!(
+            "{} is the answer to a picture of {}×{}, not {}×{}",
+            name.display(),
+            wanted.0,
+            wanted.1,
+            size.0,
+            size.1
+        ))),
     }
-    let (a_name, b_name) = (a_path.display(), b_path.display());
-    Err(GradeError::Input(format!(
-        "{a_name} is {}×{} pixels, {b_name} is {}×{}: nothing to compare",
-        a.0, a.1, b.0, b.1
-    )))
 }

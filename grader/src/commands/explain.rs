@@ -2,11 +2,14 @@
 
 use grader::grade::{Bench, explain};
 
+use grader::sandbox;
+
 use crate::arguments::{Explain, stages};
-use crate::exit::{Done, Outcome};
+use crate::exit::{self, Done, Outcome};
 use crate::progress::{Bar, Talk};
 
 pub(crate) fn run(arguments: &Explain, talk: &Talk) -> Outcome {
+    sandbox::clear_leftovers();
     let bench = Bench::open(&stages(arguments.cases.as_deref())?)?;
     let pixel = [arguments.x, arguments.y];
     let explained = {
@@ -14,8 +17,8 @@ pub(crate) fn run(arguments: &Explain, talk: &Talk) -> Outcome {
         explain(&bench, &arguments.submission, &arguments.case, pixel, &bar)?
     };
     match &explained {
-        Ok(tree) => anstream::println!("{}", tree.trim_end()),
-        Err(why) => anstream::eprintln!("{}", why.trim_end()),
+        Ok(tree) => exit::print(tree.trim_end())?,
+        Err(why) => pages::say::err(why.trim_end()),
     }
     Ok(Done::of(explained.is_ok()))
 }

@@ -1,20 +1,41 @@
 //! `grader grade`.
 
-use grader::grade::{Bench, Options, grade};
+use grader::exercise::Allowance;
+use grader::grade::{Bench, GradeError, Options, grade};
+use grader::sandbox;
+use pages::say;
 
 use crate::arguments::Grade;
 use crate::commands::publish;
 use crate::exit::Outcome;
 use crate::progress::{Bar, Talk};
 
+/// Prints what a selection contains, before anything is run.
+pub(crate) fn say_selected(bench: &Bench, options: &Options, talk: &Talk) -> Result<(), GradeError> {
+    let selected = bench.selected(&options.stages, &options.cases)?;
+    selected.iter().filter(|_| !talk.is_quiet).for_each(|line| say::err(line));
+    Ok(())
+}
+
 pub(crate) fn run(arguments: &Grade, talk: &Talk) -> Outcome {
+    publish::check(&arguments.reports)?;
+    sandbox::clear_leftovers();
     let options = arguments.selection.options(&arguments.submission);
     let jobs = arguments.jobs.map_or(options.jobs, usize::from);
     let graded = {
-        let bar = Bar::new(talk);
         let allowance = arguments.limit.allowance();
+        say_lowered(&allowance, talk);
         let bench = Bench { allowance, ..Bench::open(&arguments.selection.stages()?)? };
+        say_selected(&bench, &options, talk)?;
+        let bar = Bar::new(talk);
         grade(&bench, &Options { jobs, ..options }, &bar)?
     };
     publish::publish(&graded, &arguments.reports, talk)
+}
+
+/// Says which limits of programs are lower than the course allows, if much is to be said.
+pub(crate) fn say_lowered(allowance: &Allowance, talk: &Talk) {
+    if talk.is_verbose {
+        allowance.picture.lowered().iter().for_each(|granted| say::err(&format!("programs get {granted}")));
+    }
 }

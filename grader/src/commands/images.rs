@@ -1,18 +1,29 @@
 //! `grader images`.
 
+use std::io::ErrorKind;
+
 use grader::grade::{Bench, GradeError, images};
 
 use crate::arguments::Images;
+use crate::commands::grade::say_selected;
 use crate::commands::publish;
 use crate::exit::Outcome;
 use crate::progress::Talk;
 
 pub(crate) fn run(arguments: &Images, talk: &Talk) -> Outcome {
     let folder = &arguments.folder;
-    if !folder.is_dir() {
-        return Err(GradeError::Input(format!("{}: there is no such folder", folder.display())));
+    match std::fs::metadata(folder) {
+        Ok(found) if found.is_dir() => {}
+        Ok(_) => return Err(GradeError::Input(format!("{}: it is not a folder", folder.display()))),
+        Err(why) if why.kind() == ErrorKind::NotFound => {
+            return Err(GradeError::Input(format!("{}: there is no such folder", folder.display())));
+        }
+        Err(why) => return Err(GradeError::Input(format!("{}: it cannot be read: {why}", folder.display()))),
     }
+    publish::check(&arguments.reports)?;
     let bench = Bench::open(&arguments.selection.stages()?)?;
-    let graded = images(&bench, folder, &arguments.selection.options(folder))?;
+    let options = arguments.selection.options(folder);
+    say_selected(&bench, &options, talk)?;
+    let graded = images(&bench, folder, &options)?;
     publish::publish(&graded, &arguments.reports, talk)
 }

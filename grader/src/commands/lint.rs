@@ -1,10 +1,12 @@
 //! `grader lint`.
 
+use std::path::Path;
+
 use grader::grade::GradeError;
 use grader::lint;
 
 use crate::arguments::{Lint, stages};
-use crate::exit::{Done, Outcome};
+use crate::exit::{self, Done, Outcome};
 use crate::progress::Talk;
 
 pub(crate) fn run(arguments: &Lint, talk: &Talk) -> Outcome {
@@ -12,10 +14,17 @@ pub(crate) fn run(arguments: &Lint, talk: &Talk) -> Outcome {
     if !folder.is_dir() {
         return Err(GradeError::Input(format!("{}: there is no such folder", folder.display())));
     }
-    let found = lint::lint(&folder);
-    found.problems.iter().for_each(|problem| anstream::println!("{problem}"));
-    if !talk.is_quiet {
-        found.summary.iter().for_each(|line| anstream::println!("{line}"));
+    if !has_stage(&folder) {
+        let help = "a stage is a folder such as 01_ray_casting with a stage.toml";
+        return Err(GradeError::Input(format!("{}: there are no stages in it; {help}", folder.display())));
     }
+    let found = lint::lint(&folder);
+    let summary = found.summary.iter().filter(|_| !talk.is_quiet);
+    exit::print(&found.problems.iter().chain(summary).map(|line| format!("{line}\n")).collect::<String>())?;
     Ok(Done::of(found.problems.is_empty()))
+}
+
+/// Whether some folder in `folder` is a stage. One that cannot be listed is left to the reader of the stages.
+fn has_stage(folder: &Path) -> bool {
+    std::fs::read_dir(folder).map_or(true, |entries| entries.flatten().any(|it| it.path().join("stage.toml").is_file()))
 }

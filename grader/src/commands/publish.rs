@@ -1,59 +1,70 @@
-//! Writes the reports that were asked for, and prints the one for people.
+//! Writes the reports that the command line names, and prints the one for people.
 
-use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use grader::files;
+use cases::files::{self, is_stdout};
 use grader::grade::{GradeError, Graded};
-use grader::record::{CheckRecord, Record, Verdict};
+use grader::record::{FindingKind, Record, Verdict};
 use grader::report::{html, junit, terminal};
+use pages::lines;
 
 use crate::arguments::Reports;
-use crate::exit::{Done, Outcome};
+use crate::exit::{self, Done, Outcome};
 use crate::progress::Talk;
 
+/// Checks that the reports can be written. This comes before any program runs, since grading takes
+/// minutes.
+///
+/// # Errors
+/// A name cannot be written, or two reports would be the same file.
+pub(crate) fn check(reports: &Reports) -> Result<(), GradeError> {
+    let Reports { json, html, junit, open } = reports;
+    let named: Vec<&PathBuf> = [json, html, junit].into_iter().flatten().collect();
+    named.iter().try_for_each(|path| files::check(path))?;
+    let is_twice = |(n, path): (usize, &&PathBuf)| named[..n].contains(path);
+    if named.iter().filter(|path| is_stdout(path)).count() > 1 {
+        let text = "only one of --json, --html and --junit can go to standard output";
+        return Err(GradeError::Input(text.to_owned()));
+    }
+    if let Some((_, path)) = named.iter().enumerate().find(|named| is_twice(*named)) {
+        let text = format!("{}: two reports cannot be the same file", path.display());
+        return Err(GradeError::Input(text));
+    }
+    if *open && html.as_deref().is_some_and(files::is_stream) {
+        return Err(GradeError::Input("--open shows a file: name one with --html".to_owned()));
+    }
+    Ok(())
+}
+
+/// Writes every report, and prints the one for people unless another one goes to standard output.
+///
+/// # Errors
+/// A report cannot be written. The error is that of the first one; the others are written.
 pub(crate) fn publish(graded: &Graded, reports: &Reports, talk: &Talk) -> Outcome {
     let record = &graded.record;
-    let is_stdout_taken = reports.json.as_deref().is_some_and(is_stdout);
-    if let Some(path) = &reports.json {
-        let text = serde_json::to_string_pretty(record).map_err(|why| GradeError::Machine(why.to_string()))? + "\n";
-        written(path, if is_stdout(path) { print(&text) } else { files::write(path, text.as_bytes()) })?;
+    let Reports { json, html, junit, open: is_shown } = reports;
+    let mut written = Ok(());
+    if let Some(path) = json {
+        written = written.and(files::write(path, record.to_json().as_bytes()));
     }
-    if let Some(path) = &reports.junit {
+    if let Some(path) = junit {
         let text = junit::to_string(record).map_err(GradeError::Machine)?;
-        written(path, files::write(path, text.as_bytes()))?;
+        written = written.and(files::write(path, text.as_bytes()));
     }
-    if let Some(path) = &reports.html {
-        written(path, html::write(path, graded))?;
-        if reports.open {
-            open(path)?;
-        }
+    if let Some(path) = html {
+        written = written.and(files::write(path, html::render(graded).as_bytes()));
     }
-    if !is_stdout_taken && !talk.is_quiet {
-        let text = terminal::render(record, talk.is_verbose);
-        let printed = write!(anstream::stdout(), "{text}");
-        written(Path::new("standard output"), printed)?;
+    let is_taken = [json, html, junit].into_iter().flatten().any(|path| is_stdout(path));
+    if !is_taken && !talk.is_quiet {
+        let look = terminal::Look { is_verbose: talk.is_verbose, columns: lines::columns() };
+        exit::print(&terminal::render(record, look))?;
+    }
+    written?;
+    if let (Some(path), true) = (html, is_shown) {
+        open(path)?;
     }
     Ok(done(record))
-}
-
-fn is_stdout(path: &Path) -> bool {
-    path == Path::new("-")
-}
-
-fn print(text: &str) -> std::io::Result<()> {
-    std::io::stdout().write_all(text.as_bytes())
-}
-
-/// A reader that had enough (`grader … | head`) is no fault.
-fn written(path: &Path, outcome: std::io::Result<()>) -> Result<(), GradeError> {
-    match outcome {
-        Err(why) if why.kind() != std::io::ErrorKind::BrokenPipe => {
-            Err(GradeError::Input(format!("cannot write {}: {why}", path.display())))
-        }
-        _ => Ok(()),
-    }
 }
 
 fn open(path: &Path) -> Result<(), GradeError> {
@@ -63,15 +74,21 @@ fn open(path: &Path) -> Result<(), GradeError> {
     started.map(drop).map_err(|why| GradeError::Machine(format!("cannot run {opener} to show the page: {why}")))
 }
 
-/// Everything passed, or something did not; where only our own faults are in the way, that.
+/// Returns how the command ends.
+///
+/// An interrupt and what is no submission come first, since hardly anything was run then. A fault of
+/// the grader or the machine comes next, since no points are final then.
 fn done(record: &Record) -> Done {
-    let verdicts = || record.stages.iter().flat_map(|stage| &stage.checks).map(|check: &CheckRecord| check.verdict);
-    let is_bad = |verdict| matches!(verdict, Verdict::Partial | Verdict::Fail | Verdict::NotRun);
-    if record.build.verdict != Verdict::Pass || verdicts().any(is_bad) {
-        Done::NotPassed
-    } else if verdicts().any(|verdict| verdict == Verdict::Ours) {
+    let checks = record.stages.iter().flat_map(|stage| &stage.checks);
+    let verdicts: Vec<Verdict> = checks.map(|check| check.verdict).chain([record.build.verdict]).collect();
+    let is_no_submission = record.build.finding.as_ref().is_some_and(|it| it.kind == FindingKind::Submission);
+    if record.interrupted {
+        Done::Interrupted
+    } else if is_no_submission {
+        Done::NoSubmission
+    } else if verdicts.contains(&Verdict::Ours) {
         Done::Ours
     } else {
-        Done::Passed
+        Done::of(verdicts.iter().all(|verdict| *verdict == Verdict::Pass))
     }
 }

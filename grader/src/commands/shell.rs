@@ -1,26 +1,33 @@
-//! `grader completions` and `grader man`: made from the command line itself.
+//! `grader completions`, `grader man` and `grader schema`: what this program says of itself.
 
 use clap::CommandFactory;
 use grader::files;
 use grader::grade::GradeError;
+use grader::record;
+use pages::shell;
 
 use crate::arguments::{Arguments, Completions, Man};
-use crate::exit::{Done, Outcome};
+use crate::exit::{self, Done, Outcome};
+
+pub(crate) fn schema() -> Outcome {
+    exit::print_raw(format!("{:#}\n", record::schema()).as_bytes())?;
+    Ok(Done::Passed)
+}
 
 pub(crate) fn completions(arguments: &Completions) -> Outcome {
-    clap_complete::generate(arguments.shell, &mut Arguments::command(), "grader", &mut std::io::stdout());
+    exit::print_raw(&shell::completions(Arguments::command(), arguments.shell))?;
     Ok(Done::Passed)
 }
 
 pub(crate) fn man(arguments: &Man) -> Outcome {
-    let unwritable = |why| GradeError::Input(format!("cannot write to {}: {why}", arguments.folder.display()));
-    let mut all = Arguments::command();
-    all.build();
-    for command in std::iter::once(&all).chain(all.get_subcommands()) {
-        let name = command.get_display_name().unwrap_or(command.get_name()).replace(' ', "-");
-        let mut page = vec![];
-        clap_mangen::Man::new(command.clone()).render(&mut page).map_err(unwritable)?;
-        files::write(&arguments.folder.join(format!("{name}.1")), &page).map_err(unwritable)?;
+    match shell::man(Arguments::command(), arguments.what.as_deref()).map_err(GradeError::Input)? {
+        shell::Man::Page(page) => exit::print_raw(&page)?,
+        shell::Man::Folder(folder, pages) => {
+            let unwritable = |why| GradeError::Input(format!("cannot write to {}: {why}", folder.display()));
+            for (name, page) in &pages {
+                files::write(&folder.join(name), page).map_err(unwritable)?;
+            }
+        }
     }
     Ok(Done::Passed)
 }

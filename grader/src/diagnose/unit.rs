@@ -15,13 +15,22 @@ pub fn unit(actual: &Answer, right: &CheckAnswer) -> BTreeMap<String, f64> {
 
 #[cfg(test)]
 mod tests {
+    use cases::answer::Digest;
+
     use super::*;
 
     #[test]
     fn a_mistake_explains_its_own_answer_and_no_other() {
         let wrong = [("twice", Answer::Value(2.0)), ("none", Answer::Value(f64::NAN)), ("miss", Answer::Miss(true))];
         let wrong = wrong.map(|(id, answer)| (id.to_owned(), answer)).into();
-        let right = CheckAnswer { id: "x".to_owned(), answer: Answer::Value(1.0), allowed: 1e-6, either: false, wrong };
+        let right = CheckAnswer {
+            id: "x".to_owned(),
+            made_from: Digest::default(),
+            answer: Answer::Value(1.0),
+            allowed: 1e-6,
+            either: false,
+            wrong,
+        };
         let table = [
             (Answer::Value(2.0 + 9e-7), [0.0, 0.0, 1.0]),
             (Answer::Value(2.1), [0.0, 0.0, 0.0]),

@@ -1,21 +1,22 @@
 //! Asks a program what the cases ask: each picture in a process and folder of its own, the unit checks of a stage in one
 //! process where it holds out.
 
+mod attempt;
 mod explain;
+mod failure;
 mod pictures;
 mod probes;
-mod replies;
+pub mod replies;
 
-use std::ffi::OsString;
-use std::path::Path;
 use std::time::Duration;
 
 use crate::build::Program;
-use crate::sandbox::{self, Call, Finished, Limits, Outcome};
+use crate::sandbox::Limits;
 
 pub use explain::explain;
+pub use failure::{Failure, N_SAME, Start};
 pub use pictures::{NoPicture, Shot, read, shoot};
-pub use probes::{Probed, probe};
+pub use probes::{Ended, Probed, probe};
 pub use replies::Got;
 
 /// What a program may use.
@@ -28,16 +29,37 @@ pub struct Allowance {
 }
 
 impl Allowance {
-    /// Wall clock for a picture, and for the questions of a stage, unless the course says otherwise.
+    /// CPU time for a picture, and for the questions of a stage, unless the course says otherwise.
     pub const TIME: Duration = Duration::from_secs(10);
     /// Resident bytes unless the course says otherwise.
     pub const MEMORY: u64 = 1 << 30;
 
-    /// `time` by the clock, twice that in CPU time, `memory` in resident bytes.
+    /// Returns an allowance of `time` of CPU time, the other times that follow from it, and
+    /// `memory` resident bytes.
     pub fn new(time: Duration, memory: u64) -> Self {
-        let limits = Limits { wall: time, cpu: time * 2, memory, file_size: 64 << 20, output: 16 << 20, processes: 64 };
+        let limits = Limits {
+            cpu: time,
+            idle: time,
+            wall: time,
+            memory,
+            file_size: 64 << 20,
+            folder_size: 256 << 20,
+            output: 16 << 20,
+            processes: 64,
+        };
+        let limits = limits.with_time(time);
         Self { picture: limits, questions: limits }
     }
+}
+
+/// Number of time-outs within a stage, of pictures or of questions, after which the rest gets
+/// [`reduced`] limits.
+pub const N_TIMEOUTS: usize = 2;
+
+/// Returns the limits for what most likely is not done in time either: a fifth of the time, but at
+/// least a second.
+pub fn reduced(limits: Limits) -> Limits {
+    limits.with_time((limits.cpu / 5).max(Duration::from_secs(1)))
 }
 
 impl Default for Allowance {
@@ -53,34 +75,6 @@ pub struct Candidate<'a> {
     pub program: &'a Program,
     /// What it may use.
     pub allowance: Allowance,
-}
-
-/// Runs the program with more arguments in `folder`; once again where the machine kept it from starting.
-fn run(program: &Program, args: &[OsString], folder: &Path, stdin: Vec<u8>, limits: Limits) -> Finished {
-    let environment = [
-        ("PATH", program.search.clone()),
-        ("HOME", folder.into()),
-        ("TMPDIR", folder.into()),
-        ("LANG", "C.UTF-8".into()),
-    ];
-    let call = Call {
-        program: program.path.clone(),
-        args: program.args.iter().chain(args).cloned().collect(),
-        folder: folder.to_owned(),
-        environment: environment.map(|(name, value)| (name.into(), value)).to_vec(),
-        stdin,
-        limits,
-    };
-    let mut finished = sandbox::run(&call);
-    if matches!(finished.outcome, Outcome::CouldNotStart(_)) {
-        finished = sandbox::run(&call);
-    }
-    match finished.outcome {
-        Outcome::NoProgram(why) if !program.is_foreign() => {
-            Finished { outcome: Outcome::CouldNotStart(why), ..finished } // what we have built ourselves has gone
-        }
-        _ => finished,
-    }
 }
 
 #[cfg(test)]

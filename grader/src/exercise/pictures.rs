@@ -4,20 +4,27 @@ use std::io::Read;
 use std::os::unix::fs::MetadataExt;
 use std::path::Path;
 
+use cases::Effects;
 use cases::film::{self, Image, PictureError};
-use cases::scene::{self, Scene};
+use cases::scene::{self, Render, Scene};
 
-use super::{Candidate, run};
-use crate::sandbox::{Finished, Folder};
-use crate::submission::open_regular;
+use super::attempt::{Attempt, NEEDED, Task, attempt};
+use super::{Candidate, Failure, Start};
+use crate::blame::{self, Blame};
+use crate::sandbox::{Finished, Limits, Outcome};
+use crate::submission::{ReadError, open_regular};
 
-/// What came of `render`.
+/// The result of a call to render.
 #[derive(Debug)]
 pub struct Shot {
     /// The picture, or why there is none.
     pub picture: Result<Image, NoPicture>,
-    /// How the program ended.
+    /// The end of the program.
     pub finished: Finished,
+    /// The limits under which it ran.
+    pub limits: Limits,
+    /// The failure of the program, where it also left no file.
+    failure: Option<Failure>,
 }
 
 /// Why there is no picture of the right size.
@@ -29,25 +36,59 @@ pub enum NoPicture {
     Size(String),
     /// There is a file, but no picture in it; says what is there.
     Unreadable(String),
+    /// The machine fails to read the file.
+    Machine(String),
 }
 
 const SCENE: &str = "scene.json";
 const OUT: &str = "out.png";
 /// Bytes of the largest file that is read as a picture.
 const MAX_BYTES: u64 = 64 << 20;
+/// Bytes of a pixel in the largest of the usual forms, a PFM picture.
+const PIXEL_BYTES: u64 = 12;
 
 /// Has the program render `scene` in a fresh folder.
-///
-/// # Errors
-/// A folder that cannot be made: the machine's fault.
-pub fn shoot(candidate: &Candidate, scene: &Scene) -> std::io::Result<Shot> {
-    let folder = Folder::new()?;
-    let (input, output) = (folder.path().join(SCENE), folder.path().join(OUT));
-    std::fs::write(&input, scene::json::to_string(scene))?;
-    let args = ["render".into(), input.into_os_string(), output.clone().into_os_string()];
-    let finished = run(candidate.program, &args, folder.path(), vec![], candidate.allowance.picture);
-    let picture = read(&output, scene.render.width, scene.render.height);
-    Ok(Shot { picture, finished })
+pub fn shoot(candidate: &Candidate, scene: &Scene, limits: Limits) -> Shot {
+    let render = scene.render;
+    let prepare = |folder: &Path| {
+        let (input, output) = (folder.join(SCENE), folder.join(OUT));
+        std::fs::write(&input, scene::json::to_string(scene))?;
+        Ok(vec!["render".into(), input.into_os_string(), output.into_os_string()])
+    };
+    let needed = NEEDED + u64::from(render.width) * u64::from(render.height) * PIXEL_BYTES;
+    let task = Task { limits, needed, stdin: &[], prepare: &prepare };
+    let Attempt { output: picture, finished, failure } = attempt(candidate, &task, &|folder, finished| {
+        let picture = read(&folder.join(OUT), render.width, render.height);
+        let is_good = picture.is_ok() && is_over(finished);
+        (picture, is_good)
+    });
+    let failure = failure.filter(|_| matches!(picture, Err(NoPicture::Missing)));
+    Shot { picture, finished, limits, failure }
+}
+
+/// Returns whether the program ended by itself.
+fn is_over(finished: &Finished) -> bool {
+    matches!(finished.outcome, Outcome::Exited(_) | Outcome::Signalled(_))
+}
+
+impl Shot {
+    /// Tells `start` how this process ended.
+    pub fn tell(&self, start: &mut Start, candidate: &Candidate, scene: &Scene) {
+        start.see(self.failure.as_ref(), || shoot(candidate, &empty(scene), self.limits).failure);
+    }
+}
+
+/// Returns a small picture of the same view with nothing in it.
+fn empty(scene: &Scene) -> Scene {
+    Scene {
+        render: Render { width: 8, height: 6, ..scene.render },
+        effects: Effects::NONE,
+        lights: vec![],
+        materials: vec![],
+        meshes: vec![],
+        objects: vec![],
+        ..scene.clone()
+    }
 }
 
 /// Reads the picture at `path`, demanded to be of this size.
@@ -55,24 +96,32 @@ pub fn shoot(candidate: &Candidate, scene: &Scene) -> std::io::Result<Shot> {
 /// # Errors
 /// [`NoPicture`]; a link, a pipe or a device in its place is not opened.
 pub fn read(path: &Path, width: u32, height: u32) -> Result<Image, NoPicture> {
-    if std::fs::symlink_metadata(path).is_err() {
-        return Err(NoPicture::Missing);
+    match std::fs::symlink_metadata(path) {
+        Err(why) if blame::of(&why) == Blame::Machine => return Err(NoPicture::Machine(why.to_string())),
+        Err(_) => return Err(NoPicture::Missing),
+        Ok(_) => {}
     }
-    let bytes = bounded(path).map_err(NoPicture::Unreadable)?;
+    let bytes = bounded(path)?;
     film::read_exact(&bytes, width, height).map_err(|why| match why {
         PictureError::Size { .. } => NoPicture::Size(why.to_string()),
         other => NoPicture::Unreadable(other.to_string()),
     })
 }
 
-fn bounded(path: &Path) -> Result<Vec<u8>, String> {
-    let file = open_regular(path).map_err(|why| format!("the picture {why}"))?;
-    let found = file.metadata().map_err(|why| why.to_string())?;
+fn bounded(path: &Path) -> Result<Vec<u8>, NoPicture> {
+    let failed = |why: ReadError| match blame::of(&why) {
+        Blame::Machine => NoPicture::Machine(format!("the picture {why}")),
+        Blame::File => NoPicture::Unreadable(format!("the picture {why}")),
+    };
+    let file = open_regular(path).map_err(failed)?;
+    let found = file.metadata().map_err(|why| failed(why.into()))?;
     if found.nlink() != 1 {
-        return Err("the picture has a second name (a hard link)".to_owned());
+        return Err(NoPicture::Unreadable("the picture has a second name (a hard link)".to_owned()));
     }
     let mut bytes = vec![];
-    file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(|why| why.to_string())?;
-    let is_too_long = bytes.len() as u64 > MAX_BYTES;
-    if is_too_long { Err("the file is too long for a picture".to_owned()) } else { Ok(bytes) }
+    file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(|why| failed(why.into()))?;
+    match bytes.len() as u64 > MAX_BYTES {
+        true => Err(NoPicture::Unreadable("the file is too long for a picture".to_owned())),
+        false => Ok(bytes),
+    }
 }

@@ -6,52 +6,71 @@ use std::time::Duration;
 
 use cases::probe::Question;
 
+use super::attempt::{Attempt, NEEDED, Task, attempt};
 use super::replies::{self, Got, Replies};
-use super::{Candidate, run};
-use crate::sandbox::{Finished, Folder, Outcome};
+use super::{Candidate, N_TIMEOUTS, Start, reduced};
+use crate::sandbox::{Finished, Limits, Outcome};
 
-/// Questions at which one function may have to be stopped, before it is not asked any more.
+/// Questions at which one function may have to be stopped, before no more are put to it.
 const MAX_HANGS: usize = 2;
-/// Time by the clock for all processes of a stage, after which no more are started.
+/// CPU time and idle time of all processes of a stage, after which no more are started.
 const MAX_TIME: Duration = Duration::from_secs(120);
 
-/// What came of `probe`.
+/// The results of the calls to probe.
 #[derive(Debug, Default)]
 pub struct Probed {
-    /// What came back, by id of the question.
+    /// The replies, by id of the question.
     pub got: BTreeMap<String, Got>,
-    /// Where nothing came back: how the program ended when it was asked, by id of the question.
-    pub ended: BTreeMap<String, Finished>,
-    /// Questions that were not asked, and why.
+    /// The end of the process for a question without a reply, by id of the question.
+    pub ended: BTreeMap<String, Ended>,
+    /// Questions that were not put to the program, and why.
     pub not_asked: BTreeMap<String, String>,
+    /// Questions that were left out because the program fails whatever it is given.
+    pub skipped: BTreeSet<String>,
     /// What is worth saying of the output as a whole.
     pub remarks: Vec<String>,
-    /// Time by the clock, of all processes.
+    /// Wall time of all processes.
     pub time: Duration,
+    /// CPU time of all processes.
+    pub cpu: Duration,
+    /// Idle time of all processes.
+    pub idle: Duration,
     /// Largest resident bytes.
     pub peak_bytes: u64,
 }
 
-/// Asks all questions.
+/// The end of a process at a question.
+#[derive(Clone, Debug)]
+pub struct Ended {
+    /// The end of the process.
+    pub finished: Finished,
+    /// The limits under which it ran.
+    pub limits: Limits,
+}
+
+/// Puts all questions to the program. `start` holds what is known of the program so far.
 ///
-/// Where the program ends early, the first question behind the last answer is to blame. Where not one answer came, it may
-/// just not have sent off its answers; so the suspect is asked alone before it is blamed, unless answers have been seen to
-/// come out of a process that died.
-///
-/// # Errors
-/// A folder that cannot be made: the machine's fault.
-pub fn probe(candidate: &Candidate, questions: &[Question]) -> std::io::Result<Probed> {
+/// Where the program ends early, the first question behind the last answer is to blame. Where not
+/// one answer came, it may just not have sent off its answers; so the suspect is put to it alone
+/// before it is blamed, unless answers have been seen to come out of a process that died.
+pub fn probe(candidate: &Candidate, questions: &[Question], start: &mut Start) -> Probed {
     let mut probed = Probed::default();
     let mut open: Vec<&Question> = questions.iter().collect();
     let mut hangs: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut limits = candidate.allowance.questions;
+    let mut n_timeouts = 0;
     let mut sends_off = false;
     while !open.is_empty() {
-        if probed.time >= MAX_TIME {
+        if start.broken().is_some() {
+            probed.skipped.extend(open.drain(..).map(|question| question.id.clone()));
+            break;
+        }
+        if probed.cpu + probed.idle >= MAX_TIME {
             let why = format!("not asked: the questions before it took more than {} s", MAX_TIME.as_secs());
             probed.not_asked.extend(open.drain(..).map(|question| (question.id.clone(), why.clone())));
             break;
         }
-        let (finished, behind) = ask(candidate, &open, &mut probed)?;
+        let (finished, behind) = ask(candidate, &open, limits, &mut probed, start);
         let answers_nothing = behind == 0 && probed.got.is_empty();
         let is_through = finished.outcome == Outcome::Exited(0) && (answers_nothing || behind == open.len());
         sends_off |= behind > 0 && finished.outcome != Outcome::Exited(0);
@@ -59,43 +78,66 @@ pub fn probe(candidate: &Candidate, questions: &[Question]) -> std::io::Result<P
         let is_sure = behind > 0 || open.len() == 1 || sends_off;
         open.retain(|question| !probed.got.contains_key(&question.id));
         if is_through || cannot_go_on(&finished) {
-            probed.ended.extend(open.drain(..).map(|question| (question.id.clone(), finished.clone())));
+            let ended = Ended { finished, limits };
+            probed.ended.extend(open.drain(..).map(|question| (question.id.clone(), ended.clone())));
             break;
         }
         let Some(suspect) = suspect.filter(|suspect| open.iter().any(|question| question.id == suspect.id)) else {
             continue;
         };
-        let ended = if is_sure { finished } else { ask(candidate, &[suspect], &mut probed)?.0 };
+        let finished = if is_sure { finished } else { ask(candidate, &[suspect], limits, &mut probed, start).0 };
         open.retain(|question| question.id != suspect.id);
         if probed.got.contains_key(&suspect.id) {
             continue;
         }
-        if !matches!(ended.outcome, Outcome::Exited(_) | Outcome::Signalled(_)) {
+        if !matches!(finished.outcome, Outcome::Exited(_) | Outcome::Signalled(_)) {
             *hangs.entry(suspect.ask.function()).or_default() += 1;
         }
-        probed.ended.insert(suspect.id.clone(), ended);
+        n_timeouts += usize::from(matches!(finished.outcome, Outcome::TimedOut(_)));
+        probed.ended.insert(suspect.id.clone(), Ended { finished, limits });
+        if n_timeouts >= N_TIMEOUTS {
+            limits = reduced(candidate.allowance.questions);
+        }
         give_up(&mut open, &hangs, &mut probed);
     }
-    Ok(probed)
+    probed
 }
 
-/// Asks the questions in one process and takes in what it says; how it ended, and the place behind the last one answered.
-fn ask(candidate: &Candidate, open: &[&Question], probed: &mut Probed) -> std::io::Result<(Finished, usize)> {
-    let folder = Folder::new()?;
-    let mut stdin = vec![];
-    for question in open {
-        serde_json::to_writer(&mut stdin, question)?;
-        stdin.push(b'\n');
-    }
-    let finished = run(candidate.program, &["probe".into()], folder.path(), stdin, candidate.allowance.questions);
-    let asked: BTreeSet<&str> = open.iter().map(|question| question.id.as_str()).collect();
-    let replies = replies::parse(&finished.stdout, &asked);
+/// Puts the questions to one process, and takes in its answers. Returns how it ended, and the place
+/// behind the last question that was answered.
+fn ask(
+    candidate: &Candidate,
+    open: &[&Question],
+    limits: Limits,
+    probed: &mut Probed,
+    start: &mut Start,
+) -> (Finished, usize) {
+    let Attempt { output: replies, finished, failure } = run(candidate, open, limits);
+    let failure = failure.filter(|_| replies.got.is_empty());
+    start.see(failure.as_ref(), || run(candidate, &[], limits).failure);
     probed.time += finished.wall;
+    probed.cpu += finished.cpu;
+    probed.idle += finished.idle;
     probed.peak_bytes = probed.peak_bytes.max(finished.peak_bytes);
     remark(&replies, probed);
     let behind = open.iter().rposition(|question| replies.got.contains_key(&question.id)).map_or(0, |last| last + 1);
     probed.got.extend(replies.got);
-    Ok((finished.without_streams(), behind))
+    (finished.without_streams(), behind)
+}
+
+/// Runs one process with the questions on its standard input.
+fn run(candidate: &Candidate, questions: &[&Question], limits: Limits) -> Attempt<Replies> {
+    let lines = questions.iter().map(|question| {
+        serde_json::to_string(question).expect("a question has string keys and no failing part") + "\n"
+    });
+    let stdin: String = lines.collect();
+    let asked: BTreeSet<&str> = questions.iter().map(|question| question.id.as_str()).collect();
+    let task = Task { limits, needed: NEEDED, stdin: stdin.as_bytes(), prepare: &|_| Ok(vec!["probe".into()]) };
+    attempt(candidate, &task, &|_, finished| {
+        let replies = replies::parse(&finished.stdout, &asked);
+        let is_good = finished.outcome == Outcome::Exited(0) && replies.got.len() == asked.len();
+        (replies, is_good)
+    })
 }
 
 fn remark(replies: &Replies, probed: &mut Probed) {
@@ -109,10 +151,10 @@ fn remark(replies: &Replies, probed: &mut Probed) {
 }
 
 fn cannot_go_on(finished: &Finished) -> bool {
-    matches!(finished.outcome, Outcome::CouldNotStart(_) | Outcome::NoProgram(_) | Outcome::Interrupted)
+    matches!(finished.outcome, Outcome::Machine(_) | Outcome::NoProgram(_) | Outcome::Interrupted)
 }
 
-/// Asks no more of a function that has to be stopped again and again.
+/// Puts no more questions to a function that had to be stopped again and again.
 fn give_up(open: &mut Vec<&Question>, hangs: &BTreeMap<&str, usize>, probed: &mut Probed) {
     open.retain(|question| {
         let function = question.ask.function();

@@ -23,18 +23,19 @@ pub enum Got {
 
 /// All that stood on standard output.
 #[derive(Debug, Default, PartialEq)]
-pub(super) struct Replies {
+pub struct Replies {
     /// By id of the question.
-    pub(super) got: BTreeMap<String, Got>,
+    pub got: BTreeMap<String, Got>,
     /// Answers to questions that were not asked.
-    pub(super) n_unknown: usize,
-    /// Lines that are no answers, and the first of them.
-    pub(super) n_stray: usize,
-    pub(super) stray: Option<String>,
+    pub n_unknown: usize,
+    /// Lines that are no answers.
+    pub n_stray: usize,
+    /// The first of these lines.
+    pub stray: Option<String>,
 }
 
 /// Reads an answer a line, to the questions `asked`.
-pub(super) fn parse(stdout: &[u8], asked: &BTreeSet<&str>) -> Replies {
+pub fn parse(stdout: &[u8], asked: &BTreeSet<&str>) -> Replies {
     let mut replies = Replies::default();
     for line in stdout.split(|byte| *byte == b'\n').filter(|line| !line.trim_ascii().is_empty()) {
         match understand(line, asked) {

@@ -1,6 +1,7 @@
 //! Programs in shell that answer as submissions might.
 
 use std::os::unix::fs::PermissionsExt;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use cases::glam::DVec3;
 use cases::probe::{Answer, Ask, Question};
@@ -8,6 +9,8 @@ use cases::scene::{Camera, Render, Scene};
 use cases::{Effects, film};
 
 use super::*;
+use crate::sandbox::{Clock, Outcome};
+use crate::workers::side_by_side;
 
 /// A program whose text is a shell script; it lives as long as the folder.
 fn program(script: &str) -> (Program, tempfile::TempDir) {
@@ -38,7 +41,7 @@ fn answering(special: &str) -> String {
 /// Probes with the script; which questions got an answer, and which one ended the program.
 fn check_probe(script: &str, answered: &[&str], ended: &[&str]) -> Probed {
     let (program, _folder) = program(script);
-    let probed = probe(&candidate(&program), &questions()).unwrap();
+    let probed = probe(&candidate(&program), &questions(), &mut Start::default());
     assert_eq!(probed.got.keys().collect::<Vec<_>>(), answered, "{script}\n{probed:?}");
     assert_eq!(probed.ended.keys().collect::<Vec<_>>(), ended, "{script}\n{probed:?}");
     probed
@@ -55,7 +58,7 @@ fn all_questions_are_answered() {
 fn a_question_that_kills_costs_only_itself() {
     let kill = "case $id in q1|q4) kill -SEGV $$;; esac;";
     let probed = check_probe(&answering(kill), &["q0", "q2", "q3"], &["q1", "q4"]);
-    assert_eq!(probed.ended["q1"].outcome, Outcome::Signalled(libc::SIGSEGV));
+    assert_eq!(probed.ended["q1"].finished.outcome, Outcome::Signalled(libc::SIGSEGV));
     check_probe(&answering("case $id in q1|q2) exit 0;; esac;"), &["q0", "q3", "q4"], &["q1", "q2"]);
     check_probe(&answering("case $id in q0) exit 3;; esac;"), &["q1", "q2", "q3", "q4"], &["q0"]);
 }
@@ -69,7 +72,7 @@ fn answers_not_sent_off_before_a_death_are_asked_for_again() {
 #[test]
 fn what_a_program_leaves_out_is_missing_and_asked_once() {
     let probed = check_probe(&answering("[ $id = q1 ] && continue;"), &["q0", "q2", "q3", "q4"], &["q1"]);
-    assert_eq!(probed.ended["q1"].outcome, Outcome::Exited(0));
+    assert_eq!(probed.ended["q1"].finished.outcome, Outcome::Exited(0));
     check_probe("cat > /dev/null", &[], &["q0", "q1", "q2", "q3", "q4"]);
 }
 
@@ -102,12 +105,16 @@ fn scene() -> Scene {
 
 /// Has the script make a picture, with `good.png` and `small.png` in $pictures.
 fn shot(script: &str) -> Shot {
+    shot_within(script, Allowance::default().picture)
+}
+
+fn shot_within(script: &str, limits: Limits) -> Shot {
     let pictures = tempfile::tempdir().unwrap();
     let grey = |width| film::Image::from_fn(width, 3, |_, _| DVec3::splat(0.2));
     film::write(&pictures.path().join("good.png"), &grey(4)).unwrap();
     film::write(&pictures.path().join("small.png"), &grey(3)).unwrap();
     let (program, _folder) = program(&format!("pictures={}\n{script}", pictures.path().display()));
-    shoot(&candidate(&program), &scene()).unwrap()
+    shoot(&candidate(&program), &scene(), limits)
 }
 
 #[test]
@@ -137,4 +144,77 @@ fn what_is_no_picture_of_the_right_size_says_why() {
             other => panic!("{script}: {other:?}"),
         }
     }
+}
+
+/// Uses up so many hundredths of a second of CPU time, however long that takes, and draws.
+fn spending(hundredths: &str) -> String {
+    format!(
+        "out=$3; want={hundredths}; while read -r line < /proc/$$/stat; do set -- ${{line##*) }}; \
+         [ $((${{12}} + ${{13}})) -ge $want ] && break; done; cp $pictures/good.png $out"
+    )
+}
+
+fn seconds(cpu: u64) -> Limits {
+    Allowance::new(Duration::from_secs(cpu), Allowance::MEMORY).picture
+}
+
+/// Does `work` while `n` threads keep the processors busy.
+fn under_load<R>(n: usize, work: impl FnOnce() -> R) -> R {
+    let is_over = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        for _ in 0..n {
+            scope.spawn(|| {
+                while !is_over.load(Ordering::Relaxed) {
+                    std::hint::spin_loop()
+                }
+            });
+        }
+        let done = work();
+        is_over.store(true, Ordering::Relaxed);
+        done
+    })
+}
+
+#[test]
+fn identical_programs_come_out_alike_on_a_busy_machine() {
+    let n = 4 * std::thread::available_parallelism().map_or(1, usize::from);
+    let copies = under_load(n, || side_by_side(3, &[(); 6], |()| shot_within(&spending("40"), seconds(1))));
+    for copy in copies {
+        let copy = copy.unwrap();
+        assert!(copy.picture.is_ok(), "{:?}", copy.finished);
+        assert!(copy.finished.cpu < seconds(1).cpu, "{:?}", copy.finished);
+    }
+}
+
+#[test]
+fn a_time_out_near_the_limit_is_confirmed_alone_where_others_run() {
+    let home = tempfile::tempdir().unwrap();
+    let at = |name: &str| home.path().join(name).display().to_string();
+    let neighbour = || shot_within(&format!("touch {}; {}", at("runs"), spending("150")), seconds(10));
+    // The first run takes more than the limit, but less than twice as much.
+    let slow_once = format!("[ -e {0} ] && {{ want=10; }} || want=130; touch {0}; {1}", at("slow"), spending("$want"));
+    std::thread::scope(|scope| {
+        scope.spawn(neighbour);
+        while !home.path().join("runs").exists() {
+            std::thread::yield_now();
+        }
+        let shot = shot_within(&slow_once, seconds(1));
+        assert!(shot.picture.is_ok(), "the second run counts: {:?}", shot.finished);
+    });
+    let shot = shot_within(&spending("130"), seconds(1));
+    assert_eq!(shot.finished.outcome, Outcome::TimedOut(Clock::Cpu), "{:?}", shot.finished);
+}
+
+#[test]
+fn three_processes_tell_that_a_program_answers_nothing() {
+    let home = tempfile::tempdir().unwrap();
+    let log = home.path().join("log");
+    let count = || std::fs::read_to_string(&log).unwrap().lines().count();
+    let note = format!("echo started >> {}", log.display());
+    let probed = check_probe(&format!("{note}; echo no configuration >&2; exit 1"), &[], &["q0"]);
+    assert_eq!((count(), probed.skipped.len()), (3, 4), "{probed:?}");
+    // One that fails at the questions alone is asked them all.
+    let picky = format!("{note}; read -r line || exit 0; echo no answers >&2; exit 1");
+    let probed = check_probe(&picky, &[], &["q0", "q1", "q2", "q3", "q4"]);
+    assert!(count() > 8 && probed.skipped.is_empty(), "{probed:?}");
 }

@@ -15,7 +15,6 @@ use crate::record::{Diagnosis, FindingKind, Verdict};
 /// The known mistakes that explain what is wrong in `answers`, the one that explains most first; their names go to the findings that they
 /// explain. Pictures of mistakes are unpacked only where something is wrong.
 pub(super) fn diagnose(exam: &Exam, plan: &Plan, answers: &mut Answers) -> Vec<Diagnosis> {
-    let Ok(mistakes) = &exam.mistakes else { return vec![] };
     if !answers.done.values().any(|done| state(done) == State::Wrong) {
         return vec![];
     }
@@ -33,7 +32,7 @@ pub(super) fn diagnose(exam: &Exam, plan: &Plan, answers: &mut Answers) -> Vec<D
             finding.into_iter().for_each(|finding| finding.diagnosis = one.mistakes.first().cloned());
         }
     }
-    let known: BTreeMap<&str, &Mistake> = mistakes.iter().map(|mistake| (mistake.id.as_str(), mistake)).collect();
+    let known: BTreeMap<&str, &Mistake> = exam.mistakes.iter().map(|mistake| (mistake.id.as_str(), mistake)).collect();
     named.iter().map(|named| diagnosis(named, &known)).collect()
 }
 
@@ -66,7 +65,7 @@ fn of_case(exam: &Exam, part: &Part, case: &Case, done: &Done) -> Option<Evidenc
     match state(done) {
         State::Right => Some(Evidence::right(&case.id, case.points, Wrong::ids(&bytes()?, width, height).ok()?)),
         State::Wrong => {
-            let answer = part.questions.images.get(&case.id)?.as_ref().ok()?;
+            let answer = part.questions.images.get(&case.id)?;
             let mistakes = Wrong::decode_all(&bytes()?, width, height).ok()?;
             let shares = diagnose::picture(done.picture.as_ref()?, answer, &mistakes);
             Some(Evidence::wrong(&case.id, case.points, shares))

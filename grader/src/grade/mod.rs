@@ -3,20 +3,27 @@
 mod diagnosis;
 mod perform;
 mod plan;
+mod thrift;
+mod verdicts;
+mod words;
 mod write_up;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use cases::answer::ImageAnswer;
+use cases::files::WriteError;
 use cases::film::Image;
 use cases::front::FrontPoint;
+
+use plan::Plan;
 
 use crate::build::{BuildError, Built, Workshop, build};
 use crate::exam::Exam;
 use crate::exercise::{self, Allowance, Candidate};
 use crate::record::{Build, Finding, FindingKind, Record, Submission, Verdict};
 use crate::submission::{self, SubmissionError};
+use crate::workers::guarded;
 
 /// What all gradings share: made once, used from any number of threads.
 #[derive(Debug)]
@@ -35,9 +42,19 @@ impl Bench {
     /// # Errors
     /// Everything that is wrong with the cases; a workspace that is not there.
     pub fn open(stages: &Path) -> Result<Self, GradeError> {
-        let exam = Exam::load(stages).map_err(GradeError::Input)?;
+        let exam = Exam::load(stages).map_err(|why| GradeError::Input(why.to_string()))?;
         let workshop = Workshop::open(stages).map_err(GradeError::Machine)?;
         Ok(Self { exam, workshop, allowance: Allowance::default() })
+    }
+
+    /// Returns a line on what words select of the exam, such as `12 checks in 3 stages match `sphere``; `None`
+    /// where each stage that was named is one.
+    ///
+    /// # Errors
+    /// A word that selects nothing; says what there is.
+    pub fn selected(&self, stages: &[String], checks: &[String]) -> Result<Option<String>, GradeError> {
+        let plan = plan::Plan::new(&self.exam, stages, checks).map_err(GradeError::Input)?;
+        Ok(plan.summary(stages, checks))
     }
 
     /// What `built` may use.
@@ -50,7 +67,7 @@ impl Bench {
     /// # Errors
     /// No compiler.
     pub fn epoch(&self) -> Result<String, GradeError> {
-        let compiler = &self.workshop.toolchain().map_err(GradeError::Machine)?.version;
+        let compiler = &self.workshop.toolchain().map_err(|why| GradeError::Machine(why.to_string()))?.version;
         let text = format!("{} {VERSION} {:?} {compiler}", self.exam.hash, self.allowance);
         Ok(blake3::hash(text.as_bytes()).to_hex().to_string())
     }
@@ -143,6 +160,12 @@ pub enum GradeError {
     Machine(String),
 }
 
+impl From<WriteError> for GradeError {
+    fn from(why: WriteError) -> Self {
+        if why.is_usage() { Self::Input(why.to_string()) } else { Self::Machine(why.to_string()) }
+    }
+}
+
 /// Grades one submission: reads it, builds it, asks it everything that is selected, judges, scores.
 ///
 /// Whatever a submission does, there is a record of it. After an interrupt the record says what was not run.
@@ -150,20 +173,41 @@ pub enum GradeError {
 /// # Errors
 /// What is nobody's submission, or the machine's fault before any case ran.
 pub fn grade(bench: &Bench, options: &Options, progress: &dyn Progress) -> Result<Graded, GradeError> {
-    let plan = plan::Plan::new(&bench.exam, &options.stages, &options.cases).map_err(GradeError::Input)?;
+    let plan = trusted(bench, planned(bench, options)?)?;
     let epoch = bench.epoch()?;
     let (digest, prepared) = prepare(bench, options, progress)?;
     let (mut answers, build) = match prepared {
         Ok((built, ignored)) => {
-            let answers = perform::exercise(&plan, &bench.candidate(&built), options.jobs, progress);
+            let mut answers = perform::exercise(&plan, &bench.candidate(&built), options.jobs, progress);
+            write_up::name_functions(&mut answers, !built.program.is_foreign());
             (answers, accepted(&built, ignored))
         }
         Err(build) => (perform::nothing(&plan, build.finding.as_ref()), build),
     };
-    let diagnoses = diagnosis::diagnose(&bench.exam, &plan, &mut answers);
+    // A diagnosis is a hint: a fault of the grader in it costs no check.
+    let diagnoses = guarded(|| diagnosis::diagnose(&bench.exam, &plan, &mut answers)).unwrap_or_default();
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest };
     Ok(Graded { record: write_up::record(epoch, submission, build, stages, diagnoses), pictures })
+}
+
+/// Demands that whatever `options` select has answers that can be trusted.
+///
+/// # Errors
+/// A selection of nothing; answers that are missing or stale.
+pub fn check_answers(bench: &Bench, options: &Options) -> Result<(), GradeError> {
+    trusted(bench, planned(bench, options)?).map(drop)
+}
+
+fn planned<'a>(bench: &'a Bench, options: &Options) -> Result<Plan<'a>, GradeError> {
+    Plan::new(&bench.exam, &options.stages, &options.cases).map_err(GradeError::Input)
+}
+
+/// Demands answers that can be trusted for all of `plan`.
+fn trusted<'a>(bench: &Bench, plan: Plan<'a>) -> Result<Plan<'a>, GradeError> {
+    let ids = plan.stages.iter().flat_map(plan::Part::ids);
+    bench.exam.trust(ids).map_err(|untrusted| GradeError::Input(untrusted.to_string()))?;
+    Ok(plan)
 }
 
 /// A program with what was left aside, or what is to be said where there is none.
@@ -174,6 +218,9 @@ fn prepare(bench: &Bench, options: &Options, progress: &dyn Progress) -> Result<
     let submission = match submission::read(&options.submission, &bench.workshop.template) {
         Ok(submission) => submission,
         Err(why @ SubmissionError::Unreadable { .. }) => return Err(GradeError::Input(why.to_string())),
+        Err(why @ (SubmissionError::Machine { .. } | SubmissionError::Folder(_))) => {
+            return Err(GradeError::Machine(why.to_string()));
+        }
         Err(SubmissionError::Refused(why)) => {
             let finding = Finding::new(FindingKind::Submission, why);
             return Ok((String::new(), Err(rejected(Verdict::Fail, finding, vec![]))));
@@ -182,14 +229,30 @@ fn prepare(bench: &Bench, options: &Options, progress: &dyn Progress) -> Result<
     let ignored = submission.ignored.clone();
     let prepared = match build(&submission, &bench.workshop, &|what| progress.phase(what)) {
         Ok(built) => Ok((built, ignored)),
-        Err(BuildError::Rejected(why)) => Err(rejected(Verdict::Fail, Finding::new(FindingKind::Build, why), ignored)),
-        Err(BuildError::Ours(why)) => return Err(GradeError::Machine(why)),
+        Err(BuildError::Rejected(why)) => {
+            let finding = Finding::new(FindingKind::Build, why + &unused(&submission));
+            Err(rejected(Verdict::Fail, finding, ignored))
+        }
+        Err(BuildError::Ours(why)) => return Err(GradeError::Machine(why.to_string())),
         Err(BuildError::Interrupted) => {
             let finding = Finding::new(FindingKind::Internal, "the grader was interrupted while building");
             Err(rejected(Verdict::NotRun, finding, ignored))
         }
     };
     Ok((submission.digest, prepared))
+}
+
+/// Returns a paragraph on sources and manifests of the submission that are not used, or an empty
+/// text.
+///
+/// They may be the cause of a compiler error.
+fn unused(submission: &submission::Submission) -> String {
+    let submission::Kind::Rust(rust) = &submission.kind else { return String::new() };
+    if rust.unused.is_empty() {
+        return String::new();
+    }
+    let files = rust.unused.iter().map(|says| format!("\n  {says}")).collect::<String>();
+    format!("\n\nThese files of yours are not used, which may be the reason:{files}")
 }
 
 fn accepted(built: &Built, ignored: Vec<String>) -> Build {
@@ -206,8 +269,7 @@ fn rejected(verdict: Verdict, finding: Finding, ignored: Vec<String>) -> Build {
 /// # Errors
 /// A selection that nothing meets.
 pub fn images(bench: &Bench, folder: &Path, options: &Options) -> Result<Graded, GradeError> {
-    let plan = plan::Plan::new(&bench.exam, &options.stages, &options.cases).map_err(GradeError::Input)?;
-    let plan = plan.pictures_only();
+    let plan = trusted(bench, planned(bench, options)?.pictures_only())?;
     let mut answers = perform::review(&plan, folder);
     let diagnoses = diagnosis::diagnose(&bench.exam, &plan, &mut answers);
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
@@ -238,8 +300,13 @@ pub fn explain(
         return Err(GradeError::Input(format!("pixel ({x}, {y}) does not lie in a picture of {width}×{height}")));
     }
     match prepare(bench, &Options::new(path), progress)?.1 {
-        Ok((built, _)) => exercise::explain(&bench.candidate(&built), &case.scene, x, y)
-            .map_err(|why| GradeError::Machine(format!("the work folder: {why}"))),
+        Ok((built, _)) => Ok(exercise::explain(&bench.candidate(&built), &case.scene, x, y)),
+        Err(Build { finding: Some(finding), .. }) if finding.kind == FindingKind::Submission => {
+            Err(GradeError::Input(finding.message))
+        }
         Err(build) => Ok(Err(build.finding.map_or(String::new(), |finding| finding.message))),
     }
 }
+
+#[cfg(test)]
+mod tests;

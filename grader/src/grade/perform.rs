@@ -1,80 +1,240 @@
-//! Asks what is planned and judges what comes back, many programs at once, in an order that does not depend on them.
+//! Runs the program for all that is planned, many processes at once. The results do not depend on
+//! their order.
 
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
 
 use cases::film::Image;
 use cases::probe::{Answer, Question};
 use cases::stage::{Case, Check};
-use rayon::prelude::*;
 
 use super::Progress;
 use super::plan::{Part, Plan};
-use crate::exam::Questions;
-use crate::exercise::{self, Candidate, Got, NoPicture, Probed, Shot};
-use crate::judge::{self, Judgement};
+use super::thrift::{self, Share, Taken};
+use super::verdicts::{self, Skipped};
+use crate::exercise::{self, Candidate, Start, reduced};
+use crate::judge::Judgement;
 use crate::record::{Finding, FindingKind};
 use crate::sandbox::{Finished, Limits, Outcome};
+use crate::workers::{guarded, side_by_side};
 
-/// What came of a check.
+/// The result of a check.
 pub(super) struct Done {
-    /// What it comes to.
+    /// The judgement on the check.
     pub(super) judgement: Judgement,
     /// The picture, if one of the right size could be read.
     pub(super) picture: Option<Image>,
     /// The answer to a unit check, if one could be read.
     pub(super) answer: Option<Answer>,
     pub(super) time_s: f64,
+    /// CPU time; `None` where nothing was run.
+    pub(super) cpu_s: Option<f64>,
     pub(super) peak_bytes: u64,
 }
 
-/// What came of a plan.
+/// The results of a plan.
 #[derive(Default)]
 pub(super) struct Answers {
-    /// By id of the check.
+    /// Results by the id of the check.
     pub(super) done: BTreeMap<String, Done>,
-    /// By id of the stage.
+    /// Remarks by the id of the stage.
     pub(super) remarks: BTreeMap<String, Vec<String>>,
 }
 
 impl Done {
-    fn unmeasured(judgement: Judgement, picture: Option<Image>) -> Self {
-        Self { judgement, picture, answer: None, time_s: 0.0, peak_bytes: 0 }
+    pub(super) fn unmeasured(judgement: Judgement, picture: Option<Image>) -> Self {
+        Self { judgement, picture, answer: None, time_s: 0.0, cpu_s: None, peak_bytes: 0 }
     }
 }
 
-/// One program to run.
+/// A unit of work: a picture, or the unit checks of a stage.
+#[derive(Clone, Copy)]
 enum Task<'a> {
-    Picture(&'a Questions, &'a Case),
     Units(&'a Part<'a>),
+    /// A picture, and the place of its stage in the plan.
+    Picture(&'a Part<'a>, &'a Case, usize),
 }
 
-/// Runs the program for all that is planned, `jobs` at a time.
+/// The result of a task.
+#[derive(Default)]
+struct Ran {
+    /// Results by id. A check that was left out because the program is broken is missing.
+    done: BTreeMap<String, Done>,
+    remarks: Vec<String>,
+    taken: Taken,
+    /// The end of the process, for a picture.
+    picture: Option<Finished>,
+}
+
+/// Runs the program for all that is planned, `jobs` processes at a time.
 pub(super) fn exercise(plan: &Plan, candidate: &Candidate, jobs: usize, progress: &dyn Progress) -> Answers {
-    let mut tasks: Vec<Task> = plan.stages.iter().filter(|part| !part.checks.is_empty()).map(Task::Units).collect();
-    for part in &plan.stages {
-        tasks.extend(part.cases.iter().map(|case| Task::Picture(part.questions, case)));
-    }
+    let tasks = tasks(plan);
     progress.phase("running the program");
     progress.begin(tasks.len() as u64);
-    let perform = |task: &Task| {
-        let answers = match task {
-            Task::Picture(questions, case) => picture(candidate, questions, case),
-            Task::Units(part) => units(candidate, part),
-        };
-        progress.step();
-        answers
-    };
-    let all: Vec<Answers> = match rayon::ThreadPoolBuilder::new().num_threads(jobs.max(1)).build() {
-        Ok(pool) => pool.install(|| tasks.par_iter().with_max_len(1).map(perform).collect()),
-        Err(_) => tasks.iter().map(perform).collect(),
-    };
-    let mut answers = Answers::default();
-    for one in all {
-        answers.done.extend(one.done);
-        answers.remarks.extend(one.remarks);
+    let session = Session { candidate, progress, taken: Mutex::new(vec![None; tasks.len()]), tasks };
+    let n_units = session.tasks.iter().filter(|task| matches!(task, Task::Units(_))).count();
+    let (units, pictures) = (0..n_units, n_units..session.tasks.len());
+    let begun = side_by_side(jobs, &[units, pictures], |kind| session.begin(kind.clone()));
+    let mut begun = begun.into_iter().map(Result::unwrap_or_default);
+    let ((mut ran, units), (pictures_ran, pictures)) =
+        (begun.next().unwrap_or_default(), begun.next().unwrap_or_default());
+    ran.extend(pictures_ran);
+    let rest: Vec<usize> = (0..session.tasks.len()).filter(|n| !ran.contains_key(n)).collect();
+    let run = |n: &usize| session.run(*n, &mut if *n < n_units { units.clone() } else { pictures.clone() });
+    let finished = side_by_side(jobs, &rest, run);
+    ran.extend(rest.iter().copied().zip(finished.into_iter().map(Result::unwrap_or_default)));
+    session.settle(ran, &units, &pictures)
+}
+
+/// Returns all tasks in the order of the plan, unit checks first.
+fn tasks<'a>(plan: &'a Plan) -> Vec<Task<'a>> {
+    let units = plan.stages.iter().filter(|part| !part.checks.is_empty()).map(Task::Units);
+    let pictures = plan
+        .stages
+        .iter()
+        .enumerate()
+        .flat_map(|(stage, part)| part.cases.iter().map(move |case| Task::Picture(part, case, stage)));
+    units.chain(pictures).collect()
+}
+
+impl Task<'_> {
+    /// Returns the ids of the task's checks.
+    fn ids(&self) -> Vec<&str> {
+        match self {
+            Self::Units(part) => part.checks.iter().map(|(check, _)| check.id.as_str()).collect(),
+            Self::Picture(_, case, _) => vec![&case.id],
+        }
     }
-    answers
+
+    /// Returns the place of the stage in the plan, for a picture.
+    fn stage(&self) -> Option<usize> {
+        if let Self::Picture(_, _, stage) = self { Some(*stage) } else { None }
+    }
+}
+
+/// One submission while it is run.
+struct Session<'a> {
+    tasks: Vec<Task<'a>>,
+    candidate: &'a Candidate<'a>,
+    progress: &'a dyn Progress,
+    /// The time that each task took, once it has ended.
+    taken: Mutex<Vec<Option<Taken>>>,
+}
+
+impl Session<'_> {
+    /// Runs the first tasks of a kind one after another, until it is known whether the program is
+    /// broken.
+    fn begin(&self, kind: std::ops::Range<usize>) -> (BTreeMap<usize, Ran>, Start) {
+        let mut start = Start::default();
+        let mut ran = BTreeMap::new();
+        for n in kind {
+            if start.is_known() {
+                break;
+            }
+            ran.insert(n, self.run(n, &mut start));
+        }
+        (ran, start)
+    }
+
+    /// Runs a task, unless it is to be left out.
+    fn run(&self, n: usize, start: &mut Start) -> Ran {
+        let task = &self.tasks[n];
+        let share = {
+            let taken = self.taken.lock().unwrap_or_else(PoisonError::into_inner);
+            thrift::share(taken[..n].iter().flatten(), task.stage(), self.most_idle())
+        };
+        let is_left_out = share == Share::Nothing || start.broken().is_some();
+        let ran = if is_left_out { Ok(Ran::default()) } else { guarded(|| self.perform(task, share, start)) };
+        let ran = ran.unwrap_or_else(|panicked| {
+            let ours = || Done::unmeasured(Judgement::ours(panicked.to_string()), None);
+            Ran { done: task.ids().into_iter().map(|id| (id.to_owned(), ours())).collect(), ..Ran::default() }
+        });
+        self.taken.lock().unwrap_or_else(PoisonError::into_inner)[n] = Some(ran.taken);
+        self.progress.step();
+        ran
+    }
+
+    fn perform(&self, task: &Task, share: Share, start: &mut Start) -> Ran {
+        match *task {
+            Task::Units(part) => units(self.candidate, part, start),
+            Task::Picture(part, case, stage) => {
+                let limits = self.candidate.allowance.picture;
+                let limits = if share == Share::Reduced { reduced(limits) } else { limits };
+                picture(self.candidate, (part, case, stage), limits, start)
+            }
+        }
+    }
+
+    fn most_idle(&self) -> Duration {
+        thrift::most_idle(self.candidate.allowance.picture.idle)
+    }
+
+    /// Puts the results together as if all tasks had been run one after another.
+    fn settle(&self, mut ran: BTreeMap<usize, Ran>, units: &Start, pictures: &Start) -> Answers {
+        let mut answers = Answers::default();
+        let mut before: Vec<Taken> = vec![];
+        let mut left_out = LeftOut::default();
+        for (n, task) in self.tasks.iter().enumerate() {
+            let mut one = ran.remove(&n).unwrap_or_default();
+            match thrift::share(before.iter(), task.stage(), self.most_idle()) {
+                Share::Whole => {}
+                Share::Reduced => one.reduce_to(&reduced(self.candidate.allowance.picture)),
+                Share::Nothing => {
+                    let idle = || Done::unmeasured(verdicts::idle_for_too_long(self.most_idle()), None);
+                    one = Ran::default();
+                    one.done.extend(task.ids().into_iter().map(|id| (id.to_owned(), idle())));
+                }
+            }
+            let missing = task.ids().into_iter().filter(|id| !one.done.contains_key(*id));
+            left_out.of(task).extend(missing.map(str::to_owned));
+            before.push(one.taken);
+            answers.done.extend(one.done);
+            if let Task::Units(part) = task {
+                answers.remarks.insert(part.questions.stage.id.clone(), one.remarks);
+            }
+        }
+        let allowance = &self.candidate.allowance;
+        for (ids, start, limits, what) in [
+            (left_out.questions, units, &allowance.questions, Skipped::Questions),
+            (left_out.pictures, pictures, &allowance.picture, Skipped::Pictures),
+        ] {
+            let n = ids.len();
+            let judgement = || match start.broken() {
+                Some(failure) => verdicts::skipped(failure, limits, what, n),
+                None => Judgement::ours("it was planned, but not run"),
+            };
+            answers.done.extend(ids.into_iter().map(|id| (id, Done::unmeasured(judgement(), None))));
+        }
+        answers
+    }
+}
+
+/// Ids of checks that were left out because the program is broken.
+#[derive(Default)]
+struct LeftOut {
+    questions: Vec<String>,
+    pictures: Vec<String>,
+}
+
+impl LeftOut {
+    fn of(&mut self, task: &Task) -> &mut Vec<String> {
+        if matches!(task, Task::Units(_)) { &mut self.questions } else { &mut self.pictures }
+    }
+}
+
+impl Ran {
+    /// Changes the result of a picture to what it would be with these limits.
+    fn reduce_to(&mut self, limits: &Limits) {
+        let beyond = self.picture.as_ref().and_then(|finished| verdicts::beyond(finished, limits));
+        let Some(judgement) = beyond else { return };
+        for done in self.done.values_mut() {
+            done.judgement = judgement.clone();
+            done.picture = None;
+        }
+        self.taken.is_timeout = true;
+    }
 }
 
 /// Judges pictures that lie in `folder`.
@@ -85,8 +245,8 @@ pub(super) fn review(plan: &Plan, folder: &Path) -> Answers {
             let size = case.scene.render;
             let read = exercise::read(&folder.join(format!("{}.png", case.id)), size.width, size.height);
             let judgement = match &read {
-                Ok(image) => judge_picture(image, part.questions, case),
-                Err(why) => Judgement::fail(no_picture(why)),
+                Ok(image) => verdicts::of_picture(image, part.questions, case),
+                Err(why) => verdicts::no_picture(why),
             };
             answers.done.insert(case.id.clone(), Done::unmeasured(judgement, read.ok()));
         }
@@ -94,7 +254,7 @@ pub(super) fn review(plan: &Plan, folder: &Path) -> Answers {
     answers
 }
 
-/// Nothing can be asked, because of `finding`.
+/// Returns the results where nothing can be run, because of `finding`.
 pub(super) fn nothing(plan: &Plan, finding: Option<&Finding>) -> Answers {
     let kind = finding.map_or(FindingKind::Internal, |finding| finding.kind);
     let why = match kind {
@@ -107,118 +267,48 @@ pub(super) fn nothing(plan: &Plan, finding: Option<&Finding>) -> Answers {
     Answers { done: ids.map(|id| (id.to_owned(), done())).collect(), remarks: BTreeMap::new() }
 }
 
-fn picture(candidate: &Candidate, questions: &Questions, case: &Case) -> Answers {
-    let done = match exercise::shoot(candidate, &case.scene) {
-        Err(why) => Done::unmeasured(Judgement::ours(format!("the work folder: {why}")), None),
-        Ok(shot) => Done {
-            judgement: judge_shot(&shot, &candidate.allowance.picture, questions, case),
-            time_s: shot.finished.wall.as_secs_f64(),
-            peak_bytes: shot.finished.peak_bytes,
-            picture: shot.picture.ok(),
-            answer: None,
-        },
+fn picture(
+    candidate: &Candidate,
+    (part, case, stage): (&Part, &Case, usize),
+    limits: Limits,
+    start: &mut Start,
+) -> Ran {
+    let shot = exercise::shoot(candidate, &case.scene, limits);
+    if !start.is_known() {
+        shot.tell(start, candidate, &case.scene);
+    }
+    let finished = shot.finished.clone().without_streams();
+    let is_timeout = matches!(finished.outcome, Outcome::TimedOut(_));
+    let taken = Taken { stage: Some(stage), idle: finished.idle, is_timeout };
+    let done = Done {
+        judgement: verdicts::of_shot(&shot, part.questions, case),
+        time_s: finished.wall.as_secs_f64(),
+        cpu_s: Some(finished.cpu.as_secs_f64()),
+        peak_bytes: finished.peak_bytes,
+        picture: shot.picture.ok(),
+        answer: None,
     };
-    Answers { done: BTreeMap::from([(case.id.clone(), done)]), remarks: BTreeMap::new() }
+    let done = BTreeMap::from([(case.id.clone(), done)]);
+    Ran { done, taken, picture: Some(finished), ..Ran::default() }
 }
 
-/// A picture counts however the program ended after writing it, unless it had to be stopped.
-fn judge_shot(shot: &Shot, limits: &Limits, questions: &Questions, case: &Case) -> Judgement {
-    let finished = &shot.finished;
-    let is_over = matches!(finished.outcome, Outcome::Exited(_) | Outcome::Signalled(_));
-    let judgement = match &shot.picture {
-        Ok(image) if is_over => judge_picture(image, questions, case),
-        Err(why @ (NoPicture::Size(_) | NoPicture::Unreadable(_))) if finished.outcome == Outcome::Exited(0) => {
-            Judgement::fail(no_picture(why)).with_stderr(finished.stderr_text())
-        }
-        _ => {
-            return judge::todo(finished).unwrap_or_else(|| judge::ending(finished, limits));
-        }
-    };
-    match finished.outcome {
-        Outcome::Exited(0) => left_behind(judgement, finished),
-        _ => {
-            let end = judge::ending(finished, limits).finding.map_or(String::new(), |finding| finding.message);
-            judgement.remark(&format!("{end}, after writing its picture")).with_stderr(finished.stderr_text())
-        }
-    }
-}
-
-fn left_behind(judgement: Judgement, finished: &Finished) -> Judgement {
-    match finished.left_behind {
-        0 => judgement,
-        1 => judgement.remark("it left a process running, which was ended"),
-        n => judgement.remark(&format!("it left {n} processes running, which were ended")),
-    }
-}
-
-fn judge_picture(image: &Image, questions: &Questions, case: &Case) -> Judgement {
-    match questions.images.get(&case.id) {
-        Some(Ok(answer)) => judge::picture(image, answer),
-        Some(Err(why)) => Judgement::ours(why.clone()),
-        None => Judgement::ours("there is no stored answer"),
-    }
-}
-
-fn no_picture(why: &NoPicture) -> Finding {
-    match why {
-        NoPicture::Missing => Finding::new(FindingKind::Missing, "there is no picture"),
-        NoPicture::Size(why) => Finding::new(FindingKind::Size, format!("the picture has the wrong size: {why}")),
-        NoPicture::Unreadable(why) => {
-            Finding::new(FindingKind::Unreadable, format!("the picture cannot be read: {why}"))
-        }
-    }
-}
-
-fn units(candidate: &Candidate, part: &Part) -> Answers {
+fn units(candidate: &Candidate, part: &Part, start: &mut Start) -> Ran {
     let question = |(check, _): &(&Check, u64)| Question { id: check.id.clone(), ask: check.ask.clone() };
     let questions: Vec<Question> = part.checks.iter().map(question).collect();
-    let mut answers = Answers::default();
-    let probed = exercise::probe(candidate, &questions);
-    for question in &questions {
-        let done = match &probed {
-            Err(why) => Done::unmeasured(Judgement::ours(format!("the work folder: {why}")), None),
-            Ok(probed) => Done {
-                judgement: judge_answer(question, probed, &candidate.allowance.questions, part.questions),
-                picture: None,
-                answer: answer_to(question, probed),
-                time_s: probed.time.as_secs_f64(),
-                peak_bytes: probed.peak_bytes,
-            },
+    let probed = exercise::probe(candidate, &questions, start);
+    let judged = |question: &Question| {
+        let judgement = guarded(|| verdicts::of_answer(question, &probed, part.questions));
+        let done = Done {
+            judgement: judgement.unwrap_or_else(|panicked| Judgement::ours(panicked.to_string())),
+            picture: None,
+            answer: verdicts::answer_to(question, &probed),
+            time_s: probed.time.as_secs_f64(),
+            cpu_s: Some(probed.cpu.as_secs_f64()),
+            peak_bytes: probed.peak_bytes,
         };
-        answers.done.insert(question.id.clone(), done);
-    }
-    let remarks = probed.map(|probed| probed.remarks).unwrap_or_default();
-    answers.remarks.insert(part.questions.stage.id.clone(), remarks);
-    answers
-}
-
-fn answer_to(question: &Question, probed: &Probed) -> Option<Answer> {
-    match probed.got.get(&question.id) {
-        Some(Got::Answer(answer)) => Some(answer.clone()),
-        _ => None,
-    }
-}
-
-fn judge_answer(question: &Question, probed: &Probed, limits: &Limits, questions: &Questions) -> Judgement {
-    let Some(right) = questions.units.get(&question.id) else {
-        return Judgement::ours(questions.units_missing.as_deref().unwrap_or("there is no stored answer"));
+        (question.id.clone(), done)
     };
-    let wrong = |kind, message: String| Judgement::fail(Finding::new(kind, message));
-    let mut judgement = match (probed.got.get(&question.id), probed.ended.get(&question.id)) {
-        (Some(Got::Answer(answer)), _) => judge::unit(answer, right, question.ask.function()),
-        (Some(Got::Malformed(why)), _) => wrong(FindingKind::Unreadable, format!("its answer cannot be read: {why}")),
-        (Some(Got::Twice), _) => wrong(FindingKind::Wrong, "it gave more than one answer".to_owned()),
-        (None, Some(finished)) if finished.outcome == Outcome::Exited(0) => {
-            wrong(FindingKind::Missing, "it gave no answer to this question".to_owned())
-        }
-        (None, Some(finished)) => judge::ending(finished, limits),
-        (None, None) => {
-            let why = probed.not_asked.get(&question.id).map_or("not asked", String::as_str);
-            wrong(FindingKind::Timeout, why.to_owned())
-        }
-    };
-    if let Some(finding) = &mut judgement.finding {
-        finding.asked = serde_json::to_value(question).ok();
-    }
-    judgement
+    let asked = questions.iter().filter(|question| !probed.skipped.contains(&question.id));
+    let done = asked.map(judged).collect();
+    Ran { done, taken: Taken { idle: probed.idle, ..Taken::default() }, remarks: probed.remarks, picture: None }
 }

@@ -1,7 +1,9 @@
-//! Which checks are asked: those of the exam that the options select.
+//! Which checks are run: those of the exam that the options select.
 
 use cases::stage::{Case, Check};
+use pages::lines::{count, some};
 
+use super::words;
 use crate::exam::{Exam, Questions};
 use crate::score;
 
@@ -11,7 +13,7 @@ pub(super) struct Plan<'a> {
     pub(super) stages: Vec<Part<'a>>,
 }
 
-/// What is asked of a stage.
+/// What is run of a stage.
 pub(super) struct Part<'a> {
     /// The whole stage and its answers.
     pub(super) questions: &'a Questions,
@@ -27,21 +29,20 @@ impl<'a> Plan<'a> {
     /// # Errors
     /// A word that selects nothing; says what there is.
     pub(super) fn new(exam: &'a Exam, stages: &[String], checks: &[String]) -> Result<Self, String> {
-        let ids = || exam.stages.iter().map(|questions| questions.stage.id.as_str());
-        for word in stages {
-            if !ids().any(|id| id.starts_with(word.as_str())) {
-                let known: Vec<&str> = ids().collect();
-                return Err(format!("there is no stage `{word}`; there are {}", known.join(", ")));
-            }
+        let ids: Vec<&str> = exam.stages.iter().map(|questions| questions.stage.id.as_str()).collect();
+        if let Some(word) = stages.iter().find(|word| !ids.iter().any(|id| id.starts_with(word.as_str()))) {
+            return Err(words::no_stage(word, &ids));
         }
         let is_chosen = |questions: &&Questions| is_selected(&questions.stage.id, stages);
         let parts: Vec<Part> = exam.stages.iter().filter(is_chosen).map(|questions| part(questions, checks)).collect();
-        let n_all = |word: &String| {
-            let one = std::slice::from_ref(word);
-            parts.iter().flat_map(Part::ids).filter(|id| is_selected(id, one)).count()
+        let is_idle = |word: &&String| {
+            let one = std::slice::from_ref(*word);
+            !parts.iter().flat_map(Part::ids).any(|id| is_selected(id, one))
         };
-        if let Some(word) = checks.iter().find(|word| n_all(word) == 0) {
-            return Err(format!("there is no case or check `{word}`; ids look like `02_shadows/two_lamps`"));
+        if let Some(word) = checks.iter().find(is_idle) {
+            let of = |questions: &'a Questions| part(questions, &[]).ids().collect::<Vec<_>>();
+            let known: Vec<&str> = exam.stages.iter().filter(is_chosen).flat_map(of).collect();
+            return Err(words::no_check(word, &known));
         }
         let is_empty = |part: &Part| part.cases.is_empty() && part.checks.is_empty();
         Ok(Self { stages: parts.into_iter().filter(|part| !is_empty(part)).collect() })
@@ -51,6 +52,21 @@ impl<'a> Plan<'a> {
     pub(super) fn pictures_only(mut self) -> Self {
         self.stages.iter_mut().for_each(|part| part.checks.clear());
         self
+    }
+
+    /// Returns what the words selected, in a line; `None` where each of them names one whole stage.
+    pub(super) fn summary(&self, stages: &[String], checks: &[String]) -> Option<String> {
+        if checks.is_empty() && self.stages.len() <= stages.len().max(1) || stages.is_empty() && checks.is_empty() {
+            return None;
+        }
+        let words = if checks.is_empty() { stages } else { checks };
+        let n = self.stages.iter().flat_map(Part::ids).count();
+        let place = match self.stages.as_slice() {
+            [one] => one.questions.stage.id.clone(),
+            several => count(several.len(), "stage"),
+        };
+        let verb = if n == 1 { "matches" } else { "match" };
+        Some(format!("{} in {place} {verb} {}", count(n, "check"), some(words.iter().map(String::as_str), 5)))
     }
 }
 
@@ -65,7 +81,7 @@ fn part<'a>(questions: &'a Questions, words: &[String]) -> Part<'a> {
 }
 
 impl<'a> Part<'a> {
-    /// The ids of all that is asked.
+    /// The ids of all that is run.
     pub(super) fn ids(&self) -> impl Iterator<Item = &'a str> {
         let checks = self.checks.iter().map(|(check, _)| check.id.as_str());
         self.cases.iter().map(|case| case.id.as_str()).chain(checks)
@@ -74,6 +90,10 @@ impl<'a> Part<'a> {
 
 /// Whether `id` begins with one of `words`, or its part behind the stage does; an empty list selects all.
 fn is_selected(id: &str, words: &[String]) -> bool {
-    let behind = id.split_once('/').map_or("", |(_, behind)| behind);
-    words.is_empty() || words.iter().any(|word| id.starts_with(word.as_str()) || behind.starts_with(word.as_str()))
+    words.is_empty() || words.iter().any(|word| id.starts_with(word.as_str()) || behind(id).starts_with(word.as_str()))
+}
+
+/// The part of an id behind the stage.
+fn behind(id: &str) -> &str {
+    id.split_once('/').map_or("", |(_, behind)| behind)
 }

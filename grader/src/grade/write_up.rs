@@ -8,9 +8,10 @@ use super::perform::{Answers, Done};
 use super::plan::{Part, Plan};
 use super::{Front, Pictures, VERSION};
 use crate::exam::Exam;
+use crate::functions;
 use crate::judge::Judgement;
 use crate::record::{
-    Build, CheckKind, CheckRecord, Diagnosis, Record, SCHEMA, Score, StageRecord, Submission, Verdict,
+    Build, CheckKind, CheckRecord, Diagnosis, FindingKind, Record, SCHEMA, Score, StageRecord, Submission, Verdict,
 };
 use crate::sandbox::LEVEL;
 use crate::score;
@@ -28,6 +29,7 @@ pub(super) fn record(
         schema: SCHEMA,
         grader: VERSION.to_owned(),
         epoch,
+        interrupted: is_interrupted(&build, &stages),
         submission,
         sandbox: LEVEL.to_owned(),
         build,
@@ -35,6 +37,27 @@ pub(super) fn record(
         diagnoses,
         stages,
     }
+}
+
+/// Names the functions that are still to be written: by the template's files where `is_template`.
+pub(super) fn name_functions(answers: &mut Answers, is_template: bool) {
+    let findings = answers.done.values_mut().filter_map(|done| done.judgement.finding.as_mut());
+    for finding in findings.filter(|finding| finding.kind == FindingKind::Todo) {
+        let key = finding.asked.as_ref().and_then(|question| question.get("fn")).and_then(|key| key.as_str());
+        if let Some(key) = key {
+            finding.message = functions::still_to_be_written(key, is_template);
+        }
+    }
+}
+
+/// Whether the build or a check was not run, or not to its end, for the one reason that is neither the
+/// submission's nor the machine's: the user stopped the grader.
+fn is_interrupted(build: &Build, stages: &[StageRecord]) -> bool {
+    let checks = stages.iter().flat_map(|stage| &stage.checks).map(|check| (check.verdict, &check.finding));
+    checks.chain([(build.verdict, &build.finding)]).any(|(verdict, finding)| {
+        let is_internal = finding.as_ref().is_some_and(|finding| finding.kind == FindingKind::Internal);
+        verdict == Verdict::NotRun && is_internal
+    })
 }
 
 /// The stages in order, and both pictures of each image case that has an answer.
@@ -55,7 +78,7 @@ fn stage(part: &Part, answers: &mut Answers, pictures: &mut BTreeMap<String, Pic
     let mut checks = vec![];
     for case in &part.cases {
         let mut done = take(answers, &case.id);
-        if let Some(Ok(answer)) = part.questions.images.get(&case.id) {
+        if let Some(answer) = part.questions.images.get(&case.id) {
             let (answer, actual) = (answer.clone(), done.picture.take());
             pictures.insert(case.id.clone(), Pictures { answer, actual, front: None });
         }
@@ -72,13 +95,8 @@ fn stage(part: &Part, answers: &mut Answers, pictures: &mut BTreeMap<String, Pic
 }
 
 fn take(answers: &mut Answers, id: &str) -> Done {
-    answers.done.remove(id).unwrap_or(Done {
-        judgement: Judgement::ours("it was planned, but not asked"),
-        picture: None,
-        answer: None,
-        time_s: 0.0,
-        peak_bytes: 0,
-    })
+    let ours = || Done::unmeasured(Judgement::ours("it was planned, but not run"), None);
+    answers.done.remove(id).unwrap_or_else(ours)
 }
 
 fn check(id: &str, kind: CheckKind, (about, rules): (&str, &[u8]), points: u64, done: Done) -> CheckRecord {
@@ -96,6 +114,7 @@ fn check(id: &str, kind: CheckKind, (about, rules): (&str, &[u8]), points: u64, 
         possible,
         finding,
         time_s: done.time_s,
+        cpu_s: done.cpu_s,
         peak_bytes: done.peak_bytes,
     }
 }

@@ -16,6 +16,10 @@ pub fn ending(finished: &Finished, limits: &Limits) -> Judgement {
         Outcome::Signalled(signal) => {
             fail(FindingKind::Crash, format!("it was ended by {}{}", signal_name(*signal), why(finished)))
         }
+        Outcome::TimedOut(Clock::Idle) => {
+            let message = format!("it was idle for more than {} s, computing nothing", seconds(limits.idle));
+            fail(FindingKind::Timeout, message)
+        }
         Outcome::TimedOut(Clock::Wall) => {
             fail(FindingKind::Timeout, format!("it did not end within {} s", seconds(limits.wall)))
         }
@@ -24,6 +28,10 @@ pub fn ending(finished: &Finished, limits: &Limits) -> Judgement {
         }
         Outcome::OutOfMemory => {
             fail(FindingKind::Memory, format!("it asked for more than {} of memory", bytes(limits.memory)))
+        }
+        Outcome::TooMuchOutput(Stream::Files) => {
+            let message = format!("it wrote files of more than {} in all", bytes(limits.folder_size));
+            fail(FindingKind::Output, message)
         }
         Outcome::TooMuchOutput(Stream::File) => {
             fail(FindingKind::Output, format!("it wrote a file of more than {}", bytes(limits.file_size)))
@@ -41,7 +49,7 @@ pub fn ending(finished: &Finished, limits: &Limits) -> Judgement {
                  and does the first line of a script name an interpreter that is here?)"
             ),
         ),
-        Outcome::CouldNotStart(why) => Judgement::ours(format!("it could not be started: {why}")),
+        Outcome::Machine(shortage) => Judgement::ours(shortage.to_string()),
         Outcome::Interrupted => {
             Judgement::not_run(Finding::new(FindingKind::Internal, "the grader was interrupted before this ended"))
         }

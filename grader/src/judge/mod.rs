@@ -6,7 +6,7 @@ mod picture;
 mod unit;
 
 pub use ending::{ending, todo};
-pub use picture::{Difference, RowsCompared, compare, picture};
+pub use picture::{Comparison, Difference, RowsCompared, compare, picture};
 pub use unit::{alike, lines, unit};
 
 use crate::record::{Finding, FindingKind, Verdict};

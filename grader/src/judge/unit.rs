@@ -193,11 +193,20 @@ fn beside(expected: f64, given: f64, allowed: f64) -> String {
 mod tests {
     use std::collections::BTreeMap;
 
+    use cases::answer::Digest;
+
     use super::*;
     use crate::record::Verdict;
 
     fn right(answer: Answer, either: bool) -> CheckAnswer {
-        CheckAnswer { id: "x".to_owned(), answer, allowed: 1e-6, either, wrong: BTreeMap::new() }
+        CheckAnswer {
+            id: "x".to_owned(),
+            made_from: Digest::default(),
+            answer,
+            allowed: 1e-6,
+            either,
+            wrong: BTreeMap::new(),
+        }
     }
 
     /// Judges and returns the verdict with the message.

@@ -1,16 +1,36 @@
-//! Whether a case can do its work: right tracers agree on its picture, and wrong ones show in it.
+//! Whether a case can do its work: right tracers agree on its picture, wrong ones show in it, and a tracer
+//! without its stage does not give it.
 
 use cases::answer::{ImageAnswer, Mistake, Wrong, largest_cluster};
 use cases::stage::Case;
 
 /// Where right tracers differ on more of the picture, too much of it is excused.
 const MOST_CONTESTED: f64 = 0.03;
+/// Where a tracer without the stage is right on more of the picture, a pixel more or less decides about the
+/// partial points. The public cases stay below 0.88.
+const MOST_UNEARNED: f64 = 0.95;
 /// A mistake is to leave a cluster of so many times what is let pass.
 const MARGIN: u32 = 2;
 
-/// What keeps the case from its work; `wrong` are the mistakes that are stored with its answer, `mistakes` all that are known.
+/// Returns what keeps the case from its work. `wrong` are the mistakes that are stored with its answer,
+/// `mistakes` all that are known.
 pub(super) fn problems(case: &Case, answer: &ImageAnswer, wrong: &[Wrong], mistakes: &[Mistake]) -> Vec<String> {
-    contested(case, answer).into_iter().chain(blunt(case, answer, wrong, mistakes)).collect()
+    let found = [contested(case, answer), unearned(case, answer), blunt(case, answer, wrong, mistakes)];
+    found.into_iter().flatten().collect()
+}
+
+fn unearned(case: &Case, answer: &ImageAnswer) -> Option<String> {
+    let share = answer.limits.unearned;
+    (share > MOST_UNEARNED).then(|| {
+        let (percent, most) = (share * 100.0, MOST_UNEARNED * 100.0);
+        format!(
+            "{}: a tracer without this stage, or one colour, is already right on {percent:.1} % of the picture, more than \
+             {most} %, so that there is nothing to give partial points for (show what the stage adds larger; an effect that \
+             the programs of the course simulate in every stage belongs into `always_simulated` of course.toml, not into \
+             `allows` of an earlier stage)",
+            case.id
+        )
+    })
 }
 
 fn contested(case: &Case, answer: &ImageAnswer) -> Option<String> {
@@ -55,8 +75,10 @@ mod tests {
     const SIDE: usize = 10;
 
     fn case() -> Case {
-        let stages =
-            cases::stage::load_all(std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../cases/stages")));
+        let stages = cases::stage::load_all(
+            std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../cases/stages")),
+            &cases::Course::default(),
+        );
         let all = stages.expect("the public stages").into_iter().flat_map(|stage| stage.cases);
         let boxes = all.into_iter().find(|case| case.id.ends_with("/boxes")).expect("a case of this name");
         Case { rules: vec![5], ..boxes }
@@ -65,6 +87,7 @@ mod tests {
     /// An answer that lets clusters of 3 pass, and is contested in so many pixels.
     fn answer(n_contested: usize) -> ImageAnswer {
         let mut answer = ImageAnswer::exact(Image::from_fn(SIDE as u32, SIDE as u32, |_, _| DVec3::ZERO), 1.0, 3);
+        answer.limits.unearned = 0.2;
         answer.hi[..n_contested].fill([200; 3]);
         answer
     }
@@ -82,10 +105,23 @@ mod tests {
             says: String::new(),
             look_at: String::new(),
         });
-        let found = problems(&case(), &answer(n_contested), wrong, &known);
+        compare(&problems(&case(), &answer(n_contested), wrong, &known), expected);
+    }
+
+    fn compare(found: &[String], expected: &[&str]) {
         assert_eq!(found.len(), expected.len(), "{found:?}");
         for (problem, part) in found.iter().zip(expected) {
             assert!(problem.starts_with("01_ray_casting/boxes: ") && problem.contains(part), "{problem}");
+        }
+    }
+
+    #[test]
+    fn a_tracer_without_the_stage_is_wrong_on_some_of_the_picture() {
+        let said = "is already right on 100.0 % of the picture, more than 95 %";
+        for (share, expected) in [(0.95, &[][..]), (1.0, &[said])] {
+            let mut answer = answer(0);
+            answer.limits.unearned = share;
+            compare(&problems(&case(), &answer, &[], &[]), expected);
         }
     }
 

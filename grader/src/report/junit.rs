@@ -1,4 +1,6 @@
-//! JUnit XML, for CI systems: wrong is a failure, what did not end well is an error, what was not run is skipped.
+//! JUnit XML, for CI systems: what is wrong is a failure, what did not end well an error, what was not run skipped.
+//!
+//! Every text goes through [`shown`], which leaves only characters that XML allows.
 
 use std::time::Duration;
 
@@ -13,7 +15,8 @@ use crate::record::{CheckRecord, FindingKind, Record, StageRecord, Verdict};
 /// # Errors
 /// What the encoder says.
 pub fn to_string(record: &Record) -> Result<String, String> {
-    let mut report = Report::new(format!("grade of {}", shown(&record.submission.path)));
+    let interrupted = if record.interrupted { " (interrupted: not everything was run)" } else { "" };
+    let mut report = Report::new(format!("grade of {}{interrupted}", shown(&record.submission.path)));
     report.add_test_suite(build(record));
     report.add_test_suites(record.stages.iter().map(|stage| suite(record, stage)));
     report.to_string().map_err(|why| why.to_string())
@@ -37,7 +40,11 @@ fn suite(record: &Record, stage: &StageRecord) -> TestSuite {
 
 fn case(record: &Record, stage: &str, check: &CheckRecord) -> TestCase {
     let mut case = TestCase::new(shown(&check.id), status(record, check));
-    case.set_classname(shown(stage)).set_time(Duration::from_secs_f64(check.time_s.max(0.0)));
+    case.set_classname(shown(stage));
+    // A time that is none (negative, not a number, longer than a duration can be) is left out.
+    if let Ok(time) = Duration::try_from_secs_f64(check.time_s) {
+        case.set_time(time);
+    }
     if let Some(stderr) = check.finding.as_ref().and_then(|finding| finding.stderr.as_deref()) {
         case.set_system_err(shown(stderr));
     }
@@ -63,8 +70,7 @@ fn status(record: &Record, check: &CheckRecord) -> TestCaseStatus {
         }
         (Verdict::Ours, _) => bad(NonSuccessKind::Error, words::finding(kind), message),
         (Verdict::Partial, _) => {
-            let (earned, possible) = (words::points(check.earned), words::points(check.possible));
-            let message = format!("{earned} of {possible} points: {message}");
+            let message = format!("{} points: {message}", words::share(check.earned, check.possible));
             bad(NonSuccessKind::Failure, words::finding(kind), &message)
         }
         (_, FindingKind::Wrong | FindingKind::Size | FindingKind::Missing | FindingKind::Unreadable) => {

@@ -1,5 +1,7 @@
 //! Reports: functions of the record and the pictures behind it. They decide nothing.
 
+#[cfg(test)]
+mod any_record;
 pub mod class;
 pub mod html;
 pub mod junit;

@@ -83,6 +83,7 @@ pub(crate) fn record(name: &str) -> Record {
         schema: SCHEMA,
         grader: "0.1.0".to_owned(),
         epoch: "epoch-1".to_owned(),
+        interrupted: false,
         submission: Submission { path: name.to_owned(), digest: "d1935e57".to_owned() },
         sandbox: "timeouts+rlimits".to_owned(),
         build: Build {
@@ -133,6 +134,7 @@ fn check(name: &str, kind: CheckKind, verdict: Verdict, finding: Option<Finding>
         possible: 2000,
         finding,
         time_s: 0.04,
+        cpu_s: None,
         peak_bytes: 12_000_000,
     }
 }

@@ -2,7 +2,19 @@
 
 use crate::record::{FindingKind, Verdict};
 
-/// Points from thousandths, without needless zeros: `43.25`.
+/// Returns what was earned of what is possible, in thousandths of a point, for people: `43.25 of 50`.
+///
+/// Two decimals are shown, the rest is cut off: what is not all never looks like all. Where nothing would be
+/// left of what was earned, the thousandths are shown.
+pub fn share(earned: u64, possible: u64) -> String {
+    let short = |thousandths: u64| match thousandths / 10 * 10 {
+        0 => points(thousandths),
+        hundredths => points(hundredths),
+    };
+    format!("{} of {}", short(earned), short(possible))
+}
+
+/// Returns points from thousandths, exactly, without needless zeros: `43.25`.
 pub fn points(thousandths: u64) -> String {
     let text = format!("{}.{:03}", thousandths / 1000, thousandths % 1000);
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -43,6 +55,21 @@ pub fn finding(kind: FindingKind) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn two_decimals_are_shown_and_none_are_made_up() {
+        let table = [
+            ((43_250, 50_000), "43.25 of 50"),
+            ((24_999, 25_000), "24.99 of 25"),
+            ((6_643, 9_000), "6.64 of 9"),
+            ((5, 166), "0.005 of 0.16"),
+            ((0, 25_000), "0 of 25"),
+            ((u64::MAX, 1), "18446744073709551.61 of 0.001"),
+        ];
+        for ((earned, possible), text) in table {
+            assert_eq!(share(earned, possible), text);
+        }
+    }
 
     #[test]
     fn points_have_no_needless_zeros() {

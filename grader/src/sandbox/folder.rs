@@ -1,149 +1,107 @@
-//! A fresh folder for one run, which goes away with all that a program has left there.
+//! Makes fresh folders for strangers' programs. All of them lie below one folder of this process.
+//!
+//! ```text
+//! TMPDIR/grader-XXXXXX/        held by a lock while the process lives
+//!                     .grader  the mark
+//!                     0, 1 …   a folder for each run of a program
+//! ```
+//! [`clear_leftovers`] removes those of processes that were killed.
 
 use std::io;
-use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError, Weak};
 
-/// Names that are taken away at most, so that a process which has got away cannot keep us at it for ever.
-const MAX_NAMES: usize = 2_000_000;
+use crate::leftovers::{self, Held, Kind};
 
-/// Folders that we go down: few enough for the longest names and for our stack.
-const MAX_DEPTH: usize = 8;
+const ROOT: Kind = Kind { prefix: "grader-", is_marked: true, mode: 0o700 };
 
-/// A temporary folder that strangers write to.
-///
-/// The usual way of removing a folder goes down into it, and ends the grader where a program has nested folders some
-/// thousands deep. This one goes down a few: what lies deeper is brought up.
+/// A temporary folder that strangers write to. It is removed, with all that is in it, when this is
+/// dropped.
 #[derive(Debug)]
-pub struct Folder(PathBuf);
+pub struct Folder {
+    path: PathBuf,
+    /// The folder of the process stays as long as one of its folders does.
+    _root: Arc<Held>,
+}
+
+/// Why there is no temporary folder. This is never the fault of a submission.
+#[derive(Debug, thiserror::Error)]
+#[error(
+    "no temporary folder can be made in {}: {source}; make room there, or set TMPDIR to a folder that can be written",
+    .place.display()
+)]
+pub struct FolderError {
+    /// The folder of temporary files: TMPDIR, or the system's.
+    pub place: PathBuf,
+    /// What the system says.
+    pub source: io::Error,
+}
 
 impl Folder {
-    /// Makes one, empty.
+    /// Makes an empty folder.
     ///
     /// # Errors
-    /// What the file system says.
-    pub fn new() -> io::Result<Self> {
-        Ok(Self(tempfile::tempdir()?.keep()))
+    /// A folder of temporary files that is missing, full or closed.
+    pub fn new() -> Result<Self, FolderError> {
+        static NEXT: AtomicU64 = AtomicU64::new(0);
+        let place = std::env::temp_dir();
+        let make = || {
+            let root = root(&place)?;
+            let path = root.path().join(NEXT.fetch_add(1, Ordering::Relaxed).to_string());
+            std::fs::create_dir(&path)?;
+            Ok(Self { path, _root: root })
+        };
+        make().map_err(|source| FolderError { place: place.clone(), source })
     }
 
-    /// Where it is.
+    /// Returns where the folder is.
     pub fn path(&self) -> &Path {
-        &self.0
+        &self.path
     }
 }
 
 impl Drop for Folder {
-    /// What cannot be removed stays, as other temporary files do.
+    /// What cannot be removed goes with the folder of the process, or by the next run.
     fn drop(&mut self) {
-        let _ = remove(&self.0);
+        let _ = leftovers::remove(&self.path);
     }
 }
 
-/// Removes what is at `path`: a link itself, a folder with all that is in it.
-fn remove(path: &Path) -> io::Result<()> {
-    if !path.symlink_metadata()?.is_dir() {
-        return std::fs::remove_file(path);
-    }
-    let mut done = Done::default();
-    empty(path, path, 0, &mut done)?;
-    while std::fs::read_dir(path)?.next().is_some() {
-        empty(path, path, 0, &mut done)?;
-    }
-    std::fs::remove_dir(path)
+/// Removes the temporary folders of runs that were killed.
+pub fn clear_leftovers() {
+    // A folder that cannot be listed may still take new ones. If it does not, the first new one
+    // says so.
+    let _ = leftovers::clear(&std::env::temp_dir(), ROOT);
 }
 
-/// What has been dealt with so far.
-#[derive(Default)]
-struct Done {
-    n_names: usize,
-    n_moved: usize,
-}
-
-/// Deletes what is in `folder`, which lies `depth` below `top`; what is too deep moves to `top`.
-fn empty(folder: &Path, top: &Path, depth: usize, done: &mut Done) -> io::Result<()> {
-    std::fs::set_permissions(folder, PermissionsExt::from_mode(0o700))?;
-    for entry in std::fs::read_dir(folder)? {
-        let entry = entry?;
-        done.n_names += 1;
-        if done.n_names > MAX_NAMES {
-            return Err(io::Error::other("there is no end of names"));
-        }
-        let path = entry.path();
-        match entry.file_type()?.is_dir() {
-            false => std::fs::remove_file(path)?,
-            true if depth == MAX_DEPTH => move_up(&path, top, done)?,
-            true => {
-                empty(&path, top, depth + 1, done)?;
-                std::fs::remove_dir(path)?;
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Gives `folder` a name in `top` that is not taken there. A folder that is moved must be writable itself.
-fn move_up(folder: &Path, top: &Path, done: &mut Done) -> io::Result<()> {
-    std::fs::set_permissions(folder, PermissionsExt::from_mode(0o700))?;
-    loop {
-        done.n_moved += 1;
-        let place = top.join(format!(".up{}", done.n_moved));
-        if place.symlink_metadata().is_err() {
-            return std::fs::rename(folder, place);
-        }
-    }
+/// Returns the folder of this process, and makes it if no other folder of it is in use.
+fn root(place: &Path) -> io::Result<Arc<Held>> {
+    static CURRENT: Mutex<Weak<Held>> = Mutex::new(Weak::new());
+    let mut current = CURRENT.lock().unwrap_or_else(PoisonError::into_inner);
+    let held = match current.upgrade() {
+        // A process that cleans up temporary files may have removed it.
+        Some(held) if held.path().is_dir() => held,
+        _ => Arc::new(Held::new(place, ROOT)?),
+    };
+    *current = Arc::downgrade(&held);
+    Ok(held)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Fills a folder and demands that nothing is left of it.
-    fn check(fill: impl FnOnce(&Path)) {
-        let folder = Folder::new().unwrap();
-        let path = folder.path().to_owned();
-        fill(&path);
-        drop(folder);
-        assert!(path.symlink_metadata().is_err(), "{} is left", path.display());
-    }
-
     #[test]
-    fn nothing_is_left_of_what_a_program_leaves() {
-        check(|_| {});
-        check(|top| {
-            std::fs::create_dir_all(top.join("a/b/c")).unwrap();
-            std::fs::create_dir(top.join(".up1")).unwrap();
-            std::fs::write(top.join("a/b/file"), "x").unwrap();
-            std::os::unix::fs::symlink("/", top.join("a/link")).unwrap();
-        });
-        check(|top| {
-            std::fs::create_dir_all(top.join("closed/inner")).unwrap();
-            for folder in [top.join("closed/inner"), top.join("closed"), top.to_owned()] {
-                std::fs::set_permissions(folder, PermissionsExt::from_mode(0o000)).unwrap();
-            }
-        });
-    }
-
-    #[test]
-    fn folders_nested_without_end_are_no_danger() {
-        check(|top| {
-            let inner = top.join("d");
-            std::fs::create_dir(&inner).unwrap();
-            for _ in 0..1000 {
-                std::fs::create_dir(top.join("next")).unwrap();
-                std::fs::rename(&inner, top.join("next/d")).unwrap();
-                std::fs::rename(top.join("next"), &inner).unwrap();
-            }
-        });
-    }
-
-    #[test]
-    fn a_link_in_its_place_is_not_followed() {
-        let elsewhere = tempfile::tempdir().unwrap();
-        std::fs::write(elsewhere.path().join("precious"), "x").unwrap();
-        check(|top| {
-            std::fs::remove_dir(top).unwrap();
-            std::os::unix::fs::symlink(elsewhere.path(), top).unwrap();
-        });
-        assert!(elsewhere.path().join("precious").exists());
+    fn folders_are_fresh_and_go_away() {
+        let (one, other) = (Folder::new().unwrap(), Folder::new().unwrap());
+        assert_ne!(one.path(), other.path());
+        assert_eq!(std::fs::read_dir(one.path()).unwrap().count(), 0);
+        let root = one.path().parent().unwrap().to_owned();
+        assert!(root.file_name().unwrap().to_string_lossy().starts_with("grader-"), "{}", root.display());
+        std::fs::write(one.path().join("x"), "").unwrap();
+        let path = one.path().to_owned();
+        drop(one);
+        assert!(!path.exists() && root.exists(), "the root stays while a folder of it is in use");
     }
 }

@@ -2,13 +2,12 @@
 
 use std::fmt;
 use std::io;
-use std::path::Path;
 use std::time::Duration;
 
-use super::Call;
 use super::pump::Pump;
 use super::sys::Reaped;
 use super::watch::Watch;
+use super::{Call, Resource, Room, Shortage, room};
 
 /// The ways in which a run ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,7 +16,7 @@ pub enum Outcome {
     Exited(i32),
     /// By this signal, which we did not send.
     Signalled(i32),
-    /// It was killed, its time being over.
+    /// It was killed because its time was over, or it took more CPU time than it may.
     TimedOut(Clock),
     /// It asked for more memory than it may have.
     OutOfMemory,
@@ -25,8 +24,8 @@ pub enum Outcome {
     TooMuchOutput(Stream),
     /// It was killed for starting too many processes.
     TooManyProcesses,
-    /// It never ran, for want of something of the machine's; says why.
-    CouldNotStart(String),
+    /// The machine fell short, so the run says nothing about the program.
+    Machine(Shortage),
     /// It never ran, since what is there is no program; says why.
     NoProgram(String),
     /// The user stopped the grader.
@@ -36,10 +35,12 @@ pub enum Outcome {
 /// The clocks that limit a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Clock {
-    /// The one on the wall.
-    Wall,
     /// CPU time.
     Cpu,
+    /// Time in which the program did nothing.
+    Idle,
+    /// The clock on the wall.
+    Wall,
 }
 
 /// Where a program may write too much.
@@ -51,6 +52,8 @@ pub enum Stream {
     Stderr,
     /// A file.
     File,
+    /// All files together.
+    Files,
 }
 
 impl fmt::Display for Stream {
@@ -59,6 +62,7 @@ impl fmt::Display for Stream {
             Self::Stdout => "standard output",
             Self::Stderr => "standard error",
             Self::File => "a file",
+            Self::Files => "its folder",
         })
     }
 }
@@ -75,26 +79,43 @@ pub struct Finished {
     pub stdout: Vec<u8>,
     /// What it wrote there, cut at the limit.
     pub stderr: Vec<u8>,
-    /// Time by the clock.
+    /// Wall time.
     pub wall: Duration,
-    /// CPU time of it and of what it waited for.
+    /// CPU time of all processes of the program.
     pub cpu: Duration,
+    /// Time in which no process of the program did anything.
+    pub idle: Duration,
     /// Largest resident bytes; for a run too short to be looked at an upper bound.
     pub peak_bytes: u64,
     /// Processes that it left running; they were killed.
     pub left_behind: u32,
+    /// Whether other programs may have slowed this one down.
+    pub is_disturbed: bool,
+    /// The least room that was seen on the file system of the work folder.
+    pub least: Room,
+    /// Processes that the system killed for want of memory meanwhile.
+    pub n_killed: u64,
 }
 
 impl Finished {
     pub(super) fn not_started(why: &io::Error) -> Self {
+        Self::without_run(cannot_start(why))
+    }
+
+    /// Returns the end of a program that did not run.
+    pub fn without_run(outcome: Outcome) -> Self {
         Self {
-            outcome: blame(why),
+            outcome,
             stdout: vec![],
             stderr: vec![],
             wall: Duration::ZERO,
             cpu: Duration::ZERO,
+            idle: Duration::ZERO,
             peak_bytes: 0,
             left_behind: 0,
+            is_disturbed: false,
+            least: Room::ALL,
+            n_killed: 0,
         }
     }
 
@@ -116,17 +137,20 @@ impl Finished {
     }
 }
 
-/// Whether the machine kept a program from starting, or the program itself: it is missing, has not been made for this
-/// machine, names an interpreter that is not there, or its command holds what no command can.
-fn blame(why: &io::Error) -> Outcome {
+/// Returns whose fault it is that a program was not started.
+///
+/// It is the program's where the program is missing, was not made for this machine, or names an
+/// interpreter that is not there, and where its command holds what no command can.
+fn cannot_start(why: &io::Error) -> Outcome {
     use io::ErrorKind::{ArgumentListTooLong, InvalidInput, IsADirectory, NotADirectory, NotFound, PermissionDenied};
     let kinds = [ArgumentListTooLong, InvalidInput, IsADirectory, NotADirectory, NotFound, PermissionDenied];
     let codes = [libc::ENOEXEC, libc::ELOOP, libc::ENAMETOOLONG];
     let is_no_program = kinds.contains(&why.kind()) || why.raw_os_error().is_some_and(|code| codes.contains(&code));
-    if is_no_program { Outcome::NoProgram(why.to_string()) } else { Outcome::CouldNotStart(why.to_string()) }
+    let text = why.to_string();
+    if is_no_program { Outcome::NoProgram(text) } else { Outcome::Machine(Shortage::NotStarted(text)) }
 }
 
-/// Puts together what the kernel, the streams and the watch have to say of `call`.
+/// Puts together what the kernel, the streams and the watch report on `call`.
 pub(super) fn finish(
     call: &Call,
     reaped: io::Result<Reaped>,
@@ -141,31 +165,56 @@ pub(super) fn finish(
         Err(why) => return Finished::not_started(&why),
     };
     let peak_bytes = if watch.peak == 0 { reaped.max_resident } else { watch.peak };
-    let outcome = match stopped.unwrap_or_else(|| classify(&reaped, watch, &pump.stderr)) {
-        Outcome::Exited(code) if code != 0 && holds_full_file(&call.folder, call.limits.file_size) => {
-            Outcome::TooMuchOutput(Stream::File)
-        }
+    let cpu = reaped.cpu.max(watch.cpu);
+    let outcome = match stopped.unwrap_or_else(|| classify(call, &reaped, &pump.stderr)) {
+        // What a process of its own used, or a second in which it was not looked at, counts as
+        // well.
+        Outcome::Exited(_) | Outcome::Signalled(_) if cpu > call.limits.cpu => Outcome::TimedOut(Clock::Cpu),
+        Outcome::Exited(code) if code != 0 && holds_full_file(call) => Outcome::TooMuchOutput(Stream::File),
         outcome => outcome,
     };
-    Finished { outcome, stdout: pump.stdout, stderr: pump.stderr, wall, cpu: reaped.cpu, peak_bytes, left_behind }
+    Finished {
+        outcome,
+        stdout: pump.stdout,
+        stderr: pump.stderr,
+        wall,
+        cpu,
+        idle: watch.idle,
+        peak_bytes,
+        left_behind,
+        is_disturbed: watch.is_disturbed(),
+        least: watch.least.min(room::left(&call.folder)),
+        n_killed: watch.n_killed(),
+    }
 }
 
 /// The outcome of a process that ended before we ended it; the kernel may have done so for us.
-fn classify(reaped: &Reaped, watch: &Watch, stderr: &[u8]) -> Outcome {
+fn classify(call: &Call, reaped: &Reaped, stderr: &[u8]) -> Outcome {
     match reaped.end {
         Ok(0) => Outcome::Exited(0),
         _ if says_out_of_memory(stderr) => Outcome::OutOfMemory,
         Ok(code) => Outcome::Exited(code),
         Err(libc::SIGXCPU) => Outcome::TimedOut(Clock::Cpu),
-        Err(libc::SIGKILL) if reaped.cpu >= watch.cpu_limit() => Outcome::TimedOut(Clock::Cpu),
+        // The kernel kills at the hard limit, which it compares with a clock of its own.
+        Err(libc::SIGKILL) if reaped.cpu.as_millis() + 100 >= u128::from(allowed(call, Resource::Cpu)) * 1000 => {
+            Outcome::TimedOut(Clock::Cpu)
+        }
         Err(libc::SIGXFSZ) => Outcome::TooMuchOutput(Stream::File),
         Err(signal) => Outcome::Signalled(signal),
     }
 }
 
-/// Whether a file in `folder` has grown to its limit: some runtimes turn the kernel's signal into an error of their own.
-fn holds_full_file(folder: &Path, limit: u64) -> bool {
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+/// Returns how much of `resource` the system gave to the program.
+fn allowed(call: &Call, resource: Resource) -> u64 {
+    let granted = call.limits.granted().into_iter().find(|granted| granted.resource == resource);
+    granted.map_or(u64::MAX, |granted| granted.allowed)
+}
+
+/// Whether a file in the folder has grown to its limit: some runtimes turn the kernel's signal into
+/// an error of their own.
+fn holds_full_file(call: &Call) -> bool {
+    let limit = allowed(call, Resource::FileSize);
+    let entries = std::fs::read_dir(&call.folder).into_iter().flatten().flatten();
     entries.filter_map(|entry| entry.metadata().ok()).any(|found| found.is_file() && found.len() >= limit)
 }
 

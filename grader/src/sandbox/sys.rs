@@ -8,7 +8,7 @@ use std::process::Command;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use super::Limits;
+use super::{Granted, Resource};
 
 /// How a reaped process ended.
 #[derive(Clone, Copy, Debug)]
@@ -22,15 +22,9 @@ pub(super) struct Reaped {
 }
 
 /// Makes the child lead a group of its own, die with us, and live under resource limits.
-pub(super) fn limit(command: &mut Command, limits: &Limits) {
-    let cpu = limits.cpu.as_secs().max(1);
-    let all = [
-        (libc::RLIMIT_AS, limits.memory.saturating_mul(4), limits.memory.saturating_mul(4)),
-        (libc::RLIMIT_CPU, cpu, cpu + 1),
-        (libc::RLIMIT_FSIZE, limits.file_size, limits.file_size),
-        (libc::RLIMIT_CORE, 0, 0),
-        (libc::RLIMIT_NOFILE, 256, 256),
-    ];
+pub(super) fn limit(command: &mut Command, granted: &[Granted]) {
+    let mut all = vec![(libc::RLIMIT_CORE, 0, 0)];
+    all.extend(granted.iter().map(|granted| (number(granted.resource), granted.allowed, granted.hard)));
     command.process_group(0);
     // SAFETY: the closure runs between fork and exec and makes system calls only: it neither allocates nor locks.
     unsafe {
@@ -39,14 +33,29 @@ pub(super) fn limit(command: &mut Command, limits: &Limits) {
             if libc::prctl(libc::PR_SET_PDEATHSIG, libc::SIGKILL) != 0 {
                 return Err(io::Error::last_os_error());
             }
-            for (resource, soft, hard) in all {
-                let limit = libc::rlimit { rlim_cur: soft, rlim_max: hard };
-                if libc::setrlimit(resource, &limit) != 0 {
+            for (resource, soft, hard) in &all {
+                let limit = libc::rlimit { rlim_cur: *soft, rlim_max: *hard };
+                if libc::setrlimit(*resource, &limit) != 0 {
                     return Err(io::Error::last_os_error());
                 }
             }
             Ok(())
         });
+    }
+}
+
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+type LimitNumber = libc::__rlimit_resource_t;
+#[cfg(not(all(target_os = "linux", target_env = "gnu")))]
+type LimitNumber = libc::c_int;
+
+/// What the system calls the limit on a resource.
+fn number(resource: Resource) -> LimitNumber {
+    match resource {
+        Resource::AddressSpace => libc::RLIMIT_AS,
+        Resource::Cpu => libc::RLIMIT_CPU,
+        Resource::FileSize => libc::RLIMIT_FSIZE,
+        Resource::Descriptors => libc::RLIMIT_NOFILE,
     }
 }
 
@@ -103,6 +112,12 @@ pub(super) fn page_bytes() -> u64 {
     u64::try_from(unsafe { libc::sysconf(libc::_SC_PAGESIZE) }).unwrap_or(4096)
 }
 
+/// Units of CPU time in a second, as /proc counts it.
+pub(super) fn ticks_per_second() -> u64 {
+    // SAFETY: asks for a constant of the system.
+    u64::try_from(unsafe { libc::sysconf(libc::_SC_CLK_TCK) }).ok().filter(|ticks| *ticks > 0).unwrap_or(100)
+}
+
 /// Makes reads and writes return at once.
 pub(super) fn set_nonblocking(fd: &impl AsRawFd) -> io::Result<()> {
     // SAFETY: changes a flag of an open descriptor.
@@ -125,7 +140,7 @@ pub(super) fn wait_for(readers: &[BorrowedFd<'_>], writer: Option<BorrowedFd<'_>
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
-/// Whether the user has asked to stop (see [`catch_interrupts`]).
+/// Whether the user has asked to stop (see [`catch_signals`]).
 pub fn interrupted() -> bool {
     INTERRUPTED.load(Ordering::Relaxed)
 }
@@ -136,11 +151,20 @@ extern "C" fn remember_interrupt(signal: libc::c_int) {
     unsafe { libc::signal(signal, libc::SIG_DFL) };
 }
 
+extern "C" fn go_on(_: libc::c_int) {}
+
 /// From now on Ctrl-C and SIGTERM end the running programs and no others are started; a second one ends the grader.
-pub fn catch_interrupts() {
-    let handler = remember_interrupt as extern "C" fn(libc::c_int) as libc::sighandler_t;
-    for signal in [libc::SIGINT, libc::SIGTERM] {
-        // SAFETY: the handler stores to an atomic and calls signal(), both of which are allowed there.
-        unsafe { libc::signal(signal, handler) };
+///
+/// A file that grows beyond `ulimit -f` is an error of the write from now on, and does not end the
+/// grader.
+pub fn catch_signals() {
+    let handlers: [(extern "C" fn(libc::c_int), &[libc::c_int]); 2] =
+        [(remember_interrupt, &[libc::SIGINT, libc::SIGTERM]), (go_on, &[libc::SIGXFSZ])];
+    for (handler, signals) in handlers {
+        for signal in signals {
+            // SAFETY: the handlers make calls that are allowed there, or none. Programs that we
+            // start do not inherit them.
+            unsafe { libc::signal(*signal, handler as libc::sighandler_t) };
+        }
     }
 }

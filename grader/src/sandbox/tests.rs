@@ -1,27 +1,37 @@
 //! Small programs that behave in every way a submission might.
 
+use std::path::Path;
+
 use super::*;
 
-const SMALL: Limits = Limits {
-    wall: Duration::from_secs(60),
+pub(super) const SMALL: Limits = Limits {
     cpu: Duration::from_secs(60),
+    idle: Duration::from_secs(60),
+    wall: Duration::from_secs(120),
     memory: 200 << 20,
     file_size: 1 << 20,
+    folder_size: 8 << 20,
     output: 1 << 20,
     processes: 40,
 };
 
-/// Runs a line of shell in a fresh folder.
-fn shell(script: &str, stdin: &[u8], limits: Limits) -> (Finished, tempfile::TempDir) {
-    let folder = tempfile::tempdir().unwrap();
-    let finished = run(&Call {
+/// A line of shell that starts in `folder`.
+pub(super) fn line(script: &str, folder: &Path, limits: Limits) -> Call {
+    Call {
         program: "/bin/sh".into(),
         args: vec!["-c".into(), script.into()],
-        folder: folder.path().to_owned(),
+        folder: folder.to_owned(),
         environment: vec![("PATH".into(), "/usr/bin:/bin".into())],
-        stdin: stdin.to_vec(),
+        stdin: vec![],
         limits,
-    });
+        needed: 1 << 16,
+    }
+}
+
+/// Runs a line of shell in a fresh folder.
+fn shell(script: &str, stdin: &[u8], limits: Limits) -> (Finished, Folder) {
+    let folder = Folder::new().unwrap();
+    let finished = run(&Call { stdin: stdin.to_vec(), ..line(script, folder.path(), limits) }, Turn::Shared);
     (finished, folder)
 }
 
@@ -39,11 +49,31 @@ fn ends_by_itself() {
 }
 
 #[test]
-fn time_is_limited_by_both_clocks() {
+fn time_is_limited_by_three_clocks() {
     let wall = Limits { wall: Duration::from_millis(300), ..SMALL };
     check("sleep 100", wall, &Outcome::TimedOut(Clock::Wall));
+    let idle = Limits { idle: Duration::from_millis(300), ..SMALL };
+    check("sleep 100", idle, &Outcome::TimedOut(Clock::Idle));
+    check("kill -STOP $$", idle, &Outcome::TimedOut(Clock::Idle));
     let cpu = Limits { cpu: Duration::from_secs(1), ..SMALL };
     check("while :; do :; done", cpu, &Outcome::TimedOut(Clock::Cpu));
+}
+
+#[test]
+fn cpu_time_counts_for_all_processes_together() {
+    let cpu = Limits { cpu: Duration::from_secs(2), ..SMALL };
+    let loops = "for i in 1 2 3 4; do (while :; do :; done) & done; wait";
+    check(loops, cpu, &Outcome::TimedOut(Clock::Cpu));
+    // Neither the one that computes nor the one that waits for it is idle.
+    let idle = Limits { idle: Duration::from_millis(300), ..SMALL };
+    let count = "(i=0; while [ $i -lt 300000 ]; do i=$((i+1)); done); exit 5";
+    check(count, idle, &Outcome::Exited(5));
+}
+
+#[test]
+fn many_small_files_are_too_much_for_the_folder() {
+    let script = "for i in $(seq 40); do head -c 1000000 /dev/zero > f$i; done; sleep 30";
+    check(script, SMALL, &Outcome::TooMuchOutput(Stream::Files));
 }
 
 #[test]
@@ -72,17 +102,9 @@ fn too_many_processes_are_ended() {
 
 #[test]
 fn a_program_that_is_not_there_could_not_start() {
-    let folder = tempfile::tempdir().unwrap();
-    let program = folder.path().join("nothing");
-    let call = Call {
-        program,
-        args: vec![],
-        folder: folder.path().to_owned(),
-        environment: vec![],
-        stdin: vec![],
-        limits: SMALL,
-    };
-    assert!(matches!(run(&call).outcome, Outcome::NoProgram(_)));
+    let folder = Folder::new().unwrap();
+    let call = Call { program: folder.path().join("nothing"), ..line("", folder.path(), SMALL) };
+    assert!(matches!(run(&call, Turn::Shared).outcome, Outcome::NoProgram(_)));
 }
 
 #[test]

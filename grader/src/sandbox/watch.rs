@@ -1,89 +1,123 @@
-//! Memory and number of the processes of a group, from /proc where there is one.
+//! Watches what a program uses while it runs: memory, CPU time, idle time, and room on the disk.
 
 use std::time::{Duration, Instant};
 
-use super::{Limits, Outcome, sys};
+use super::room::{self, Room};
+use super::turns::Taken;
+use super::{Call, Clock, Outcome, Stream, group, machine};
 
-/// The leader is looked at this often.
+/// Time between two looks at the leader.
 const EVERY: Duration = Duration::from_millis(10);
-/// All processes of the machine are gone through this often.
+/// Time between two looks at all processes of the machine.
 const GROUP_EVERY: Duration = Duration::from_millis(100);
 
-/// What has been seen of a group.
-pub(super) struct Watch {
+/// Observations of a program and its processes.
+pub(super) struct Watch<'a> {
     group: u32,
-    limits: Limits,
+    call: &'a Call,
+    turn: &'a Taken,
     next: Instant,
-    next_group: Instant,
+    last_group: Instant,
+    /// The room on the file system of the work folder when the program began.
+    room: Room,
+    n_killed: u64,
     /// Largest resident bytes seen; 0 where nobody looked.
     pub(super) peak: u64,
+    /// CPU time of all processes.
+    pub(super) cpu: Duration,
+    /// Time in which no process ran, was ready to run, or waited for a disk.
+    pub(super) idle: Duration,
+    /// Whether processes often had to wait for a processor; `None` where the system does not say.
+    is_delayed: Option<bool>,
+    /// Whether the CPU time was used up while nothing slowed the program down.
+    is_sure: bool,
+    /// The least room that was seen.
+    pub(super) least: Room,
 }
 
-impl Watch {
-    pub(super) fn new(group: u32, limits: Limits) -> Self {
+impl<'a> Watch<'a> {
+    pub(super) fn new(group: u32, call: &'a Call, turn: &'a Taken) -> Self {
         let now = Instant::now();
-        Self { group, limits, next: now, next_group: now + GROUP_EVERY, peak: 0 }
+        let room = room::left(&call.folder);
+        Self {
+            group,
+            call,
+            turn,
+            next: now,
+            last_group: now,
+            room,
+            n_killed: machine::n_killed(),
+            peak: 0,
+            cpu: Duration::ZERO,
+            idle: Duration::ZERO,
+            is_delayed: None,
+            is_sure: false,
+            least: room,
+        }
     }
 
-    /// Looks if it is time to; an outcome where the group is over its budget.
+    /// Looks, if it is time to, and returns an outcome where the program is beyond a limit.
     pub(super) fn look(&mut self) -> Option<Outcome> {
         let now = Instant::now();
         if now < self.next {
             return None;
         }
         self.next = now + EVERY;
-        self.peak = self.peak.max(high_water(self.group));
-        let mut n_processes = 1;
-        if now >= self.next_group {
-            self.next_group = now + GROUP_EVERY;
-            let members = members(self.group);
-            n_processes = members.len();
-            self.peak = self.peak.max(members.iter().map(|member| member.resident).sum());
-        }
+        self.peak = self.peak.max(group::high_water(self.group));
+        let since = now - self.last_group;
+        let n_processes = if since >= GROUP_EVERY { self.look_at_group(now, since) } else { 1 };
+        let limits = &self.call.limits;
         match () {
-            () if self.peak > self.limits.memory => Some(Outcome::OutOfMemory),
-            () if n_processes > self.limits.processes as usize => Some(Outcome::TooManyProcesses),
+            () if self.peak > limits.memory => Some(Outcome::OutOfMemory),
+            () if n_processes > limits.processes as usize => Some(Outcome::TooManyProcesses),
+            () if self.is_out_of_cpu() => Some(Outcome::TimedOut(Clock::Cpu)),
+            () if self.idle > limits.idle => Some(Outcome::TimedOut(Clock::Idle)),
+            () if self.fills_folder() => Some(Outcome::TooMuchOutput(Stream::Files)),
             () => None,
         }
     }
 
-    /// CPU time that one process may use.
-    pub(super) fn cpu_limit(&self) -> Duration {
-        self.limits.cpu
+    /// Takes in what the processes did since the last look, and returns their number.
+    fn look_at_group(&mut self, now: Instant, since: Duration) -> usize {
+        self.last_group = now;
+        self.least = self.least.min(room::left(&self.call.folder));
+        let seen = group::look(self.group);
+        self.peak = self.peak.max(seen.resident);
+        let computed = seen.cpu.saturating_sub(self.cpu);
+        if seen.n_processes > 0 && !seen.is_active && computed < since / 2 {
+            // Where looks come late, the grader itself waited, and knows less.
+            self.idle += since.min(GROUP_EVERY * 2);
+        }
+        self.cpu = self.cpu.max(seen.cpu);
+        self.is_delayed = seen.is_delayed.or(self.is_delayed);
+        seen.n_processes
     }
 
-    /// Processes of the group besides its leader that still run.
-    pub(super) fn others(&self) -> u32 {
-        members(self.group).iter().filter(|member| member.pid != self.group).count() as u32
+    /// Returns whether the CPU time is used up. A program that others slow down gets twice as much.
+    fn is_out_of_cpu(&mut self) -> bool {
+        let limits = &self.call.limits;
+        if self.cpu > limits.cpu && (self.turn.is_alone() || !self.is_disturbed()) {
+            // Others that begin from now on make no difference.
+            self.is_sure = true;
+        }
+        self.is_sure || self.cpu >= limits.cpu_at_most()
     }
-}
 
-struct Member {
-    pid: u32,
-    resident: u64,
-}
+    /// Returns whether the program takes more of the disk than it may. The folder is walked only
+    /// while the disk fills.
+    fn fills_folder(&self) -> bool {
+        let limit = self.call.limits.folder_size;
+        let is_filling = self.room.bytes.saturating_sub(self.least.bytes) > limit;
+        is_filling && room::taken(&self.call.folder).exceeds(limit)
+    }
 
-/// The living processes of a group; empty where there is no /proc.
-fn members(group: u32) -> Vec<Member> {
-    let Ok(entries) = std::fs::read_dir("/proc") else { return vec![] };
-    let pids = entries.flatten().filter_map(|entry| entry.file_name().to_str()?.parse().ok());
-    pids.filter_map(|pid| member(pid, group)).collect()
-}
+    /// Returns whether other programs may have slowed this one down.
+    pub(super) fn is_disturbed(&self) -> bool {
+        !self.is_sure && (self.turn.has_company() || self.is_delayed.unwrap_or(false))
+    }
 
-/// Reads /proc/PID/stat: behind the name in parentheses come state, parent, group, ..., and as the 22nd the resident pages.
-fn member(pid: u32, group: u32) -> Option<Member> {
-    let stat = std::fs::read_to_string(format!("/proc/{pid}/stat")).ok()?;
-    let fields: Vec<&str> = stat.rsplit_once(')')?.1.split_whitespace().collect();
-    let is_alive = !matches!(*fields.first()?, "Z" | "X");
-    let is_member = fields.get(2)?.parse() == Ok(group);
-    let pages: u64 = fields.get(21)?.parse().ok()?;
-    (is_alive && is_member).then_some(Member { pid, resident: pages * sys::page_bytes() })
-}
-
-/// The largest resident size that one process has had, in bytes; 0 where that cannot be read.
-fn high_water(pid: u32) -> u64 {
-    let status = std::fs::read_to_string(format!("/proc/{pid}/status")).unwrap_or_default();
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-    let kib: u64 = line.and_then(|rest| rest.trim().trim_end_matches(" kB").parse().ok()).unwrap_or(0);
-    kib * 1024
+    /// Returns the number of processes that the system has killed meanwhile for want of memory.
+    pub(super) fn n_killed(&self) -> u64 {
+        machine::n_killed().saturating_sub(self.n_killed)
+    }
 }

@@ -1,103 +1,105 @@
-//! The files of a folder that nobody can be trusted with: no link followed, everything counted.
+//! Lists a folder of strangers: follows no link, and counts everything.
 
-use std::fs::{File, OpenOptions};
-use std::io::Read;
-use std::os::unix::fs::OpenOptionsExt;
-use std::path::{Path, PathBuf};
+use std::fs::DirEntry;
+use std::io;
+use std::path::Path;
 
-/// Folders that hold what tools made of the rest.
-const SKIPPED: [&str; 6] = ["target", ".git", "__MACOSX", "node_modules", ".venv", "__pycache__"];
-/// Files and folders that are listed at most.
-const MAX_ENTRIES: usize = 2000;
-const MAX_DEPTH: usize = 12;
+use super::SubmissionError;
+use super::aside::{Aside, Why, names};
+use super::limits::{Limits, SKIPPED, is_of_system};
+use crate::blame::{self, Blame};
 
-/// What lies below a folder.
+/// The files below a folder.
 #[derive(Debug, Default)]
 pub(super) struct Listing {
-    /// Regular files, relative to the folder, in order.
-    pub(super) files: Vec<PathBuf>,
-    /// What was not listed, and why.
-    pub(super) ignored: Vec<String>,
+    /// Regular files in order, relative to the folder, with `/` between names.
+    pub(super) files: Vec<String>,
+    /// Everything that was not listed, in order.
+    pub(super) aside: Vec<Aside>,
 }
 
-/// Lists `folder`; `None` where it holds more than can be listed.
-pub(super) fn list(folder: &Path) -> Option<Listing> {
-    let mut listing = Listing::default();
-    walk(folder, Path::new(""), 0, &mut listing).then(|| {
-        listing.files.sort();
-        listing.ignored.sort();
-        listing
-    })
+/// Lists `folder` without what tools and systems leave there.
+///
+/// # Errors
+/// The folder cannot be read, the machine fails, or there is more than can be listed.
+pub(super) fn list(folder: &Path, limits: &Limits) -> Result<Listing, SubmissionError> {
+    let mut walk = Walk { top: folder, limits, n_entries: 0, listing: Listing::default() };
+    walk.folder("", 0)?;
+    let mut listing = walk.listing;
+    listing.files.sort();
+    listing.aside.sort_by(|a, b| a.path.cmp(&b.path));
+    Ok(listing)
 }
 
-fn walk(folder: &Path, below: &Path, depth: usize, listing: &mut Listing) -> bool {
-    let Ok(entries) = std::fs::read_dir(folder.join(below)) else {
-        listing.ignored.push(format!("{}: cannot be read", shown(below)));
-        return true;
-    };
-    for entry in entries.flatten() {
-        let path = below.join(entry.file_name());
-        let kind = entry.file_type().ok();
-        match kind {
-            Some(kind) if kind.is_dir() && SKIPPED.iter().any(|name| entry.file_name() == *name) => {}
-            Some(kind) if kind.is_dir() && depth < MAX_DEPTH => {
-                if !walk(folder, &path, depth + 1, listing) {
-                    return false;
-                }
-            }
-            Some(kind) if kind.is_file() => listing.files.push(path),
-            _ => {
-                listing.ignored.push(format!("{}: neither a file nor a folder (links are not followed)", shown(&path)))
+struct Walk<'a> {
+    top: &'a Path,
+    limits: &'a Limits,
+    n_entries: usize,
+    listing: Listing,
+}
+
+impl Walk<'_> {
+    /// Lists the folder `below` the top, `depth` folders deep.
+    fn folder(&mut self, below: &str, depth: usize) -> Result<(), SubmissionError> {
+        let folder = self.top.join(below);
+        let entries = match std::fs::read_dir(&folder) {
+            Ok(entries) => entries,
+            Err(why) if depth == 0 => return Err(SubmissionError::of_path(&folder, why)),
+            Err(why) => return self.unreadable(below, why),
+        };
+        for entry in entries {
+            match entry {
+                Ok(entry) => self.entry(below, depth, &entry)?,
+                Err(why) => return self.unreadable(below, why),
             }
         }
-        if listing.files.len() + listing.ignored.len() > MAX_ENTRIES {
-            return false;
+        Ok(())
+    }
+
+    fn entry(&mut self, below: &str, depth: usize, entry: &DirEntry) -> Result<(), SubmissionError> {
+        let file_name = entry.file_name();
+        let bytes = match below {
+            "" => file_name.as_encoded_bytes().to_owned(),
+            below => [below.as_bytes(), file_name.as_encoded_bytes()].join(&b'/'),
+        };
+        let kind = match entry.file_type() {
+            Ok(kind) => kind,
+            Err(why) => return self.unreadable(&String::from_utf8_lossy(&bytes), why),
+        };
+        let name = file_name.to_string_lossy();
+        if kind.is_dir() && SKIPPED.contains(&&*name) || kind.is_file() && is_of_system(&name) {
+            return Ok(());
+        }
+        self.n_entries += 1;
+        if self.n_entries > self.limits.entries {
+            let most = self.limits.entries;
+            let why = format!("it holds more than {most} files and folders: hand in the sources alone");
+            return Err(SubmissionError::Refused(why));
+        }
+        let path = match names(&bytes, self.limits.depth) {
+            Ok(names) => names.join("/"),
+            Err(why) => return self.leave(Aside::new(&bytes, why)),
+        };
+        match () {
+            () if kind.is_dir() => self.folder(&path, depth + 1),
+            () if kind.is_file() => {
+                self.listing.files.push(path);
+                Ok(())
+            }
+            () if kind.is_symlink() => self.leave(Aside { path, why: Why::Link }),
+            () => self.leave(Aside { path, why: Why::Special }),
         }
     }
-    true
-}
 
-/// A path as it is shown to people, with `/` between names.
-pub(super) fn shown(path: &Path) -> String {
-    crate::plain::name(path.as_os_str().as_encoded_bytes())
-}
-
-/// Opens a regular file without following a link or waiting for a pipe.
-///
-/// # Errors
-/// Says in plain words what is there instead.
-pub fn open_regular(path: &Path) -> Result<File, String> {
-    let flags = libc::O_NOFOLLOW | libc::O_NONBLOCK;
-    let file =
-        OpenOptions::new().read(true).custom_flags(flags).open(path).map_err(|why| match why.raw_os_error() {
-            Some(libc::ELOOP) => "is a link; put the file itself there".to_owned(),
-            _ => format!("cannot be read: {why}"),
-        })?;
-    match file.metadata() {
-        Ok(found) if found.is_file() => Ok(file),
-        Ok(_) => Err("is no regular file".to_owned()),
-        Err(why) => Err(format!("cannot be read: {why}")),
+    fn unreadable(&mut self, path: &str, why: io::Error) -> Result<(), SubmissionError> {
+        match blame::of(&why) {
+            Blame::Machine => Err(SubmissionError::of_path(&self.top.join(path), why)),
+            Blame::File => self.leave(Aside { path: path.to_owned(), why: Why::Unreadable(why) }),
+        }
     }
-}
 
-/// The bytes of a regular file of at most `limit` bytes.
-///
-/// # Errors
-/// Says in plain words what is wrong with it.
-pub(super) fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, String> {
-    let mut bytes = vec![];
-    open_regular(path)?.take(limit + 1).read_to_end(&mut bytes).map_err(|why| format!("cannot be read: {why}"))?;
-    if bytes.len() as u64 > limit { Err(format!("is larger than {limit} bytes")) } else { Ok(bytes) }
-}
-
-/// The text of a regular file of at most `limit` bytes.
-///
-/// # Errors
-/// Says in plain words what is wrong with it.
-pub fn read_text(path: &Path, limit: u64) -> Result<String, String> {
-    String::from_utf8(read_bytes(path, limit)?).map_err(|why| {
-        let valid = &why.as_bytes()[..why.utf8_error().valid_up_to()];
-        let line = valid.iter().filter(|byte| **byte == b'\n').count() + 1;
-        format!("is not UTF-8 text (line {line}); save it as UTF-8 in your editor")
-    })
+    fn leave(&mut self, aside: Aside) -> Result<(), SubmissionError> {
+        self.listing.aside.push(aside);
+        Ok(())
+    }
 }

@@ -1,21 +1,34 @@
-//! What is handed in: a folder or an archive, read with care and not yet built.
+//! Reads with care what is handed in, a folder or an archive, before it is built.
 
 pub mod archive;
+mod aside;
+pub mod limits;
 mod listing;
+mod locate;
+mod nature;
 mod own;
+mod reading;
 mod rust;
 mod template;
 
+use std::io;
 use std::path::{Path, PathBuf};
 
-use tempfile::TempDir;
-
-pub use listing::{open_regular, read_text};
+pub use nature::without_ending;
 pub use own::Own;
+pub use reading::{ReadError, open_regular};
 pub use rust::Rust;
 pub use template::Template;
 
+use crate::blame::{self, Blame};
 use crate::plain;
+use crate::sandbox::{Folder, FolderError};
+use archive::ArchiveError;
+use aside::{Aside, Why};
+use limits::LIMITS;
+use listing::Listing;
+use locate::{Layout, Located};
+use nature::Nature;
 
 /// A submission whose files have been read or listed.
 #[derive(Debug)]
@@ -24,10 +37,10 @@ pub struct Submission {
     pub kind: Kind,
     /// blake3 over the names and contents of the files that count.
     pub digest: String,
-    /// What was left aside, and why.
+    /// Remarks on what was left aside, and on where the submission lies, if not at the top.
     pub ignored: Vec<String>,
-    /// Where an archive was unpacked; goes away with this.
-    _unpacked: Option<TempDir>,
+    /// Folders into which archives were unpacked. They are removed with the submission.
+    _unpacked: Vec<Folder>,
 }
 
 /// The two kinds of submission.
@@ -42,65 +55,183 @@ pub enum Kind {
 /// Why there is nothing to grade.
 #[derive(Debug, thiserror::Error)]
 pub enum SubmissionError {
-    /// The path leads nowhere: whoever called us is to blame.
-    #[error("{}: {why}", path.display())]
+    /// The path leads nowhere, or the user may not read it. The caller of the grader is to blame.
+    #[error("{}: {source}", path.display())]
     Unreadable {
-        /// As it was given.
+        /// The file or folder.
         path: PathBuf,
-        /// What the system says.
-        why: std::io::Error,
+        /// The error of the system.
+        source: io::Error,
     },
-    /// What is there is no submission; says why and what to do.
+    /// The machine failed. Neither the student nor the caller is to blame, and another try may
+    /// succeed.
+    #[error("{what}: {source}")]
+    Machine {
+        /// The action that failed.
+        what: String,
+        /// The error of the system.
+        source: io::Error,
+    },
+    /// There is no submission. The text says why and what to do.
     #[error("{0}")]
     Refused(String),
+    /// There is no temporary folder to unpack an archive in.
+    #[error(transparent)]
+    Folder(#[from] FolderError),
 }
 
-/// Reads the submission at `path`: a folder, a folder with a single folder in it, or an archive of either.
-///
-/// # Errors
-/// A path that leads nowhere, and what is no submission.
-pub fn read(path: &Path, template: &Template) -> Result<Submission, SubmissionError> {
-    let unreadable = |why| SubmissionError::Unreadable { path: path.to_owned(), why };
-    if std::fs::metadata(path).map_err(unreadable)?.is_dir() {
-        return read_folder(&find(path)?, template);
-    }
-    let unpacked = TempDir::new().map_err(unreadable)?;
-    archive::unpack(path, unpacked.path(), &archive::Limits::default())
-        .map_err(|why| SubmissionError::Refused(format!("the archive cannot be taken: {why}")))?;
-    let submission = read_folder(&find(unpacked.path())?, template)?;
-    Ok(Submission { _unpacked: Some(unpacked), ..submission })
-}
-
-fn read_folder(folder: &Path, template: &Template) -> Result<Submission, SubmissionError> {
-    if folder.join(own::MANIFEST).exists() { own::read(folder) } else { rust::read(folder, template) }
-}
-
-/// The folder that holds `submission.toml` or `src`: `folder` itself, or the only one in it that does.
-fn find(folder: &Path) -> Result<PathBuf, SubmissionError> {
-    let is_one = |folder: &Path| folder.join(own::MANIFEST).is_file() || folder.join("src").is_dir();
-    if is_one(folder) {
-        return Ok(folder.to_owned());
-    }
-    let mut inner: Vec<PathBuf> = std::fs::read_dir(folder)
-        .map_err(|why| SubmissionError::Unreadable { path: folder.to_owned(), why })?
-        .flatten()
-        .filter(|entry| entry.file_type().is_ok_and(|kind| kind.is_dir()))
-        .map(|entry| entry.path())
-        .filter(|folder| is_one(folder))
-        .collect();
-    match (inner.pop(), inner.is_empty()) {
-        (Some(only), true) => Ok(only),
-        (None, _) => Err(SubmissionError::Refused(format!(
-            "there is neither a folder `src` nor a `{}` in it: hand in the folder of the template, with its `src`",
-            own::MANIFEST
-        ))),
-        (Some(_), false) => {
-            Err(SubmissionError::Refused("several folders in it look like submissions: hand in one of them".to_owned()))
+impl SubmissionError {
+    /// Returns the error of a failed call about `path`, a file or folder that was handed in.
+    fn of_path(path: &Path, source: io::Error) -> Self {
+        match blame::of(&source) {
+            Blame::Machine => Self::Machine { what: format!("cannot read {}", path.display()), source },
+            Blame::File => Self::Unreadable { path: path.to_owned(), source },
         }
     }
+
+    /// Returns the error of a file of the hand-in that counts, and is called `name` in messages.
+    fn of_file(path: &Path, name: &str, why: ReadError) -> Self {
+        match why {
+            ReadError::Io(source) => Self::of_path(path, source),
+            why => refuse(name, &why.to_string()),
+        }
+    }
+
+    /// Returns the error of a file that counts, in the hand-in at `top`, and was left aside.
+    fn of_aside(top: &Path, aside: Aside) -> Self {
+        match aside.why {
+            Why::Unreadable(why) => Self::of_path(&top.join(&aside.path), why),
+            _ => Self::Refused(aside.to_string()),
+        }
+    }
+
+    /// Returns the error of a failed call in a temporary folder of the grader's own.
+    fn of_temporary(source: io::Error) -> Self {
+        let folder = tempfile::env::temp_dir();
+        let what = format!("cannot unpack the archive below {}, the folder that TMPDIR names", folder.display());
+        Self::Machine { what, source }
+    }
 }
 
-/// Refuses for what is wrong with one file.
+/// Reads the submission at `path`, a folder or an archive.
+///
+/// The submission may lie some folders deep, or in the only archive in there.
+///
+/// # Errors
+/// See [`SubmissionError`].
+pub fn read(path: &Path, template: &Template) -> Result<Submission, SubmissionError> {
+    let is_folder = std::fs::metadata(path).map_err(|why| SubmissionError::of_path(path, why))?.is_dir();
+    let mut place = if is_folder { Place::folder(path)? } else { Place::archive(path)? };
+    let mut remarks = vec![];
+    let mut unpacked = vec![];
+    if let Located::Archive(name) = place.locate(template)? {
+        remarks.push(outside("archive", &name));
+        let inner = Place::archive(&place.top.join(name))?;
+        unpacked.extend(std::mem::replace(&mut place, inner).unpacked);
+    }
+    let Located::Submission(folder, layout) = place.locate(template)? else {
+        return Err(SubmissionError::Refused("there is nothing but an archive within an archive in it".to_owned()));
+    };
+    remarks.extend(taken_from(&folder, layout));
+    let mut submission = match layout {
+        Layout::Own => own::read(&place.top, &folder, place.listing)?,
+        Layout::Template | Layout::Flat => rust::read(&place.top, &folder, layout, place.listing, template)?,
+    };
+    submission.ignored.splice(0..0, remarks);
+    submission._unpacked = unpacked.into_iter().chain(place.unpacked).collect();
+    Ok(submission)
+}
+
+/// Returns a remark on where the submission lies, if not at the top and in its usual form.
+///
+/// The remark completes "left aside ...".
+fn taken_from(folder: &str, layout: Layout) -> Option<String> {
+    match (folder, layout) {
+        ("", Layout::Flat) => {
+            Some("the missing folder `src`: the .rs files at the top are taken as its files".to_owned())
+        }
+        (_, Layout::Flat) => Some(outside("folder", folder) + ", its .rs files as those of the missing folder `src`"),
+        ("", _) => None,
+        (_, _) => Some(outside("folder", folder)),
+    }
+}
+
+fn outside(kind: &str, name: &str) -> String {
+    format!("everything outside of the {kind} `{}`: the submission is taken from there", plain::name(name.as_bytes()))
+}
+
+/// A folder with what lies in it.
+struct Place {
+    top: PathBuf,
+    listing: Listing,
+    unpacked: Option<Folder>,
+}
+
+impl Place {
+    fn folder(path: &Path) -> Result<Self, SubmissionError> {
+        Ok(Self { top: path.to_owned(), listing: listing::list(path, &LIMITS)?, unpacked: None })
+    }
+
+    fn archive(path: &Path) -> Result<Self, SubmissionError> {
+        let (unpacked, aside) = unpack(path)?;
+        let mut place = Self::folder(unpacked.path())?;
+        place.listing.aside.extend(aside);
+        Ok(Self { unpacked: Some(unpacked), ..place })
+    }
+
+    /// Finds the submission. Where there is none, it may lie in a folder that cannot be read, which
+    /// is then the error.
+    fn locate(&mut self, template: &Template) -> Result<Located, SubmissionError> {
+        locate::locate(&self.listing, template).map_err(|why| {
+            let aside = &mut self.listing.aside;
+            match aside.iter().position(|aside| matches!(aside.why, Why::Unreadable(_))) {
+                Some(at) => SubmissionError::of_aside(&self.top, aside.swap_remove(at)),
+                None => SubmissionError::Refused(why),
+            }
+        })
+    }
+}
+
+/// Unpacks the archive at `path`; returns where, and what was left aside.
+fn unpack(path: &Path) -> Result<(Folder, Vec<Aside>), SubmissionError> {
+    let name = path.file_name().unwrap_or_default().as_encoded_bytes();
+    let failed = |why| match why {
+        ReadError::Io(source) => SubmissionError::of_path(path, source),
+        ReadError::TooLarge(excess) => SubmissionError::Refused(format!("the archive {excess}")),
+        why => SubmissionError::of_path(path, io::Error::new(io::ErrorKind::InvalidInput, why)),
+    };
+    let start = reading::start(path, nature::START_BYTES).map_err(failed)?;
+    let Some(Nature::Archive(format)) = nature::of(name, &start) else {
+        return Err(SubmissionError::Refused(nature::refusal(name, nature::of(name, &start))));
+    };
+    if start.is_empty() {
+        return Err(SubmissionError::Refused("the file is empty: hand it in again".to_owned()));
+    }
+    let bytes = reading::open_named(path).and_then(|file| reading::read_rest(file, LIMITS.archive_bytes));
+    let bytes = bytes.map_err(failed)?;
+    let into = Folder::new()?;
+    let aside = archive::unpack(&bytes, format, into.path(), &LIMITS).map_err(|why| match why {
+        ArchiveError::Machine(source) => SubmissionError::of_temporary(source),
+        why => SubmissionError::Refused(format!("the archive cannot be taken: {why}")),
+    })?;
+    Ok((into, aside))
+}
+
+/// Says whether a regular file beside other hand-ins is one of them: an archive of any kind, a
+/// source or a document.
+///
+/// Lists and notes of those who collect the hand-ins are none. A file without an ending in its name
+/// is judged by its first bytes.
+pub fn looks_handed_in(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().as_encoded_bytes();
+    let by_bytes = || nature::by_bytes(&reading::start(path, nature::START_BYTES).unwrap_or_default());
+    match nature::by_name(name) {
+        None if !name.contains(&b'.') => matches!(by_bytes(), Some(Nature::Archive(_) | Nature::Packed(_))),
+        by_name => by_name.is_some(),
+    }
+}
+
+/// Returns the refusal for what is wrong with one file.
 fn refuse(file: &str, why: &str) -> SubmissionError {
     SubmissionError::Refused(format!("{}: {why}", plain::name(file.as_bytes())))
 }

@@ -6,29 +6,29 @@
 //! [run]
 //! command = ["./tracer"]                    # `render SCENE.json OUT`, `probe` and so on come behind it
 //! ```
-//! A word that begins with `./` is a path in the submission: the program starts in another, empty folder. A first word
-//! without a `/` is looked up in PATH.
+//! A word that begins with `./` is a path in the submission: the program starts in another, empty
+//! folder. A first word without a `/` is looked up in PATH.
 
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
-use super::listing::{self, shown};
+use super::aside::{Aside, Why, abridged};
+use super::limits::{LIMITS, MANIFEST_BYTES, size};
+use super::listing::Listing;
+use super::reading::{read_bytes, read_text};
 use super::{Kind, Submission, SubmissionError, refuse, rust};
 
 /// The file that makes a folder a submission of this kind.
 pub(super) const MANIFEST: &str = "submission.toml";
-/// Bytes of one file, and of all.
-const MAX_FILE: u64 = 16 << 20;
-const MAX_ALL: u64 = 64 << 20;
 
 /// How to build and run it.
 #[derive(Debug)]
 pub struct Own {
-    /// Where it lies.
+    /// The folder of the submission.
     pub folder: PathBuf,
-    /// Its files, relative to the folder: what a private copy holds.
-    pub files: Vec<PathBuf>,
+    /// The files below the folder, relative to it. A private copy holds all of them.
+    pub files: Vec<String>,
     /// The build command, if there is one; not empty.
     pub build: Option<Vec<String>>,
     /// The run command; not empty.
@@ -48,38 +48,65 @@ struct Step {
     command: Vec<String>,
 }
 
-/// Reads the manifest and lists the files.
-pub(super) fn read(folder: &Path) -> Result<Submission, SubmissionError> {
-    let text = listing::read_text(&folder.join(MANIFEST), 1 << 16).map_err(|why| refuse(MANIFEST, &why))?;
-    let manifest: Manifest = toml::from_str(&text).map_err(|why| refuse(MANIFEST, &narrow(&why.to_string())))?;
-    let words = |step: Step, name: &str| match step.command.is_empty() {
-        true => Err(refuse(MANIFEST, &format!("the command of [{name}] is empty"))),
-        false => Ok(step.command),
+/// Reads the manifest in `folder` of the hand-in at `top`, and all files below.
+///
+/// # Errors
+/// The manifest cannot be used, a file cannot be read or is too large, or the machine fails.
+pub(super) fn read(top: &Path, folder: &str, listing: Listing) -> Result<Submission, SubmissionError> {
+    let prefix = if folder.is_empty() { String::new() } else { format!("{folder}/") };
+    let manifest = format!("{prefix}{MANIFEST}");
+    let Listing { files, mut aside } = listing;
+    let is_needed = |aside: &Aside| {
+        let counts = matches!(aside.why, Why::TooLarge(_) | Why::Twice | Why::Unreadable(_));
+        aside.path == manifest || (counts && aside.path.starts_with(&prefix))
     };
-    let build = manifest.build.map(|step| words(step, "build")).transpose()?;
-    let run = words(manifest.run, "run")?;
-    let listing = listing::list(folder).ok_or_else(|| {
-        SubmissionError::Refused("it holds more than 2000 files: leave out what can be made".to_owned())
-    })?;
-    let digest = digest(folder, &listing.files)?;
-    let kind = Kind::Own(Own { folder: folder.to_owned(), files: listing.files, build, run });
-    Ok(Submission { kind, digest, ignored: listing.ignored, _unpacked: None })
+    if let Some(at) = aside.iter().position(is_needed) {
+        return Err(SubmissionError::of_aside(top, aside.swap_remove(at)));
+    }
+    let path = top.join(&manifest);
+    let text = read_text(&path, MANIFEST_BYTES).map_err(|why| SubmissionError::of_file(&path, MANIFEST, why))?;
+    let (build, run) = parse(&text).map_err(|why| refuse(MANIFEST, &why))?;
+    let within = |path: &String| path.strip_prefix(&prefix).map(str::to_owned);
+    let (files, folder) = (files.iter().filter_map(within).collect::<Vec<String>>(), top.join(folder));
+    let digest = digest(&folder, &files)?;
+    let ignored = abridged(aside.iter().map(Aside::to_string).collect());
+    Ok(Submission { kind: Kind::Own(Own { folder, files, build, run }), digest, ignored, _unpacked: vec![] })
 }
 
-/// A message that quotes the manifest, its lines cut.
+/// Returns the build command, if there is one, and the run command.
+///
+/// # Errors
+/// Says what is wrong with the manifest.
+fn parse(text: &str) -> Result<(Option<Vec<String>>, Vec<String>), String> {
+    let manifest: Manifest = toml::from_str(text).map_err(|why| narrow(&why.to_string()))?;
+    let words = |step: Step, name: &str| match step.command.first() {
+        None => Err(format!("the command of [{name}] is empty")),
+        Some(first) if first.is_empty() => Err(format!("the command of [{name}] begins with an empty word")),
+        Some(_) if step.command.iter().any(|word| word.contains('\0')) => {
+            Err(format!("a word of the command of [{name}] has a NUL in it"))
+        }
+        Some(_) => Ok(step.command),
+    };
+    Ok((manifest.build.map(|step| words(step, "build")).transpose()?, words(manifest.run, "run")?))
+}
+
+/// Returns a message that quotes the manifest, with its lines cut.
 fn narrow(message: &str) -> String {
     let lines: Vec<String> = message.lines().map(|line| line.chars().take(120).collect()).collect();
     lines.join("\n")
 }
 
-fn digest(folder: &Path, files: &[PathBuf]) -> Result<String, SubmissionError> {
-    let mut room = MAX_ALL;
+fn digest(folder: &Path, files: &[String]) -> Result<String, SubmissionError> {
+    let mut room = LIMITS.all_bytes;
     let mut all = vec![];
     for file in files {
-        let limit = room.min(MAX_FILE);
-        let bytes = listing::read_bytes(&folder.join(file), limit).map_err(|why| refuse(&shown(file), &why))?;
-        room -= bytes.len() as u64;
-        all.push((shown(file), bytes));
+        let path = folder.join(file);
+        let bytes = read_bytes(&path, LIMITS.file_bytes).map_err(|why| SubmissionError::of_file(&path, file, why))?;
+        room = room.checked_sub(bytes.len() as u64).ok_or_else(|| {
+            let most = size(LIMITS.all_bytes);
+            SubmissionError::Refused(format!("its files have more than {most}; {most} are read"))
+        })?;
+        all.push((file, bytes));
     }
     Ok(rust::digest(all.iter().map(|(name, bytes)| (name.as_str(), bytes.as_slice()))))
 }

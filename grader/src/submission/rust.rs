@@ -1,75 +1,132 @@
-//! A submission written in the template: the student's files, and nothing else, join the pristine rest.
+//! A submission written in the template: only the student's files are taken; the grader adds the
+//! rest.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use super::listing::{self, shown};
-use super::{Kind, Submission, SubmissionError, Template, refuse};
+use super::aside::{Aside, abridged};
+use super::limits::SOURCE_BYTES;
+use super::listing::Listing;
+use super::locate::Layout;
+use super::reading::{ReadError, read_bytes, read_text};
+use super::{Kind, Submission, SubmissionError, Template};
+use crate::blame::{self, Blame};
+use crate::plain;
 
-/// Bytes that one source file may have.
-const MAX_SOURCE: u64 = 1 << 20;
-/// Files that are named when they are left aside; of more the number is told.
-const MAX_NAMED: usize = 20;
+/// Files that no build looks at, and that nobody needs to hear of.
+const SILENT: [&str; 3] = ["README.md", "Cargo.lock", ".gitignore"];
 
 /// Sources that are ready to be compiled.
 #[derive(Debug)]
 pub struct Rust {
     /// Text by path, such as `src/sphere.rs`; `src/main.rs` is among them.
     pub sources: BTreeMap<String, String>,
+    /// Sources and manifests of the submission that are not used, each with the reason. They may be
+    /// the cause of a compiler error.
+    pub unused: Vec<String>,
 }
 
-/// Takes the files that the template lists as the student's; of the rest it only tells.
-pub(super) fn read(folder: &Path, template: &Template) -> Result<Submission, SubmissionError> {
-    let listing = listing::list(folder).ok_or_else(|| {
-        SubmissionError::Refused("it holds more than 2000 files: hand in the template alone".to_owned())
-    })?;
-    let files: BTreeSet<&Path> = listing.files.iter().map(PathBuf::as_path).collect();
-    let mut ignored = listing.ignored;
-    ignored.extend(listing.files.iter().filter_map(|file| left_aside(folder, file, template)));
-    abridge(&mut ignored);
-    let mut sources = template.pristine.clone();
+/// Takes the files that the student writes from `folder` of the hand-in at `top`, and reports the
+/// rest.
+///
+/// # Errors
+/// One of the student's files cannot be used, or the machine fails.
+pub(super) fn read(
+    top: &Path,
+    folder: &str,
+    layout: Layout,
+    listing: Listing,
+    template: &Template,
+) -> Result<Submission, SubmissionError> {
+    let place = Place { folder, layout };
+    let Listing { files, mut aside } = listing;
+    let there: BTreeSet<&str> = files.iter().map(String::as_str).collect();
+    let (mut sources, mut missing) = (template.pristine.clone(), vec![]);
     for (name, untouched) in &template.student {
-        let path = folder.join(name);
-        let text = if files.contains(Path::new(name)) {
-            listing::read_text(&path, MAX_SOURCE).map_err(|why| refuse(name, &why))?
-        } else if path.symlink_metadata().is_ok() {
-            return Err(refuse(name, "is a link or lies behind one; put the file itself there"));
+        let path = place.path(name);
+        if let Some(at) = aside.iter().position(|aside| aside.covers(&path)) {
+            return Err(SubmissionError::of_aside(top, aside.swap_remove(at)));
+        }
+        let text = if there.contains(&*path) {
+            let full = top.join(&path);
+            read_text(&full, SOURCE_BYTES).map_err(|why| SubmissionError::of_file(&full, &path, why))?
         } else {
-            ignored.push(format!("{name}: missing, so the template's untouched one is taken"));
+            missing.push(format!("{name}: missing, so the template's untouched one is taken"));
             untouched.clone()
         };
         sources.insert(name.clone(), text);
     }
     sources.retain(|name, _| name.starts_with("src/"));
     let digest = digest(sources.iter().map(|(name, text)| (name.as_str(), text.as_bytes())));
-    Ok(Submission { kind: Kind::Rust(Rust { sources }), digest, ignored, _unpacked: None })
+    let others = files.iter().filter_map(|path| place.other(top, path, template).transpose());
+    let others = others.collect::<Result<Vec<Other>, SubmissionError>>()?;
+    let (code, others): (Vec<Other>, Vec<Other>) = others.into_iter().partition(|other| other.is_code);
+    let unused = abridged(code.into_iter().map(|other| other.says).collect());
+    let others = others.into_iter().map(|other| other.says).chain(aside.iter().map(Aside::to_string)).collect();
+    let mut ignored = [unused.clone(), missing, abridged(others)].concat();
+    if !unused.is_empty() {
+        let used: Vec<&str> = template.student.keys().map(String::as_str).collect();
+        ignored.push(format!("all but the files that you write, which are {}", used.join(", ")));
+    }
+    Ok(Submission { kind: Kind::Rust(Rust { sources, unused }), digest, ignored, _unpacked: vec![] })
 }
 
-/// Why a file of the folder does not count; `None` where it does, or where it is as handed out.
-fn left_aside(folder: &Path, file: &Path, template: &Template) -> Option<String> {
-    let Some(name) = file.to_str() else {
-        return Some(format!("{}: its name is not UTF-8", shown(file)));
-    };
-    if template.student.contains_key(name) {
-        return None;
+/// The place of the template in the hand-in.
+struct Place<'a> {
+    folder: &'a str,
+    layout: Layout,
+}
+
+/// A file that does not count.
+struct Other {
+    says: String,
+    /// Whether a build could look at it.
+    is_code: bool,
+}
+
+impl Place<'_> {
+    /// Returns the path in the hand-in of the template's file `name`.
+    fn path(&self, name: &str) -> String {
+        let name = if self.layout == Layout::Flat { name.strip_prefix("src/").unwrap_or(name) } else { name };
+        if self.folder.is_empty() { name.to_owned() } else { format!("{}/{name}", self.folder) }
     }
-    let ours = std::fs::read(template.folder.join(name)).ok();
-    match ours {
-        None => Some(format!("{}: not a file of the template", shown(file))),
-        Some(ours) if listing::read_bytes(&folder.join(file), MAX_SOURCE).is_ok_and(|theirs| theirs == ours) => None,
-        Some(_) => Some(format!("{}: differs from the template's, which is taken instead", shown(file))),
+
+    /// Returns the name in the template of the file at `path`; `None` where it lies elsewhere.
+    fn name(&self, path: &str) -> Option<String> {
+        let inner = match self.folder {
+            "" => path,
+            folder => path.strip_prefix(folder)?.strip_prefix('/')?,
+        };
+        let is_source = self.layout == Layout::Flat && !inner.contains('/') && inner.ends_with(".rs");
+        Some(if is_source && inner != "build.rs" { format!("src/{inner}") } else { inner.to_owned() })
+    }
+
+    /// Returns a remark on the file at `path`, or `None` if it counts or is as it was handed out.
+    fn other(&self, top: &Path, path: &str, template: &Template) -> Result<Option<Other>, SubmissionError> {
+        let name = self.name(path);
+        let name = name.as_deref().unwrap_or_default();
+        if template.student.contains_key(name) || SILENT.contains(&name) {
+            return Ok(None);
+        }
+        let why = match template.pristine.get(name) {
+            Some(ours) if is_text(&top.join(path), ours)? => return Ok(None),
+            Some(_) => "differs from the given file, which is used instead",
+            None => "not a file of the template, so it is not used",
+        };
+        let is_code = name.ends_with(".rs") || name.ends_with("Cargo.toml") || name.starts_with(".cargo/");
+        Ok(Some(Other { says: format!("{}: {why}", plain::name(path.as_bytes())), is_code }))
     }
 }
 
-fn abridge(ignored: &mut Vec<String>) {
-    if ignored.len() > MAX_NAMED {
-        let more = ignored.len() - MAX_NAMED;
-        ignored.truncate(MAX_NAMED);
-        ignored.push(format!("and {more} more files"));
+/// Says whether the file holds that text. A file that cannot be read does not.
+fn is_text(path: &Path, text: &str) -> Result<bool, SubmissionError> {
+    match read_bytes(path, SOURCE_BYTES) {
+        Err(ReadError::Io(why)) if blame::of(&why) == Blame::Machine => Err(SubmissionError::of_path(path, why)),
+        found => Ok(found.is_ok_and(|found| found == text.as_bytes())),
     }
 }
 
-/// blake3 over names and contents, each with its length before it.
+/// Returns the blake3 hash over names and contents, each with its length before it.
 pub(super) fn digest<'a>(files: impl IntoIterator<Item = (&'a str, &'a [u8])>) -> String {
     let mut hasher = blake3::Hasher::new();
     for (name, bytes) in files {

@@ -1,59 +1,65 @@
-//! The template as it is handed out: which files are the student's, and what stands in all of them.
+//! The template as it is handed out: which files the student writes, and the text of all files.
+//!
+//! The text is part of the grader. A student edits the template's folder, and an edit there must
+//! not decide how it is graded.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
 
-use serde::Deserialize;
-
-/// The pristine copy of the assignment.
+/// The assignment as it is handed out.
 #[derive(Clone, Debug)]
 pub struct Template {
-    /// Its folder.
-    pub folder: PathBuf,
-    /// Files that are always taken from here, by path below the folder, and their text.
+    /// Text of the files that are given, by path below the folder; a submission's own are not used.
     pub pristine: BTreeMap<String, String>,
-    /// Files that are the student's, by path below the folder, and their text as handed out.
+    /// Text of the files that the student writes, by path below the folder, as they are handed out.
     pub student: BTreeMap<String, String>,
     /// Crates that the student's code may use.
     pub dependencies: Vec<String>,
 }
 
-#[derive(Deserialize)]
-struct Files {
-    pristine: Vec<String>,
-    student: Vec<String>,
+/// Paths in the folder of the template, each with the text of the grader's copy.
+macro_rules! files {
+    ($($path:literal),* $(,)?) => {
+        [$(($path, include_str!(concat!("../../given/", $path)))),*]
+    };
 }
 
-#[derive(Deserialize)]
-struct Manifest {
-    #[serde(default)]
-    dependencies: BTreeMap<String, toml::Value>,
-}
+const PRISTINE: [(&str, &str); 9] = files![
+    "Cargo.toml",
+    "clippy.toml",
+    "template.toml",
+    "src/main.rs",
+    "src/object.rs",
+    "src/probe.rs",
+    "src/round.rs",
+    "src/surface.rs",
+    "src/trace.rs",
+];
+
+const STUDENT: [(&str, &str); 13] = files![
+    "src/camera.rs",
+    "src/cuboid.rs",
+    "src/light.rs",
+    "src/nearest.rs",
+    "src/plane.rs",
+    "src/reflection.rs",
+    "src/refraction.rs",
+    "src/shade.rs",
+    "src/shadow.rs",
+    "src/smooth.rs",
+    "src/sphere.rs",
+    "src/transform.rs",
+    "src/triangle.rs",
+];
+
+const DEPENDENCIES: [&str; 2] = ["cases", "glam"];
 
 impl Template {
-    /// Reads the template in `folder`.
-    ///
-    /// # Errors
-    /// Says which file of it is missing or broken.
-    pub fn load(folder: &Path) -> Result<Self, String> {
-        let files: Files = parse(&folder.join("template.toml"))?;
-        let manifest: Manifest = parse(&folder.join("Cargo.toml"))?;
-        let texts = |names: Vec<String>| -> Result<BTreeMap<String, String>, String> {
-            names.into_iter().map(|name| Ok((name.clone(), text(&folder.join(name))?))).collect()
+    /// Returns the template that the grader carries.
+    pub fn carried() -> Self {
+        let texts = |files: &[(&str, &str)]| {
+            files.iter().map(|(path, text)| ((*path).to_owned(), (*text).to_owned())).collect()
         };
-        Ok(Self {
-            folder: folder.to_owned(),
-            pristine: texts(files.pristine)?,
-            student: texts(files.student)?,
-            dependencies: manifest.dependencies.into_keys().collect(),
-        })
+        let dependencies = DEPENDENCIES.map(str::to_owned).to_vec();
+        Self { pristine: texts(&PRISTINE), student: texts(&STUDENT), dependencies }
     }
-}
-
-fn text(path: &Path) -> Result<String, String> {
-    std::fs::read_to_string(path).map_err(|why| format!("the template's {} cannot be read: {why}", path.display()))
-}
-
-fn parse<T: serde::de::DeserializeOwned>(path: &Path) -> Result<T, String> {
-    toml::from_str(&text(path)?).map_err(|why| format!("the template's {} cannot be understood: {why}", path.display()))
 }

@@ -5,6 +5,7 @@
 use arrayvec::ArrayVec;
 use rayon::prelude::*;
 
+use super::item::{Around, Item, Span};
 use super::node::{Child, DEEPEST, Node, WIDTH};
 use super::slab::Space;
 use crate::bounds::Bounds;
@@ -18,88 +19,22 @@ const BINS: usize = 16;
 const DEEP: usize = DEEPEST - 30;
 /// Ranges longer than this are worked at by several threads.
 const FORK: usize = 8192;
+/// As many things with one box make a crowd.
+const CROWD: usize = 5;
 
-/// The box around some things, corner by corner; the fourth number makes it a register.
-#[derive(Clone, Copy, Debug)]
-struct Span {
-    lo: [f32; 4],
-    hi: [f32; 4],
+/// The nodes of a tree over things, and the order in which the leaves hold the things.
+pub(super) struct Built {
+    pub nodes: Vec<Node>,
+    /// The number of each thing, leaf by leaf.
+    pub order: Vec<u32>,
+    /// The numbers of all things that share their box with [`CROWD`] − 1 others or more.
+    pub crowd: Vec<u32>,
 }
 
-impl Span {
-    const EMPTY: Self = Self { lo: [f32::INFINITY; 4], hi: [-f32::INFINITY; 4] };
-
-    #[inline(always)]
-    fn join(&mut self, lo: [f32; 4], hi: [f32; 4]) {
-        for axis in 0..4 {
-            self.lo[axis] = if lo[axis] < self.lo[axis] { lo[axis] } else { self.lo[axis] };
-            self.hi[axis] = if hi[axis] > self.hi[axis] { hi[axis] } else { self.hi[axis] };
-        }
-    }
-
-    fn half_area(&self) -> f32 {
-        let [x, y, z] = [0, 1, 2].map(|axis| (self.hi[axis] - self.lo[axis]).max(0.0));
-        x * y + y * z + z * x
-    }
-}
-
-/// A thing: its box and its number.
-#[derive(Clone, Copy, Debug)]
-#[repr(align(32))]
-struct Item {
-    lo: [f32; 3],
-    hi: [f32; 3],
-    number: u32,
-}
-
-impl Item {
-    #[inline(always)]
-    fn corners(&self) -> ([f32; 4], [f32; 4]) {
-        let ([x, y, z], [u, v, w]) = (self.lo, self.hi);
-        ([x, y, z, 0.0], [u, v, w, 0.0])
-    }
-
-    /// Twice its middle.
-    #[inline(always)]
-    fn middle(&self, axis: usize) -> f32 {
-        self.lo[axis] + self.hi[axis]
-    }
-
-    #[inline(always)]
-    fn middles(&self) -> [f32; 4] {
-        [self.middle(0), self.middle(1), self.middle(2), 0.0]
-    }
-}
-
-/// What is known of a range of things.
-#[derive(Clone, Copy, Debug)]
-struct Around {
-    /// The box around them.
-    all: Span,
-    /// The box around twice their middles.
-    middles: Span,
-}
-
-impl Around {
-    const NOTHING: Self = Self { all: Span::EMPTY, middles: Span::EMPTY };
-
-    #[inline(always)]
-    fn join(mut self, item: &Item) -> Self {
-        let (lo, hi) = item.corners();
-        self.all.join(lo, hi);
-        self.middles.join(item.middles(), item.middles());
-        self
-    }
-
-    fn of(items: &[Item]) -> Self {
-        items.iter().fold(Self::NOTHING, Self::join)
-    }
-}
-
-/// The nodes of a tree over things with these bounds, of which so many are asked at once as one, and the order in which it holds them.
-pub(super) fn build<T: Real>(bounds: &[Bounds<T>], space: &Space, at_once: usize) -> (Vec<Node>, Vec<u32>) {
+/// Builds the tree over things with these bounds; a leaf tests `at_once` things in the time of one.
+pub(super) fn build<T: Real>(bounds: &[Bounds<T>], space: &Space, at_once: usize) -> Built {
     if bounds.is_empty() {
-        return (Vec::new(), Vec::new());
+        return Built { nodes: Vec::new(), order: Vec::new(), crowd: Vec::new() };
     }
     let item = |(number, bounds)| {
         let (lo, hi) = space.place(bounds);
@@ -109,7 +44,10 @@ pub(super) fn build<T: Real>(bounds: &[Bounds<T>], space: &Space, at_once: usize
     let around = Around::of(&items);
     let mut nodes = Vec::with_capacity(items.len() / 4 + 1);
     grow(&mut items, 0, around, Bottom { most: at_once.max(FEW), at_once, depth: 0 }, &mut nodes);
-    (nodes, items.iter().map(|item| item.number).collect())
+    // No split by bins divides equal boxes, and other splits keep them side by side.
+    let crowds = items.chunk_by(Item::has_box_of).filter(|run| run.len() >= CROWD);
+    let crowd = crowds.flatten().map(|item| item.number).collect();
+    Built { nodes, order: items.iter().map(|item| item.number).collect(), crowd }
 }
 
 /// Where a tree ends.
@@ -212,6 +150,8 @@ fn split(items: &mut [Item], around: Around, bottom: Bottom) -> (Part, Part) {
         let (count, left, right) = part(items, |item| cut.bin(item) <= cut.last);
         return ((count, left), (items.len() - count, right));
     }
+    // All middles are one, or the tree is deep. Boxes alike come together.
+    items.sort_unstable_by(Item::by_corners);
     let count = items.len() / 2;
     let (left, right) = items.split_at(count);
     ((count, Around::of(left)), (right.len(), Around::of(right)))
@@ -279,6 +219,9 @@ fn cheapest(items: &[Item], around: &Around, at_once: usize) -> Option<Cut> {
         let width = most[axis] - least[axis];
         if width > 0.0 { n_bins as f32 * 0.9999 / width } else { 0.0 }
     });
+    if per_width[..3] == [0.0; 3] {
+        return None;
+    }
     let grid = Grid { n_bins, least, per_width };
     let bins = if items.len() > 8 * FORK {
         items.par_chunks(FORK).map(|items| fill(items, grid)).reduce(|| EMPTY, merge)
@@ -364,9 +307,25 @@ mod tests {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(n_threads).build().unwrap();
             pool.install(|| build(&bounds, &Space::of(&bounds), 4))
         };
-        let ((nodes, mut order), other) = (built(1), built(5));
-        assert!(nodes == other.0 && order == other.1, "the trees differ");
+        let (Built { nodes, mut order, crowd }, other) = (built(1), built(5));
+        assert!(nodes == other.nodes && order == other.order && crowd == other.crowd, "the trees differ");
         order.sort_unstable();
         assert!(order.iter().enumerate().all(|(n, number)| n as u32 == *number), "something is lost, or held twice");
+    }
+
+    /// Boxes about one middle: so many equal ones, and one of every other size in between.
+    fn nested(n_equal: usize) -> Vec<Bounds<f64>> {
+        let around = |size: f64| Bounds { min: Vec3::ONE * -size, max: Vec3::ONE * size };
+        (0..n_equal).flat_map(|n| [around(1.0), around(2.0 + n as f64)]).collect()
+    }
+
+    #[test]
+    fn a_crowd_is_found_wherever_it_stands() {
+        for (n_equal, n_crowd) in [(CROWD - 1, 0), (CROWD, CROWD), (1000, 1000)] {
+            let bounds = nested(n_equal);
+            let mut crowd = build(&bounds, &Space::of(&bounds), 4).crowd;
+            crowd.sort_unstable();
+            assert_eq!(crowd, (0..n_crowd as u32).map(|n| 2 * n).collect::<Vec<_>>(), "{n_equal}");
+        }
     }
 }

@@ -5,6 +5,7 @@
 
 mod build;
 mod frustum;
+mod item;
 mod lanes;
 mod node;
 mod slab;
@@ -50,17 +51,20 @@ impl Bvh {
     /// surface-area heuristic finds it cheapest, on all threads of the current `rayon` pool; the same bounds give the same tree on any number of them.
     pub fn build<T: Real>(bounds: &[Bounds<T>]) -> (Self, Vec<u32>) {
         let space = Space::of(bounds);
-        let (nodes, order) = build::build(bounds, &space, 1);
+        let build::Built { nodes, order, .. } = build::build(bounds, &space, 1);
         (Self { nodes, space, lanes: Lanes::best() }, order)
     }
 
-    /// The same over things that are asked four at a time: leaves hold up to four, which are numbered from a multiple of four on. Numbers between leaves
-    /// are never visited; in the order the last thing before them stands for them.
-    pub fn build_in_fours<T: Real>(bounds: &[Bounds<T>]) -> (Self, Vec<u32>) {
+    /// The same tree over things that are tested four at a time, with leaves of up to four things.
+    ///
+    /// Leaves are numbered from a multiple of four on. Numbers between leaves are never visited; in
+    /// the order the last thing before them stands for them. The last list holds the numbers of all
+    /// things that share their box with four others or more: a tree cannot tell these apart.
+    pub fn build_in_fours<T: Real>(bounds: &[Bounds<T>]) -> (Self, Vec<u32>, Vec<u32>) {
         let space = Space::of(bounds);
-        let (mut nodes, order) = build::build(bounds, &space, 4);
+        let build::Built { mut nodes, order, crowd } = build::build(bounds, &space, 4);
         let order = node::in_fours(&mut nodes, &order);
-        (Self { nodes, space, lanes: Lanes::best() }, order)
+        (Self { nodes, space, lanes: Lanes::best() }, order, crowd)
     }
 
     /// Bytes it takes.

@@ -25,8 +25,8 @@ pub(super) struct Args {
 }
 
 const AFTER: &str = "\
-A SCENE is a scene or case in TOML, a resolved scene in JSON, or the id of a case such as `02_shadows/two_lamps`, which is
-sought in ./cases/stages.
+A SCENE is a scene or case in TOML, a resolved scene in JSON, the id of a case such as
+`02_shadows/two_lamps`, which is sought in ./cases/stages, or `-`: a scene on standard input.
 
 Examples:
   reference render 02_shadows/two_lamps -o two_lamps.png
@@ -36,11 +36,13 @@ Examples:
   reference cost 04_refraction/crystal_ball --html cost.html
 
 Exit codes:
-  0  done; with `expect --check`: every stored answer is what the rules give
-  1  done, but a stored answer differs, a check's answer on paper is wrong, or a case cannot be varied within its bounds
-  2  usage, or a file that cannot be read
-  3  the machine failed: a file cannot be written
-  130  `cost` was interrupted; what was measured by then is reported";
+  0    done; with `expect --check`: every stored answer is what the rules give
+  1    done, but a stored answer differs, a check's answer on paper is wrong,
+       or a case cannot be varied within its bounds
+  2    usage, input that cannot be read, or a name that cannot be written
+  3    the machine failed: the disk is full, say
+  130  interrupted; `cost` reports what it measured until then, `expect` and `vary`
+       leave every file as it was";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
@@ -54,18 +56,26 @@ pub(super) enum Command {
     Course(CourseArgs),
     Schema(SchemaArgs),
     /// Prints the completions for a shell
-    #[command(
-        after_help = "Example:\n  reference completions bash > ~/.local/share/bash-completion/completions/reference"
-    )]
+    #[command(after_help = "\
+Example:
+  reference completions bash > ~/.local/share/bash-completion/completions/reference
+
+Exit codes: 0 done, 2 no such shell")]
     Completions {
         /// The shell
         shell: clap_complete::Shell,
     },
-    /// Prints a manual page
-    #[command(after_help = "Example:\n  reference man render | man -l -")]
+    /// Prints a man page, or writes those of all commands into a folder
+    #[command(after_help = "\
+Examples:
+  reference man render | man -l -                the page of a command
+  reference man ~/.local/share/man/man1          writes one page for each command
+
+Exit codes: 0 done, 2 no such command or folder, or a folder that cannot be written")]
     Man {
-        /// The command it is about; none: the program as a whole
-        command: Option<String>,
+        /// A command, or a folder for all pages [default: the page of reference itself]
+        #[arg(value_name = "COMMAND|DIR")]
+        what: Option<PathBuf>,
     },
 }
 
@@ -79,9 +89,11 @@ pub(super) struct CourseArg {
 
 /// Answers the questions of the unit checks: JSON, a question a line in, an answer a line out
 #[derive(Debug, Parser)]
-#[command(
-    after_help = "Example:\n  echo '{\"id\":\"a\",\"fn\":\"reflect\",\"direction\":[0,-1,0],\"normal\":[0,1,0]}' | reference probe"
-)]
+#[command(after_help = "\
+Example:
+  echo '{\"id\":\"a\",\"fn\":\"reflect\",\"direction\":[0,-1,0],\"normal\":[0,1,0]}' | reference probe
+
+Exit codes: 0 every question is answered, 2 a question or course that cannot be understood")]
 pub(super) struct ProbeArgs {
     #[command(flatten)]
     pub course: CourseArg,
@@ -92,7 +104,9 @@ pub(super) struct ProbeArgs {
 #[command(after_help = "\
 Examples:
   reference course > docs/course.md             the course of ./cases/course.toml
-  reference course --course my_course.toml      another one")]
+  reference course --course my_course.toml      another one
+
+Exit codes: 0 printed, 2 a course that cannot be read")]
 pub(super) struct CourseArgs {
     /// What the course decides
     #[arg(long, value_name = "FILE", default_value = "cases/course.toml")]
@@ -107,14 +121,18 @@ Examples:
   reference render scene.json out.pfm                      as a submission is called
   reference render scene.toml -o big.exr --size 1280x960 --samples 4 --stats
   reference render scene.toml -o fast.png --max-depth 50 --threshold 1/256 --stats
-  reference render scene.toml -o - --effects shadows,reflection > out.png")]
+  reference render scene.toml -o - --effects shadows,reflection > out.png
+  reference render scene.toml -o - | grader compare - expected.png
+  reference render - -o out.png < scene.toml               a scene on standard input
+
+Exit codes: 0 rendered, 2 usage, a scene that cannot be read or a name that cannot be written, 3 the disk is full, say")]
 pub(super) struct RenderArgs {
-    /// Scene, case, or id of a case
+    /// Scene, case, id of a case, or - for a scene on standard input
     pub scene: String,
     /// Where the picture goes, as with -o
     #[arg(value_name = "OUT", conflicts_with = "output")]
     pub out: Option<PathBuf>,
-    /// Where the picture goes: .png, .pfm or .exr (linear float); `-` is a PNG to the output stream
+    /// Where the picture goes: .png, .pfm or .exr (linear float); `-` and a pipe get a PNG
     #[arg(short, long, value_name = "OUT", required_unless_present = "out")]
     pub output: Option<PathBuf>,
     /// Bits a channel of a PNG
@@ -153,22 +171,33 @@ pub(super) struct RenderArgs {
     pub course: CourseArg,
 }
 
-/// Says which effects a scene calls for, and why
+/// Says which effects a scene calls for under its course, and why
 #[derive(Debug, Parser)]
-#[command(after_help = "Example:\n  reference effects 04_refraction/crystal_ball")]
+#[command(after_help = "\
+Examples:
+  reference effects 04_refraction/crystal_ball
+  reference effects scene.toml --course my_course.toml
+
+Exit codes: 0 printed, 2 a scene that cannot be read")]
 pub(super) struct EffectsArgs {
-    /// Scene, case, or id of a case
+    /// Scene, case, id of a case, or - for a scene on standard input
     pub scene: String,
     /// As JSON
     #[arg(long)]
     pub json: bool,
+    #[command(flatten)]
+    pub course: CourseArg,
 }
 
 /// Prints the tree of rays behind a pixel
 #[derive(Debug, Parser)]
-#[command(after_help = "Example:\n  reference explain 04_refraction/crystal_ball 80 60")]
+#[command(after_help = "\
+Example:
+  reference explain 04_refraction/crystal_ball 80 60
+
+Exit codes: 0 printed, 2 a scene that cannot be read, or a pixel outside of its picture")]
 pub(super) struct ExplainArgs {
-    /// Scene, case, or id of a case
+    /// Scene, case, id of a case, or - for a scene on standard input
     pub scene: String,
     /// Column from the left, from 0
     pub x: u32,
@@ -181,14 +210,21 @@ pub(super) struct ExplainArgs {
     pub course: CourseArg,
 }
 
-/// Writes the answers that submissions are judged by, beside the cases
+/// Writes the answers that submissions are judged by, beside the cases: all of them, or none
+///
+/// An answer carries a digest of what it was made from: the scene, its meshes, what the course decides, the version of the rules. The
+/// grader refuses answers that belong to something else.
 #[derive(Debug, Parser)]
 #[command(after_help = "\
 Examples:
   reference expect                            every stage of ./cases/stages
   reference expect 02_shadows                 one stage
   reference expect 02_shadows/two_lamps       one case
-  reference expect --check                    writes nothing, fails where anything differs")]
+  reference expect --course phong.toml        sets up another course: its course.toml, answers and docs/course.md
+  reference expect --check                    writes nothing, fails where anything differs
+
+Exit codes: 0 all is as the rules give it, 1 a stored answer differs or an answer on paper is wrong,
+2 no such case, one that cannot be read, or a name that cannot be written, 3 the disk is full, say, 130 interrupted")]
 pub(super) struct ExpectArgs {
     #[command(flatten)]
     pub course: CourseArg,
@@ -200,21 +236,25 @@ pub(super) struct ExpectArgs {
     pub check: bool,
 }
 
-/// Makes a hidden set: the same cases with their numbers moved within the bounds of each case's `[vary]`
+/// Makes a hidden set with its answers: the same cases with their numbers moved within the bounds of each
+/// case's `[vary]`
 #[derive(Debug, Parser)]
 #[command(after_help = "\
 The same seed gives the same files on every machine. A draw counts only where the case stays valid, still shows what its stage adds
-and every rule it names, and is fair to right programs; else it is drawn again.
+and every rule it names, and is fair to right programs; else it is drawn again. A case without `[vary]` is copied as it is, with a warning.
+The set appears whole or not at all.
 
 Examples:
-  reference vary --seed 2026                      ./cases/stages, moved, in ./varied-2026
+  reference vary --seed 2026                      ./cases/stages, moved, in ./varied-2026, with answers
   reference vary --seed 2026 --out hidden
-  reference expect hidden                         the answers to it
-  grader grade tests/solution --cases hidden      all of it is earned
+  grader grade tests/solution --cases hidden      a right program earns all of it
   reference vary --check --seeds 100              writes nothing, says how well the bounds hold
 
 What --check prints of each case: the share of seeds whose first draw does, the draws it took at most, the share of pixels that show what
-the stage adds (in the first stage, anything but background) and the least of it, and the largest share of contested pixels.")]
+the stage adds (in the first stage, anything but background) and the least of it, and the largest share of contested pixels.
+
+Exit codes: 0 done, 1 a case that cannot be varied within its bounds, 2 usage or a case that cannot be read,
+3 a folder that cannot be written")]
 pub(super) struct VaryArgs {
     /// Folder of stages
     #[arg(default_value = STAGES)]
@@ -241,7 +281,9 @@ pub(super) struct VaryArgs {
 #[command(after_help = "\
 Examples:
   reference schema case > case.schema.json
-  reference schema --markdown > docs/scene-format.md")]
+  reference schema --markdown > docs/scene-format.md
+
+Exit codes: 0 printed, 2 no such schema")]
 pub(super) struct SchemaArgs {
     /// What to describe
     #[arg(default_value = "case")]
@@ -302,5 +344,24 @@ pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
     match sides {
         Some((w, h)) if (1..=MAX_SIDE).contains(&w) && (1..=MAX_SIDE).contains(&h) => Ok((w, h)),
         _ => Err(format!("a size is two numbers from 1 to {MAX_SIDE}, such as 640x480")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_page_of_the_command_line_is_current() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/cli.md");
+        let stored = || std::fs::read_to_string(path).expect("the page");
+        let page = pages::shell::in_page(&stored(), Args::command());
+        if std::env::var_os("BLESS").is_some() {
+            std::fs::write(path, &page).expect("a page that can be written");
+        }
+        let is_there = page.contains("reference render");
+        assert!(page == stored() && is_there, "docs/cli.md is not what `--help` prints: set BLESS=1");
     }
 }

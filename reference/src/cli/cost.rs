@@ -1,16 +1,17 @@
 //! `reference cost`: the clock, the user and the files around a measurement.
 
 use std::path::Path;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use cases::{Scene, film};
-use signal_hook::consts::{SIGINT, SIGTERM};
+use cases::Scene;
+use cases::files::{self, is_stdout, is_stream};
+use pages::say;
 
 use super::args::CostArgs;
+use super::find::{self, Found};
+use super::interrupt::Interrupt;
 use super::progress::Bar;
-use super::{Stop, Talk, cost_page, cost_store, find, print};
+use super::{Stop, Talk, cost_page, cost_store, print_text};
 use crate::cost::bench::Bench;
 use crate::cost::forms::Forms;
 use crate::cost::functions;
@@ -24,9 +25,9 @@ use crate::rules::Rules;
 /// Carries out the command.
 pub(super) fn run(args: &CostArgs, talk: Talk) -> Result<(), Stop> {
     let outputs = outputs(args)?;
+    args.page.as_deref().map_or(Ok(()), page_fits)?;
     let session = Session::start(args.threads, talk)?;
     if let Some(path) = &args.page {
-        has_folder(path)?;
         return cost_page::run(args, path, &session);
     }
     match &args.scene {
@@ -46,8 +47,8 @@ pub(super) fn run(args: &CostArgs, talk: Talk) -> Result<(), Stop> {
 
 /// Measures the scene that `named` names.
 pub(super) fn of_scene(named: &str, args: &CostArgs, session: &Session) -> Result<Report, Stop> {
-    let rules = Rules::of(&find::course(named, &args.course)?);
-    let mut scene = find::scene(named)?;
+    let Found { mut scene, course, .. } = find::found(named, &args.course)?;
+    let rules = Rules::of(&course);
     if let Some((width, height)) = args.size {
         (scene.render.width, scene.render.height) = (width, height);
     }
@@ -95,46 +96,38 @@ fn outputs(args: &CostArgs) -> Result<Vec<(Output, &Path)>, Stop> {
         [(Output::Json, &args.json), (Output::Csv, &args.csv), (Output::Svg, &args.svg), (Output::Html, &args.html)];
     let asked: Vec<(Output, &Path)> =
         all.into_iter().filter_map(|(what, path)| Some((what, path.as_deref()?))).collect();
-    if asked.iter().filter(|(_, path)| is_stream(path)).count() > 1 {
+    if asked.iter().filter(|(_, path)| is_stdout(path)).count() > 1 {
         return Err(Stop::Usage("only one of --json, --csv, --svg and --html can go to the output stream".to_owned()));
     }
-    asked.iter().filter(|(_, path)| !is_stream(path)).try_for_each(|(_, path)| has_folder(path))?;
+    // A measurement takes minutes: a name that cannot be written is an error before.
+    asked.iter().try_for_each(|(_, path)| files::check(path))?;
     Ok(asked)
 }
 
-fn is_stream(path: &Path) -> bool {
-    path == Path::new("-")
-}
-
-/// A measurement takes minutes: that there is nowhere to write is said before.
-fn has_folder(path: &Path) -> Result<(), Stop> {
-    match path.parent() {
-        _ if path.is_dir() => Err(Stop::Machine(format!("cannot write {}: it is a folder", path.display()))),
-        Some(folder) if folder != Path::new("") && !folder.is_dir() => {
-            Err(Stop::Machine(format!("cannot write {}: there is no folder `{}`", path.display(), folder.display())))
-        }
-        _ => Ok(()),
+/// The page has pictures beside it, so that it cannot be a stream.
+fn page_fits(path: &Path) -> Result<(), Stop> {
+    if is_stream(path) {
+        let text = format!("{}: the page has pictures beside it: name a file", path.display());
+        return Err(Stop::Usage(text));
     }
+    Ok(files::check(path)?)
 }
 
 fn write(report: &impl Forms, outputs: &[(Output, &Path)], talk: Talk) -> Result<(), Stop> {
     for (what, path) in outputs {
         put(path, &what.bytes(report)?, talk)?;
     }
-    if outputs.iter().all(|(_, path)| !is_stream(path)) {
-        anstream::print!("{}", report.text());
+    if outputs.iter().any(|(_, path)| is_stdout(path)) {
+        return Ok(());
     }
-    Ok(())
+    print_text(&report.text())
 }
 
-/// Writes a file whole, or to the output stream.
+/// Writes a file whole, or to a stream, and says so where that is wanted.
 pub(super) fn put(path: &Path, bytes: &[u8], talk: Talk) -> Result<(), Stop> {
-    if is_stream(path) {
-        return print(bytes);
-    }
-    film::replace(path, bytes).map_err(|why| Stop::Machine(format!("cannot write {}: {why}", path.display())))?;
-    if talk >= Talk::Verbose {
-        anstream::eprintln!("wrote {}", path.display());
+    files::write(path, bytes)?;
+    if talk >= Talk::Verbose && !is_stream(path) {
+        say::err(&format!("wrote {}", path.display()));
     }
     Ok(())
 }
@@ -170,24 +163,19 @@ impl Clock {
 /// One or more measurements that the user may stop.
 pub(super) struct Session {
     clock: Clock,
-    stop: Arc<AtomicBool>,
+    interrupt: Interrupt,
     pool: rayon::ThreadPool,
     pub(super) talk: Talk,
 }
 
 impl Session {
-    /// From now on the first Ctrl-C (or SIGTERM) asks the measurement to end, and a second one ends the program.
+    /// Prepares measurements with that many threads, which Ctrl-C ends from now on.
     fn start(threads: u16, talk: Talk) -> Result<Self, Stop> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build();
         let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
-        let stop = Arc::new(AtomicBool::new(false));
-        for signal in [SIGINT, SIGTERM] {
-            signal_hook::flag::register_conditional_default(signal, Arc::clone(&stop))
-                .and_then(|_| signal_hook::flag::register(signal, Arc::clone(&stop)))
-                .map_err(|why| Stop::Machine(format!("cannot wait for Ctrl-C: {why}")))?;
-        }
+        let interrupt = Interrupt::catch()?;
         let clock = if threads == 1 { Clock::Processor } else { Clock::Wall(Instant::now()) };
-        Ok(Self { clock, stop, pool, talk })
+        Ok(Self { clock, interrupt, pool, talk })
     }
 
     fn run(&self, bar: Bar) -> Run<'_> {
@@ -203,7 +191,7 @@ impl Session {
         n_rounds: usize,
     ) -> Result<Vec<Measured>, Stop> {
         if self.talk >= Talk::Verbose {
-            anstream::eprintln!("measuring {} settings in {n_rounds} rounds", sweep.subjects.len());
+            say::err(&format!("measuring {} settings in {n_rounds} rounds", sweep.subjects.len()));
         }
         let mut run = self.run(Bar::pictures(measure::work(sweep, n_rounds), self.talk));
         let mut bench = Bench::new(scene, rules);
@@ -222,7 +210,7 @@ impl Session {
 
     /// How the command ends, after that many of the rounds.
     pub(super) fn end(&self, rounds: usize, wanted: u16) -> Result<(), Stop> {
-        if self.stop.load(Ordering::Relaxed) {
+        if self.interrupt.is_set() {
             return Err(Stop::Interrupted(format!("interrupted after {rounds} of {wanted} rounds")));
         }
         Ok(())
@@ -241,7 +229,7 @@ impl Outside for Run<'_> {
     }
 
     fn goes_on(&mut self) -> bool {
-        !self.session.stop.load(Ordering::Relaxed)
+        !self.session.interrupt.is_set()
     }
 
     fn done(&mut self, work: u64) {

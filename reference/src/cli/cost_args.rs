@@ -31,9 +31,10 @@ Examples:
   reference cost --page docs/accuracy.md
   reference cost --store
 
-Exit codes: 0 done, 2 usage or a file that cannot be read, 3 a file cannot be written, 130 interrupted")]
+Exit codes: 0 done, 2 usage, a file that cannot be read or a name that cannot be written, 3 the disk is full, say,
+130 interrupted")]
 pub(super) struct CostArgs {
-    /// Scene, case, or id of a case
+    /// Scene, case, id of a case, or - for a scene on standard input
     #[arg(required_unless_present_any = ["functions", "page", "store"])]
     pub scene: Option<String>,
     /// One function at a time instead: nanoseconds against errors and wrong decisions, over families of hard questions

@@ -2,9 +2,12 @@
 
 use std::path::Path;
 
+use pages::say;
+
 use super::args::CostArgs;
 use super::cost::{Session, of_functions, of_scene, put};
-use super::{Stop, Talk, find};
+use super::find::{self, Found};
+use super::{Stop, Talk};
 use crate::cost::document::{self, Document, SCENES, SIZED};
 use crate::cost::plot::{self, Place};
 use crate::rules::Rules;
@@ -21,8 +24,8 @@ pub(super) fn run(args: &CostArgs, path: &Path, session: &Session) -> Result<(),
         session.end(report.rounds, args.rounds)?;
         scenes.push(report);
     }
-    let rules = Rules::of(&find::course(SIZED, &args.course)?);
-    let starts = document::starts(&find::scene(SIZED)?, &rules);
+    let Found { scene, course, .. } = find::found(SIZED, &args.course)?;
+    let starts = document::starts(&scene, &Rules::of(&course));
     let page = Document { functions, scenes, starts };
     let beside = |name: String| path.with_file_name(name);
     for scene in &page.scenes {
@@ -33,7 +36,7 @@ pub(super) fn run(args: &CostArgs, path: &Path, session: &Session) -> Result<(),
     put(&beside(format!("{stem}-functions.svg")), plot::stack(&functions, Place::File).as_bytes(), session.talk)?;
     put(path, document::markdown(&page, &stem).as_bytes(), session.talk)?;
     if session.talk >= Talk::Normal {
-        anstream::eprintln!("wrote {} and {} pictures beside it", path.display(), SCENES.len() + 1);
+        say::err(&format!("wrote {} and {} pictures beside it", path.display(), SCENES.len() + 1));
     }
     Ok(())
 }

@@ -5,8 +5,10 @@ use std::path::Path;
 
 use cases::Scene;
 use cases::course::course_of;
+use cases::files;
 use cases::front::{FrontPoint, Fronts, fronts_path, fronts_to_string, rmse_levels};
 use cases::stage;
+use pages::say;
 
 use super::args::CostArgs;
 use super::cost::{Session, put};
@@ -22,15 +24,17 @@ use crate::variations::Precision;
 /// Measures every case and stores the points. An interrupt leaves what was stored.
 pub(super) fn run(args: &CostArgs, session: &Session) -> Result<(), Stop> {
     let stages = Path::new(STAGES);
+    let path = fronts_path(stages);
+    files::check(&path)?;
     let course = match find::given(&args.course)? {
         Some(course) => course,
         None => course_of(stages)?,
     };
     let rules = Rules::of(&course);
     let mut points = BTreeMap::new();
-    for case in stage::load_all(stages)?.iter().flat_map(|stage| &stage.cases) {
+    for case in stage::load_all(stages, &course)?.iter().flat_map(|stage| &stage.cases) {
         if session.talk >= Talk::Verbose {
-            anstream::eprintln!("{}", case.id);
+            say::err(&case.id);
         }
         points.insert(case.id.clone(), of_case(&case.scene, &rules, args.rounds, session)?);
     }
@@ -38,10 +42,9 @@ pub(super) fn run(args: &CostArgs, session: &Session) -> Result<(), Stop> {
     let machine = session.machine();
     let fronts = Fronts { machine: format!("{}, {} of one thread", machine.processor, machine.clock), cases: points };
     let text = fronts_to_string(&fronts).map_err(|why| Stop::Machine(why.to_string()))?;
-    let path = fronts_path(stages);
     put(&path, text.as_bytes(), session.talk)?;
     if session.talk >= Talk::Normal {
-        anstream::eprintln!("wrote {}: {n_cases} cases", path.display());
+        say::err(&format!("wrote {}: {n_cases} cases", path.display()));
     }
     Ok(())
 }

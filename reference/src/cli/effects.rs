@@ -4,7 +4,8 @@ use cases::effects;
 use serde::Serialize;
 
 use super::args::EffectsArgs;
-use super::{Stop, find, print, print_json};
+use super::find::{self, Found};
+use super::{Stop, print_json, print_text};
 
 #[derive(Serialize)]
 struct Row {
@@ -16,18 +17,18 @@ struct Row {
 
 /// Carries out the command.
 pub(super) fn run(args: &EffectsArgs) -> Result<(), Stop> {
-    let scene = find::scene(&args.scene)?;
+    let Found { scene, course, .. } = find::found(&args.scene, &args.course)?;
     let row = |reason: effects::Reason| Row {
         effect: reason.effect.name(),
         called_for: reason.called_for,
         simulated: scene.effects.has(reason.effect),
         because: reason.because,
     };
-    let rows: Vec<Row> = effects::reasons(&scene).into_iter().map(row).collect();
+    let rows: Vec<Row> = effects::reasons(&scene, &course).into_iter().map(row).collect();
     if args.json {
         return print_json(&rows);
     }
-    print(rows.iter().map(line).collect::<String>().as_bytes())
+    print_text(&rows.iter().map(line).collect::<String>())
 }
 
 fn line(row: &Row) -> String {

@@ -1,56 +1,98 @@
 //! `reference expect`.
 
+use std::collections::BTreeMap;
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use cases::answer::Limits;
-use cases::course;
-use cases::film;
-use cases::stage::{self, Case};
-use rayon::prelude::*;
+use cases::{course, files, stage};
+use pages::say;
 
 use super::args::{CourseArg, ExpectArgs};
+use super::course::files as course_files;
 use super::find::{self, STAGES};
+use super::interrupt::Interrupt;
 use super::progress::Bar;
 use super::{Stop, Talk};
-use crate::expect::{self, CaseAnswer, Expected, Set};
-use crate::rules::Rules;
+use crate::expect::{self, Answers, CaseAnswer, ExpectError, Expected, Progress, Set};
 
-/// What an argument names: a folder of stages, and the ids of what of it; `None` for all.
-#[derive(Debug)]
-struct Target {
-    stages: PathBuf,
-    only: Option<String>,
-}
+/// What the arguments name: for each folder of stages the ids of its wanted parts; none for all.
+type Targets = BTreeMap<PathBuf, Vec<String>>;
 
-/// Carries out the command.
+const PART_OF_A_COURSE: &str = "\
+--course sets up a whole folder of stages: the answers of the other cases would belong to another course
+help: leave CASE and STAGE out, or change the course.toml of the folder";
+
+/// Carries out the command. Everything is computed before the first file is written.
 pub(super) fn run(args: &ExpectArgs, talk: Talk) -> Result<(), Stop> {
-    let everything = [PathBuf::from(STAGES)];
-    let named = if args.what.is_empty() { &everything[..] } else { &args.what };
-    let mut tally = Tally::default();
-    for target in named.iter().map(|name| target(name)).collect::<Result<Vec<_>, _>>()? {
-        answer(&target, &args.course, args.check, talk, &mut tally)?;
+    let interrupt = Interrupt::catch()?;
+    let mut files = vec![];
+    let mut wrong = vec![];
+    for (stages, wanted) in targets(&args.what)? {
+        let set = load(&stages, &args.course)?;
+        if wanted.is_empty() {
+            files.extend(course_files(&stages, &args.course, &set.course)?);
+        } else if args.course.course.is_some() && !args.check {
+            return Err(Stop::Usage(PART_OF_A_COURSE.to_owned()));
+        }
+        let is_in_set =
+            |id: &str| set.stages.iter().any(|stage| stage.id == id || stage.cases.iter().any(|it| it.id == id));
+        if let Some(id) = wanted.iter().find(|id| !is_in_set(id)) {
+            return Err(Stop::Usage(format!("{} has no case and no stage `{id}`", stages.display())));
+        }
+        let is_wanted = |id: &str| wanted.is_empty() || wanted.iter().any(|one| one == id);
+        match answers(&stages, &set, is_wanted, &interrupt, talk) {
+            Ok(answers) => files.extend(answers.files().cloned()),
+            Err(ExpectError::Checks(sentences)) => wrong.extend(sentences),
+            Err(why) => return Err(Stop::of(&why)),
+        }
     }
-    tally.verdict(args.check, talk)
+    if !wrong.is_empty() {
+        let n = wrong.len();
+        return Err(Stop::NotPassed(format!("{}\n{n} did not pass; nothing was written", wrong.join("\n"))));
+    }
+    if args.check { compare(&files, talk) } else { write(&files, talk) }
 }
 
-fn target(named: &Path) -> Result<Target, Stop> {
+/// Returns what the words on the command line name.
+fn targets(named: &[PathBuf]) -> Result<Targets, Stop> {
+    let everything = [PathBuf::from(STAGES)];
+    let mut targets = Targets::new();
+    for name in if named.is_empty() { &everything[..] } else { named } {
+        let (stages, id) = target(name)?;
+        match (targets.get_mut(&stages), id) {
+            (Some(wanted), Some(id)) if !wanted.is_empty() => wanted.push(id),
+            (Some(_), Some(_)) => {}
+            (_, id) => drop(targets.insert(stages, id.into_iter().collect())),
+        }
+    }
+    Ok(targets)
+}
+
+/// Returns the folder of stages that `named` lies in, and the id of a case or a stage unless it is that
+/// folder itself.
+fn target(named: &Path) -> Result<(PathBuf, Option<String>), Stop> {
     let below = Path::new(STAGES).join(named);
     let as_case = PathBuf::from(format!("{}.toml", below.display()));
-    for path in [named, &below, &as_case] {
-        let stem = path.file_stem().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    // `.` has no name of its own.
+    let whole = named.file_name().is_none().then(|| named.canonicalize().ok()).flatten();
+    for path in [whole.as_deref().unwrap_or(named), &below, &as_case] {
+        let text = |name: Option<&OsStr>| name.unwrap_or_default().to_string_lossy().into_owned();
         if stage::is_case(path) {
             let stage = parent(path);
-            let id = format!("{}/{stem}", stage.file_name().unwrap_or_default().to_string_lossy());
-            return Ok(Target { stages: parent(stage).to_path_buf(), only: Some(id) });
+            let id = format!("{}/{}", text(stage.file_name()), text(path.file_stem()));
+            return Ok((parent(stage).to_path_buf(), Some(id)));
         }
         if path.join("stage.toml").is_file() {
-            return Ok(Target { stages: parent(path).to_path_buf(), only: Some(stem) });
+            return Ok((parent(path).to_path_buf(), Some(text(path.file_name()))));
         }
     }
     if named.is_dir() {
-        return Ok(Target { stages: named.to_path_buf(), only: None });
+        return Ok((named.to_path_buf(), None));
     }
-    Err(Stop::Usage(format!("`{}` is no case, no stage and no folder of stages", named.display())))
+    let named = named.display().to_string();
+    let hint = find::hint(&named);
+    Err(Stop::Usage(format!("`{named}` is no case, no stage and no folder of stages{hint}")))
 }
 
 fn parent(path: &Path) -> &Path {
@@ -60,100 +102,99 @@ fn parent(path: &Path) -> &Path {
     }
 }
 
-/// All cases at once, since each has to do with the pictures of the others; files in the order of the stages.
-fn answer(target: &Target, course: &CourseArg, is_check: bool, talk: Talk, tally: &mut Tally) -> Result<(), Stop> {
+fn load(stages: &Path, course: &CourseArg) -> Result<Set, Stop> {
     let course = match find::given(course)? {
         Some(course) => course,
-        None => course::course_of(&target.stages)?,
+        None => course::course_of(stages)?,
     };
-    let set = Set::new(stage::load_all(&target.stages)?, Rules::of(&course));
-    let is_wanted = |id: &str| target.only.as_deref().is_none_or(|only| only == id);
-    let stages = || set.stages.iter().enumerate();
-    let wanted: Vec<(usize, &Case)> = stages()
-        .flat_map(|(n, stage)| stage.cases.iter().map(move |case| (n, stage, case)))
-        .filter(|(_, stage, case)| is_wanted(&stage.id) || is_wanted(&case.id))
-        .map(|(n, _, case)| (n, case))
-        .collect();
-    let bar = Bar::cases(wanted.len() as u64, talk);
-    let answers = wanted.par_iter().map(|(n, case)| {
-        let answer = expect::of_case(&target.stages, &set, *n, case);
-        bar.add(1);
-        answer.map_err(|why| Stop::Machine(format!("{}: {why}", case.id)))
-    });
-    let answers: Vec<CaseAnswer> = answers.collect::<Result<_, _>>()?;
-    drop(bar);
-    for answer in &answers {
-        answer.files.iter().try_for_each(|file| settle(file, is_check, talk, tally))?;
-        if talk >= Talk::Verbose {
-            anstream::eprintln!("{}", figures(answer));
-        }
-    }
-    for (_, stage) in stages().filter(|(_, stage)| is_wanted(&stage.id)) {
-        match expect::of_checks(&target.stages, stage, &set.rules) {
-            Ok(file) => file.into_iter().try_for_each(|file| settle(&file, is_check, talk, tally))?,
-            Err(wrong) => tally.wrong.extend(wrong),
-        }
-    }
-    let mistakes = expect::mistakes(&target.stages, &set.rules).map_err(|why| Stop::Machine(why.to_string()))?;
-    settle(&mistakes, is_check, talk, tally)
+    Ok(Set::new(stage::load_all(stages, &course)?, &course))
 }
 
-/// What a case's answer comes to, for those who write cases.
+/// Makes the answers to the parts of a set that `is_wanted` selects, under a bar.
+pub(super) fn answers(
+    stages: &Path,
+    set: &Set,
+    is_wanted: impl Fn(&str) -> bool + Sync,
+    interrupt: &Interrupt,
+    talk: Talk,
+) -> Result<Answers, ExpectError> {
+    let bar = Bar::steps(expect::n_steps(set, &is_wanted) as u64, talk);
+    let answers = expect::of_set(stages, set, is_wanted, &Shown { bar, interrupt })?;
+    if talk >= Talk::Verbose {
+        answers.cases.iter().for_each(|case| say::err(&figures(case)));
+    }
+    Ok(answers)
+}
+
+/// Shows the progress of answers, and stops them at Ctrl-C.
+struct Shown<'a> {
+    bar: Bar,
+    interrupt: &'a Interrupt,
+}
+
+impl Progress for Shown<'_> {
+    fn step(&self) {
+        self.bar.add(1);
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.interrupt.is_set()
+    }
+}
+
+impl Stop {
+    /// How a command ends that could not make answers.
+    pub(super) fn of(why: &ExpectError) -> Self {
+        match why {
+            ExpectError::Checks(_) => Self::NotPassed(format!("{why}\nnothing was written")),
+            ExpectError::Interrupted => Self::Interrupted(why.to_string()),
+            ExpectError::Picture { .. } | ExpectError::List(_) => Self::Machine(why.to_string()),
+        }
+    }
+}
+
+/// Returns a line on the answer to a case, for those who write cases.
 fn figures(case: &CaseAnswer) -> String {
     let CaseAnswer { id, answer, wrong, files } = case;
     let Limits { cluster, count, legal_cluster, legal_count, unearned, .. } = answer.limits;
     let (contested, earned_from) = (100.0 * answer.contested_share(), 100.0 * unearned);
     let (n_mistakes, size) = (wrong.len(), files[0].bytes.len());
     format!(
-        "{id}: {contested:.2} % contested; clusters up to {cluster} ({legal_cluster} legal), {count} pixels out ({legal_count} legal); \
-         points from {earned_from:.1} %; {n_mistakes} mistakes show; {size} bytes"
+        "{id}: {contested:.2} % contested; clusters up to {cluster} ({legal_cluster} legal), {count} pixels out \
+         ({legal_count} legal); points from {earned_from:.1} %; {n_mistakes} mistakes show; {size} bytes"
     )
 }
 
-/// Compares or writes one file.
-fn settle(file: &Expected, is_check: bool, talk: Talk, tally: &mut Tally) -> Result<(), Stop> {
-    let path = file.path.display();
-    if file.is_stored() {
-        tally.n_same += 1;
-        if talk >= Talk::Verbose {
-            anstream::eprintln!("as stored: {path}");
-        }
-        return Ok(());
+/// Compares the files with the stored ones and writes nothing.
+fn compare(files: &[Expected], talk: Talk) -> Result<(), Stop> {
+    let wrong: Vec<String> = files
+        .iter()
+        .filter(|file| !file.is_stored())
+        .map(|file| {
+            let how = if file.path.exists() { "differs from what the rules give" } else { "is missing" };
+            format!("{} {how}", file.path.display())
+        })
+        .collect();
+    if !wrong.is_empty() {
+        let (list, n) = (wrong.join("\n"), wrong.len());
+        let way_out = "`reference expect` writes them; look at what changed";
+        return Err(Stop::NotPassed(format!("{list}\n{n} did not pass; {way_out}")));
     }
-    if is_check {
-        let how = if file.path.exists() { "differs from what the rules give" } else { "is missing" };
-        tally.wrong.push(format!("{path} {how}"));
-        return Ok(());
-    }
-    film::replace(&file.path, &file.bytes).map_err(|why| Stop::Machine(format!("cannot write {path}: {why}")))?;
-    tally.n_written += 1;
     if talk >= Talk::Normal {
-        anstream::eprintln!("wrote {path} ({} bytes)", file.bytes.len());
+        say::err(&format!("{} files as stored, 0 written", files.len()));
     }
     Ok(())
 }
 
-#[derive(Debug, Default)]
-struct Tally {
-    n_same: usize,
-    n_written: usize,
-    wrong: Vec<String>,
-}
-
-impl Tally {
-    fn verdict(self, is_check: bool, talk: Talk) -> Result<(), Stop> {
-        let Self { n_same, n_written, wrong } = self;
-        if !wrong.is_empty() {
-            let way_out = if is_check {
-                "`reference expect` writes them anew; look at what changed"
-            } else {
-                "nothing was written for their stage's checks"
-            };
-            return Err(Stop::NotPassed(format!("{}\n{} did not pass; {way_out}", wrong.join("\n"), wrong.len())));
+/// Writes the files that differ from the stored ones, all of them or none.
+fn write(files: &[Expected], talk: Talk) -> Result<(), Stop> {
+    let changed: Vec<&Expected> = files.iter().filter(|file| !file.is_stored()).collect();
+    let n_written = files::write_all(changed.iter().map(|file| file.as_output()))?;
+    if talk >= Talk::Normal {
+        for file in &changed {
+            say::err(&format!("wrote {} ({} bytes)", file.path.display(), file.bytes.len()));
         }
-        if talk >= Talk::Normal {
-            anstream::eprintln!("{n_same} files as stored, {n_written} written");
-        }
-        Ok(())
+        say::err(&format!("{} files as stored, {n_written} written", files.len() - n_written));
     }
+    Ok(())
 }

@@ -3,7 +3,8 @@
 use cases::ray_tree;
 
 use super::args::ExplainArgs;
-use super::{Stop, find, print, print_json};
+use super::find::{self, Found};
+use super::{Stop, print, print_json};
 use crate::rules::Rules;
 use crate::trace::Kernel;
 use crate::watch::Recorder;
@@ -11,14 +12,14 @@ use crate::world::World;
 
 /// Carries out the command.
 pub(super) fn run(args: &ExplainArgs) -> Result<(), Stop> {
-    let scene = find::scene(&args.scene)?;
+    let Found { scene, course, .. } = find::found(&args.scene, &args.course)?;
     let (width, height) = (scene.render.width, scene.render.height);
     if args.x >= width || args.y >= height {
         let (x, y) = (args.x, args.y);
         return Err(Stop::Usage(format!("pixel ({x}, {y}) does not lie in a picture of {width}×{height}")));
     }
     let world = World::<f64>::new(&scene);
-    let rules = Rules::of(&find::course(&args.scene, &args.course)?);
+    let rules = Rules::of(&course);
     let kernel = Kernel::new(&world, &rules, scene.effects);
     let tree = ray_tree::record(|| {
         kernel.eye((args.x, args.y), (0.5, 0.5), &mut Recorder);

@@ -1,10 +1,13 @@
 //! What a SCENE on the command line names.
 
+use std::fmt::Display;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use cases::course::{self, Course};
 use cases::problem::did_you_mean;
-use cases::{Effects, Scene, scene, stage};
+use cases::scene::{self, MAX_SCENE_BYTES, parse, parse_json};
+use cases::{Effects, Scene, stage};
 
 use super::Stop;
 use super::args::CourseArg;
@@ -12,29 +15,57 @@ use super::args::CourseArg;
 /// Where stages are sought.
 pub(super) const STAGES: &str = "cases/stages";
 
-/// The scene that `named` names: a file, or the id of a case below ./cases/stages.
-pub(super) fn scene(named: &str) -> Result<Scene, Stop> {
-    Ok(scene::load(&path(named)?)?)
+/// A name that stands for standard input.
+const STANDARD_INPUT: &str = "-";
+
+/// A scene with what its surroundings say of it.
+pub(super) struct Found {
+    pub(super) scene: Scene,
+    /// The effects that may be simulated: those that the stage allows or that programs of the course
+    /// always simulate; those that a resolved scene lists; all of them for a scene of no stage.
+    pub(super) allowed: Effects,
+    /// The course given on the command line, else that of the case, else the lecture.
+    pub(super) course: Course,
 }
 
-/// The effects that may be simulated in it: those that its stage allows; those that the file lists, where it is JSON.
-pub(super) fn allowed(named: &str, scene: &Scene) -> Result<Effects, Stop> {
-    let path = path(named)?;
-    let lists_them = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("json"));
-    if lists_them { Ok(scene.effects) } else { Ok(stage::allowed_at(&path)?) }
-}
-
-/// The course by which the scene that `named` names is rendered: the one given, else that of the case, else the lecture.
-pub(super) fn course(named: &str, arg: &CourseArg) -> Result<Course, Stop> {
-    match given(arg)? {
-        Some(course) => Ok(course),
-        None => Ok(course::course_at(&path(named)?)?),
+/// Returns the scene that `named` names, with its allowed effects and its course.
+///
+/// The name is a file, the id of a case below ./cases/stages, or `-` for standard input.
+pub(super) fn found(named: &str, arg: &CourseArg) -> Result<Found, Stop> {
+    let given = given(arg)?;
+    if named == STANDARD_INPUT {
+        let course = given.unwrap_or_default();
+        let (scene, is_resolved) = standard_input(&course)?;
+        let allowed = if is_resolved { scene.effects } else { Effects::all() };
+        return Ok(Found { scene, allowed, course });
     }
+    let path = path(named)?;
+    let course = given.map_or_else(|| course::course_at(&path), Ok)?;
+    let scene = scene::load(&path, &course)?;
+    let is_resolved = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("json"));
+    let allowed = if is_resolved { scene.effects } else { stage::allowed_at(&path)?.union(course.always_simulated) };
+    Ok(Found { scene, allowed, course })
 }
 
-/// The course given on the command line.
+/// Returns the course that is given on the command line.
 pub(super) fn given(arg: &CourseArg) -> Result<Option<Course>, Stop> {
     Ok(arg.course.as_deref().map(course::load).transpose()?)
+}
+
+/// The scene on standard input, in JSON where it begins with a brace, else in TOML; and whether it is
+/// JSON. Mesh files are sought from the current folder.
+fn standard_input(course: &Course) -> Result<(Scene, bool), Stop> {
+    let name = "standard input";
+    let mut bytes = Vec::new();
+    let unusable = |why: &dyn Display| Stop::Usage(format!("standard input cannot be used: {why}"));
+    std::io::stdin().take(MAX_SCENE_BYTES + 1).read_to_end(&mut bytes).map_err(|why| unusable(&why))?;
+    if bytes.len() as u64 > MAX_SCENE_BYTES {
+        return Err(unusable(&format!("a scene has at most {MAX_SCENE_BYTES} bytes")));
+    }
+    let text = String::from_utf8(bytes).map_err(|why| unusable(&format!("it is not UTF-8: {}", why.utf8_error())))?;
+    let is_resolved = text.trim_start().starts_with('{');
+    let scene = if is_resolved { parse_json(name, &text)? } else { parse(name, &text, Path::new("."), course)? };
+    Ok((scene, is_resolved))
 }
 
 fn path(named: &str) -> Result<PathBuf, Stop> {
@@ -49,10 +80,10 @@ fn path(named: &str) -> Result<PathBuf, Stop> {
     }
 }
 
-fn hint(named: &str) -> String {
+pub(super) fn hint(named: &str) -> String {
     let known = case_ids();
     match did_you_mean(named, known.iter().map(String::as_str)) {
-        Some(similar) => format!("\nhelp: did you mean `{similar}`?"),
+        Some(meant) => format!("\nhelp: did you mean `{meant}`?"),
         None if known.is_empty() => String::from("\nhelp: run this where the folder `cases` lies"),
         None => String::new(),
     }

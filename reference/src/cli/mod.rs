@@ -10,21 +10,22 @@ mod effects;
 mod expect;
 mod explain;
 mod find;
-mod pages;
+mod interrupt;
 mod probe;
 mod progress;
 mod render;
 mod schema;
+mod shell;
 mod stats;
 mod survey;
 mod vary;
 
-use std::io::Write;
 use std::process::ExitCode;
 
 use anstream::ColorChoice;
+use cases::files::WriteError;
 use cases::problem::Problems;
-use clap::Parser;
+use pages::say;
 
 use args::{Args, Colour, Command};
 
@@ -49,6 +50,12 @@ impl From<Problems> for Stop {
     }
 }
 
+impl From<WriteError> for Stop {
+    fn from(why: WriteError) -> Self {
+        if why.is_usage() { Self::Usage(why.to_string()) } else { Self::Machine(why.to_string()) }
+    }
+}
+
 /// How much is said on the error stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Talk {
@@ -62,7 +69,10 @@ enum Talk {
 
 /// Carries out the command line; returns the exit code, of those that `--help` lists.
 pub fn run() -> ExitCode {
-    let args = Args::parse();
+    let args: Args = match pages::shell::arguments() {
+        Ok(args) => args,
+        Err(code) => return code,
+    };
     match args.color {
         Colour::Auto => ColorChoice::Auto,
         Colour::Always => ColorChoice::Always,
@@ -91,31 +101,35 @@ fn dispatch(command: &Command, talk: Talk) -> Result<(), Stop> {
         Command::Vary(args) => vary::run(args, talk),
         Command::Course(args) => course::run(args),
         Command::Schema(args) => schema::run(args),
-        Command::Completions { shell } => pages::completions(*shell),
-        Command::Man { command } => pages::man(command.as_deref()),
+        Command::Completions { shell } => shell::completions(*shell),
+        Command::Man { what } => shell::man(what.as_deref()),
     }
 }
 
 fn report(stop: Stop) -> ExitCode {
     let (text, code) = match stop {
-        Stop::NotPassed(text) => (format!("{text}\n"), 1),
+        Stop::NotPassed(text) => (text, 1),
         Stop::Problems(problems) => (problems.render(true), 2),
-        Stop::Usage(text) => (format!("error: {text}\n"), 2),
-        Stop::Machine(text) => (format!("error: {text}\n"), 3),
-        Stop::Interrupted(text) => (format!("{text}\n"), 130),
+        Stop::Usage(text) => (format!("error: {text}"), 2),
+        Stop::Machine(text) => (format!("error: {text}"), 3),
+        Stop::Interrupted(text) => (text, 130),
     };
-    anstream::eprint!("{text}{}", if text.ends_with('\n') { "" } else { "\n" });
+    say::err(&text);
     ExitCode::from(code)
 }
 
-/// Writes to the output stream; a reader that has gone away ends the program quietly.
+/// Writes bytes to the output stream as they are; a reader that has gone away is no error.
 fn print(bytes: &[u8]) -> Result<(), Stop> {
-    let mut out = std::io::stdout().lock();
-    match out.write_all(bytes).and_then(|()| out.flush()) {
-        Err(why) if why.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
-        Err(why) => Err(Stop::Machine(format!("cannot write to the output stream: {why}"))),
-        Ok(()) => Ok(()),
-    }
+    say::raw(bytes).map_err(|why| unprintable(&why))
+}
+
+/// Prints text for people to the output stream; a reader that has gone away is no error.
+fn print_text(text: &str) -> Result<(), Stop> {
+    say::out(text).map_err(|why| unprintable(&why))
+}
+
+fn unprintable(why: &std::io::Error) -> Stop {
+    Stop::Machine(format!("cannot write to the output stream: {why}"))
 }
 
 fn print_json<T: serde::Serialize>(value: &T) -> Result<(), Stop> {

@@ -1,6 +1,8 @@
-//! A bar on the terminal for what takes long; nothing anywhere else.
+//! Progress of what takes long, on standard error: a bar on a terminal, a line now and then elsewhere.
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget};
+use pages::bar::{self, Lines};
+use pages::say;
 
 use super::Talk;
 
@@ -8,7 +10,10 @@ use super::Talk;
 const LONG: u64 = 500_000;
 
 /// A bar that goes away when dropped.
-pub(super) struct Bar(ProgressBar);
+pub(super) struct Bar {
+    bar: ProgressBar,
+    lines: Option<Lines>,
+}
 
 impl Bar {
     /// For a picture of `n_pixels`, each worth `rays_each` eye rays.
@@ -33,19 +38,23 @@ impl Bar {
 
     fn new(n: u64, unit: &'static str, is_shown: bool) -> Self {
         let target = if is_shown { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
-        let style = ProgressStyle::with_template("{bar:40} {percent}% of {len} {msg}, {eta} left");
         let bar = ProgressBar::with_draw_target(Some(n), target).with_message(unit);
-        Self(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())))
+        let bar = bar.with_style(bar::style("{bar:40} {percent}% of {len} {msg}{left}"));
+        let is_log = is_shown && bar.is_hidden();
+        Self { bar, lines: is_log.then(|| Lines::new(n, unit)) }
     }
 
     /// `n` more are done.
     pub(super) fn add(&self, n: u64) {
-        self.0.inc(n);
+        self.bar.inc(n);
+        if let Some(line) = self.lines.as_ref().and_then(|lines| lines.add(n)) {
+            say::err(&line);
+        }
     }
 }
 
 impl Drop for Bar {
     fn drop(&mut self) {
-        self.0.finish_and_clear();
+        self.bar.finish_and_clear();
     }
 }

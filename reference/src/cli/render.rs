@@ -3,15 +3,18 @@
 use std::path::Path;
 use std::time::Instant;
 
+use cases::files;
 use cases::film::exr::{Depth, Part, rgb};
-use cases::film::{self, Image, PictureError, Quantiser};
+use cases::film::{self, Image, Quantiser};
 use cases::glam::DVec3;
-use cases::{Effect, Effects, Scene, effects};
+use cases::{Course, Effect, Effects, Scene, effects};
+use pages::say;
 
 use super::args::{Bits, Precision, RenderArgs};
+use super::find::{self, Found};
 use super::progress::Bar;
 use super::stats::{Report, Row};
-use super::{Stop, Talk, find, print};
+use super::{Stop, Talk};
 use crate::cutoff::Limits;
 use crate::real::Real;
 use crate::render::{self, Options, Stats};
@@ -22,17 +25,17 @@ use crate::world::World;
 /// Carries out the command.
 pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     let out = args.output.as_ref().or(args.out.as_ref()).ok_or_else(|| Stop::Usage("OUT is missing".to_owned()))?;
-    let kind = Kind::of(out, args.bits)?;
+    let form = Form::of(out, args.bits)?;
+    files::check(out)?;
     let mut clock = Clock(Instant::now());
-    let rules = Rules::of(&find::course(&args.scene, &args.course)?);
-    let mut scene = find::scene(&args.scene)?;
-    let allowed = find::allowed(&args.scene, &scene)?;
-    adjust(&mut scene, args, allowed);
+    let Found { mut scene, allowed, course } = find::found(&args.scene, &args.course)?;
+    let rules = Rules::of(&course);
+    adjust(&mut scene, args, allowed, &course);
     scene.effects = asked_for(&scene, &args.effects)?;
     if let Some(threshold) = args.threshold {
         cut(&mut scene, threshold, allowed.has(Effect::AdaptiveDepth) || args.effects != "auto")?;
     }
-    let reasons = effects::reasons(&scene);
+    let reasons = effects::reasons(&scene, &course);
     if args.effects != "auto" {
         let asked = scene.effects;
         effects::simulate_only(&mut scene, asked);
@@ -49,13 +52,12 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
         Precision::F64 => picture::<f64>(&scene, &rules, fineness, talk),
     });
     let render_s = clock.lap() - prepare_s;
-    kind.write(out, &image, rules.quantiser)?;
+    files::write(out, &form.bytes(&image, rules.quantiser)?)?;
     let write_s = clock.lap();
-    let is_stream = matches!(kind, Kind::Stream(_));
-    if talk >= Talk::Verbose && !is_stream {
-        anstream::eprintln!("wrote {}", out.display());
+    if talk >= Talk::Verbose && !files::is_stream(out) {
+        say::err(&format!("wrote {}", out.display()));
     }
-    let (Some(form), Some(work)) = (args.stats, work) else { return Ok(()) };
+    let (Some(stats_form), Some(work)) = (args.stats, work) else { return Ok(()) };
     let report = Report {
         width: image.width(),
         height: image.height(),
@@ -72,19 +74,19 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
         render_s,
         write_s,
     };
-    report.say(form, is_stream)
+    report.say(stats_form, files::is_stdout(out))
 }
 
 /// A greater depth may call for effects that the file's own does not.
-fn adjust(scene: &mut Scene, args: &RenderArgs, allowed: Effects) {
+fn adjust(scene: &mut Scene, args: &RenderArgs, allowed: Effects, course: &Course) {
     if let Some((width, height)) = args.size {
         (scene.render.width, scene.render.height) = (width, height);
     }
     if let Some(max_depth) = args.max_depth {
-        let before = effects::called_for(scene);
+        let before = effects::called_for(scene, course);
         scene.render.max_depth = max_depth;
-        let new = effects::called_for(scene).intersection(allowed).iter().filter(|effect| !before.has(*effect));
-        scene.effects = new.fold(scene.effects, Effects::with);
+        let new = effects::called_for(scene, course).intersection(allowed).difference(before);
+        scene.effects = scene.effects.union(new);
     }
 }
 
@@ -171,39 +173,34 @@ impl Clock {
     }
 }
 
-/// Where a picture goes.
+/// The form of a picture's file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    File(film::Kind),
+enum Form {
+    Film(film::Kind),
     Exr,
-    Stream(film::Kind),
 }
 
-impl Kind {
+impl Form {
+    /// By the ending of the name; a stream has none, and gets a PNG.
     fn of(out: &Path, bits: Bits) -> Result<Self, Stop> {
         let deep = |kind| if kind == film::Kind::Png && bits == Bits::Sixteen { film::Kind::DeepPng } else { kind };
-        if out == Path::new("-") {
-            return Ok(Self::Stream(deep(film::Kind::Png)));
-        }
         if out.extension().is_some_and(|end| end.eq_ignore_ascii_case("exr")) {
             return Ok(Self::Exr);
         }
-        let kind = film::Kind::of(out).map(deep).map(Self::File);
-        kind.ok_or_else(|| {
+        let stream = || files::is_stream(out).then_some(film::Kind::Png);
+        film::Kind::of(out).or_else(stream).map(deep).map(Self::Film).ok_or_else(|| {
             Stop::Usage(format!("{}: the name must end in .png, .pfm or .exr, or be `-`", out.display()))
         })
     }
 
-    fn write(self, out: &Path, image: &Image, quantiser: Quantiser) -> Result<(), Stop> {
-        let machine = |why: PictureError| Stop::Machine(format!("cannot write {}: {why}", out.display()));
+    fn bytes(self, image: &Image, quantiser: Quantiser) -> Result<Vec<u8>, Stop> {
         let bytes = match self {
-            Self::Stream(kind) => return print(&film::encode_by(quantiser, kind, image).map_err(machine)?),
-            Self::File(kind) => film::encode_by(quantiser, kind, image),
+            Self::Film(kind) => film::encode_by(quantiser, kind, image),
             Self::Exr => {
                 let part = Part { name: "colour".to_owned(), planes: rgb("", image, Depth::Float).into() };
                 film::exr::encode((image.width(), image.height()), &[part], "")
             }
         };
-        film::replace(out, &bytes.map_err(machine)?).map_err(|why| machine(why.into()))
+        bytes.map_err(|why| Stop::Machine(format!("cannot make the picture's file: {why}")))
     }
 }

@@ -74,7 +74,7 @@ impl Report {
             Form::Text => self.text(),
         };
         if to_errors {
-            anstream::eprint!("{text}");
+            pages::say::err(&text);
             return Ok(());
         }
         print(text.as_bytes())

@@ -5,14 +5,15 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use cases::course::course_of;
-use cases::stage;
+use cases::{files, stage};
+use pages::say;
 
 use super::args::VaryArgs;
+use super::interrupt::Interrupt;
 use super::progress::Bar;
-use super::{Stop, Talk, survey};
-use crate::expect::Set;
-use crate::rules::Rules;
-use crate::vary::folder;
+use super::{Stop, Talk, expect, survey};
+use crate::expect::{Expected, Set};
+use crate::vary::folder::{self, Draft, Originals, WriteSetError};
 
 /// Carries out the command.
 pub(super) fn run(args: &VaryArgs, talk: Talk) -> Result<(), Stop> {
@@ -25,26 +26,66 @@ pub(super) fn run(args: &VaryArgs, talk: Talk) -> Result<(), Stop> {
     if let Some((_, out)) = &out {
         free(out)?;
     }
-    let set = Set::new(stage::load_all(&args.stages)?, Rules::of(&course_of(&args.stages)?));
-    let n_cases: usize = set.stages.iter().map(|stage| stage.cases.len()).sum();
-    let bar = Bar::cases(n_cases as u64, talk);
-    let originals = folder::originals(&args.stages, &set, || bar.add(1)).map_err(Stop::Usage)?;
+    let course = course_of(&args.stages)?;
+    let set = Set::new(stage::load_all(&args.stages, &course)?, &course);
+    let originals = originals(args, &set, talk)?;
+    match out {
+        Some((seed, out)) => write(args, &set, &originals, seed, &out, talk),
+        None => survey::run(&originals.varying, &set, args, talk),
+    }
+}
+
+/// Returns the cases to vary, and warns of those that cannot be varied.
+fn originals(args: &VaryArgs, set: &Set, talk: Talk) -> Result<Originals, Stop> {
+    let n_varying = set.stages.iter().flat_map(|stage| &stage.cases).filter(|case| case.bounds.is_some()).count();
+    if n_varying == 0 {
+        let folder = args.stages.display();
+        return Err(Stop::Usage(format!(
+            "no case in {folder} has a `[vary]`, so that nothing would change\nhelp: docs/scene-format.md describes it"
+        )));
+    }
+    let bar = Bar::cases(n_varying as u64, talk);
+    let originals = folder::originals(&args.stages, set, || bar.add(1)).map_err(Stop::Usage)?;
     drop(bar);
-    let Some((seed, out)) = out else {
-        return survey::run(&originals, &set, args, talk);
-    };
-    let bar = Bar::cases(n_cases as u64, talk);
-    let varied = folder::draw(&originals, &set, seed, || bar.add(1)).map_err(Stop::NotPassed)?;
+    if talk > Talk::Quiet {
+        for id in &originals.constant {
+            say::err(&format!("warning: {id} has no `[vary]`, so it stays as everybody has seen it"));
+        }
+    }
+    Ok(originals)
+}
+
+/// Draws the set, makes its answers, and puts both at their place at once.
+fn write(args: &VaryArgs, set: &Set, originals: &Originals, seed: u64, out: &Path, talk: Talk) -> Result<(), Stop> {
+    let Originals { varying, constant } = originals;
+    let bar = Bar::cases(varying.len() as u64, talk);
+    let varied = folder::draw(varying, set, seed, || bar.add(1)).map_err(Stop::NotPassed)?;
     drop(bar);
-    folder::write(&args.stages, &set.stages, &varied, &out).map_err(Stop::Machine)?;
+    // Until here nothing was written, and a signal ends the program at once.
+    let interrupt = &Interrupt::catch()?;
+    let draft = Draft::write(&args.stages, set, &varied, constant, out)?;
+    let stages = draft.stages();
+    let hidden = Set::new(stage::load_all(&stages, &set.course)?, &set.course);
+    let answers = expect::answers(&stages, &hidden, |_| true, interrupt, talk).map_err(|why| Stop::of(&why))?;
+    files::write_all(answers.files().map(Expected::as_output))?;
+    draft.publish(out)?;
     if talk >= Talk::Normal {
-        let out = out.display();
-        anstream::eprintln!("wrote {n_cases} cases to {out}; next: `reference expect {out}`");
+        let n_cases = varying.len() + constant.len();
+        say::err(&format!("wrote {n_cases} cases with their answers to {}", out.display()));
     }
     Ok(())
 }
 
-/// Where a set goes must not hold anything yet: a mixture of two sets would be graded.
+impl From<WriteSetError> for Stop {
+    fn from(why: WriteSetError) -> Self {
+        match why {
+            WriteSetError::Source(text) => Self::Usage(text),
+            WriteSetError::Write(why) => why.into(),
+        }
+    }
+}
+
+/// Demands that the place of a set holds nothing yet: a mixture of two sets would be graded.
 fn free(out: &Path) -> Result<(), Stop> {
     let taken = match fs::read_dir(out) {
         Ok(mut entries) => entries.next().is_some(),

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use cases::{Effect, Effects, Mesh, Scene, Shape, scene};
+use cases::{Course, Effect, Effects, Mesh, Scene, Shape, scene};
 use glam::DVec3;
 use serde::Serialize;
 
@@ -157,7 +157,8 @@ fn balls(material: &str) -> Scene {
 }
 
 fn parsed(text: &str) -> Scene {
-    scene::parse("price", text, Path::new("")).expect("the scenes here are well made, as a test shows")
+    scene::parse("price", text, Path::new(""), &Course::default())
+        .expect("the scenes here are well made, as a test shows")
 }
 
 fn without_shadows(mut scene: Scene) -> Scene {

@@ -72,8 +72,9 @@ pub fn allowance(rules: &Rules, ask: &Ask, exact: &Answer) -> Result<Allowance, 
     Ok(Allowance { allowed: ROUNDINGS * allowed, either })
 }
 
-/// The greatest difference of two answers' numbers; `None` where they decide differently.
-pub fn distance(one: &Answer, other: &Answer) -> Option<f64> {
+/// The greatest difference of two answers' numbers, as far as it is finite; `None` where they decide
+/// differently.
+fn distance(one: &Answer, other: &Answer) -> Option<f64> {
     if decision(one) != decision(other) {
         return None;
     }

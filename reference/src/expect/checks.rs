@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use cases::answer::{self, CheckAnswer};
+use cases::Course;
+use cases::answer::{self, CheckAnswer, Digest};
 use cases::probe::{Answer, Ask};
 use cases::stage::{Check, Stage};
 
@@ -16,17 +17,18 @@ use crate::rules::Rules;
 /// Relative error of an answer on paper against the reference in double precision.
 const PAPER: f64 = 1e-12;
 
-/// The answers to the unit checks of a stage by these rules; `None` where it has none.
+/// Returns the answers to the unit checks of a stage that was loaded for `course`; `None` where it has
+/// no checks.
 ///
 /// # Errors
 /// A sentence for every check that is ill posed, or whose answer on paper is not the reference's.
-pub fn of_checks(stages: &Path, stage: &Stage, rules: &Rules) -> Result<Option<Expected>, Vec<String>> {
+pub fn of_checks(stages: &Path, stage: &Stage, course: &Course) -> Result<Option<Expected>, Vec<String>> {
     if stage.checks.is_empty() {
         return Ok(None);
     }
     let (mut answers, mut wrong) = (Vec::new(), Vec::new());
     for check in &stage.checks {
-        match of_check(check, rules) {
+        match of_check(check, course) {
             Ok(answer) => answers.push(answer),
             Err(why) => wrong.push(why),
         }
@@ -38,11 +40,25 @@ pub fn of_checks(stages: &Path, stage: &Stage, rules: &Rules) -> Result<Option<E
     Ok(Some(Expected { path: answer::check_answers_path(stages, &stage.id), bytes: text.into_bytes() }))
 }
 
-/// The answer to one check: the author's where there is one and it is right, else the reference's.
+/// Returns the answer to one check of a stage that was loaded for `course`, with what known mistakes say.
 ///
 /// # Errors
 /// Why the check cannot stand as it is.
-pub fn of_check(check: &Check, rules: &Rules) -> Result<CheckAnswer, String> {
+pub fn of_check(check: &Check, course: &Course) -> Result<CheckAnswer, String> {
+    let rules = &Rules::of(course);
+    let (answer, allowance) = right_answer(check, rules)?;
+    let made_from = Digest::of_check(course, check);
+    let wrong = wrong(rules, &check.ask, &answer, &allowance);
+    let Allowance { allowed, either } = allowance;
+    Ok(CheckAnswer { id: check.id.clone(), made_from, answer, allowed, either, wrong })
+}
+
+/// Returns the answer to one check by these rules, and how far from it a right one may be: the author's
+/// answer where there is one and it is right, otherwise the reference's.
+///
+/// # Errors
+/// Why the check cannot stand as it is.
+pub fn right_answer(check: &Check, rules: &Rules) -> Result<(Answer, Allowance), String> {
     let ours = answers::answer(rules, &check.ask);
     if let Answer::Panic(why) = &ours {
         return Err(format!("{}: the question cannot be answered: {why}", check.id));
@@ -52,21 +68,18 @@ pub fn of_check(check: &Check, rules: &Rules) -> Result<CheckAnswer, String> {
     if let Some(paper) = &check.paper {
         let scale =
             allowed::numbers(paper).into_iter().filter(|n| n.is_finite()).fold(1.0, |most, n| n.abs().max(most));
-        let double = allowance.allowed * f64::from(f32::EPSILON); // the same roundings, of 2⁻⁵³ in the place of 2⁻²⁴, with room
-        let agrees = allowed::distance(paper, &ours).is_some_and(|distance| distance <= PAPER * scale + double);
-        if !agrees {
+        let double = allowance.allowed * f64::from(f32::EPSILON); // the same roundings, of 2⁻⁵³ instead of 2⁻²⁴, with room
+        let rounding = Allowance { allowed: PAPER * scale + double, either: false };
+        if !rounding.takes(&ours, paper) {
             return Err(format!(
-                "{}: on paper the answer is {}, the reference has {}",
+                "{}: on paper the answer is {}, the reference has {}; say in `under` in which courses it holds",
                 check.id,
                 json(paper),
                 json(&ours)
             ));
         }
     }
-    let answer = check.paper.clone().unwrap_or(ours);
-    let wrong = wrong(rules, &check.ask, &answer, &allowance);
-    let Allowance { allowed, either } = allowance;
-    Ok(CheckAnswer { id: check.id.clone(), answer, allowed, either, wrong })
+    Ok((check.paper.clone().unwrap_or(ours), allowance))
 }
 
 /// What each known mistake says, where that is not right.

@@ -2,19 +2,20 @@
 
 use std::path::Path;
 
-use cases::answer::{self, Mistake};
+use cases::Course;
+use cases::answer::{self, Digest, Mistake};
 
 use super::Expected;
 use crate::misconceptions::{self, Misconception};
 use crate::rules::Rules;
 
-/// The list of all that are mistakes under these rules, stored beside the stages.
+/// Returns the list of all that are mistakes in `course`, to be stored beside the stages.
 ///
 /// # Errors
 /// What the encoder says.
-pub fn mistakes(stages: &Path, rules: &Rules) -> Result<Expected, serde_json::Error> {
-    let list: Vec<Mistake> = misconceptions::of(rules).into_iter().map(mistake).collect();
-    let text = answer::mistakes_to_string(&list)?;
+pub fn mistakes(stages: &Path, course: &Course) -> Result<Expected, serde_json::Error> {
+    let list: Vec<Mistake> = misconceptions::of(&Rules::of(course)).into_iter().map(mistake).collect();
+    let text = answer::mistakes_to_string(&Digest::of_mistakes(course), &list)?;
     Ok(Expected { path: answer::mistakes_path(stages), bytes: text.into_bytes() })
 }
 

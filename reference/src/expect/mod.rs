@@ -1,4 +1,4 @@
-//! The stored answers: what the files beside the cases must hold. Nothing here writes; `reference expect` does.
+//! The stored answers: what the files beside the cases must hold. Nothing is written here.
 
 pub mod allowed;
 mod checks;
@@ -9,24 +9,30 @@ mod weight;
 
 use std::path::{Path, PathBuf};
 
-use cases::answer::{self, ImageAnswer, Wrong};
+use cases::answer::{self, Digest, ImageAnswer, Wrong};
 use cases::film;
 use cases::stage::Case;
+use rayon::prelude::*;
 
-pub use checks::{of_check, of_checks};
+pub use checks::{of_check, of_checks, right_answer};
 pub use mistakes::mistakes;
 pub use set::{Set, picture};
 
 /// A file as it is to be stored.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Expected {
-    /// Where.
+    /// The path of the file.
     pub path: PathBuf,
-    /// What.
+    /// The bytes of the file.
     pub bytes: Vec<u8>,
 }
 
 impl Expected {
+    /// Returns the file as [`cases::files::write_all`] takes it.
+    pub fn as_output(&self) -> (&Path, &[u8]) {
+        (&self.path, &self.bytes)
+    }
+
     /// Whether exactly this is stored.
     pub fn is_stored(&self) -> bool {
         std::fs::read(&self.path).is_ok_and(|stored| stored == self.bytes)
@@ -36,25 +42,127 @@ impl Expected {
 /// All there is to store of an image case.
 #[derive(Clone, Debug)]
 pub struct CaseAnswer {
-    /// The case's.
+    /// The id of the case.
     pub id: String,
     /// Envelope, weights, limits.
     pub answer: ImageAnswer,
-    /// The pictures of the mistakes that it does not let pass.
+    /// The pictures of the mistakes that the case does not let pass.
     pub wrong: Vec<Wrong>,
     /// The answer file, to be stored below the folder of stages, and the picture for people.
     pub files: [Expected; 2],
 }
 
-/// The answer by the rules of the set to a case of the stage with index `n` of the set, to be stored below `stages`.
+/// The answers to a part of a set.
+#[derive(Clone, Debug)]
+pub struct Answers {
+    /// The answers to image cases, in the order of the stages.
+    pub cases: Vec<CaseAnswer>,
+    /// The files of unit checks and of known mistakes.
+    pub lists: Vec<Expected>,
+}
+
+impl Answers {
+    /// Returns every file to store.
+    pub fn files(&self) -> impl Iterator<Item = &Expected> {
+        self.cases.iter().flat_map(|case| &case.files).chain(&self.lists)
+    }
+}
+
+/// Why there are no answers.
+#[derive(Debug, thiserror::Error)]
+pub enum ExpectError {
+    /// Unit checks cannot stand as they are; a sentence for each.
+    #[error("{}", .0.join("\n"))]
+    Checks(Vec<String>),
+    /// A picture cannot be encoded.
+    #[error("the answer to {id} cannot be encoded: {source}")]
+    Picture {
+        /// The id of the case.
+        id: String,
+        /// The cause.
+        source: film::PictureError,
+    },
+    /// The caller wants no answers any more.
+    #[error("interrupted; nothing was written")]
+    Interrupted,
+    /// A list cannot be encoded.
+    #[error("a list of answers cannot be encoded: {0}")]
+    List(#[from] serde_json::Error),
+}
+
+/// The caller's side of long work.
+pub trait Progress: Sync {
+    /// Hears that a step is done; called from several threads.
+    fn step(&self);
+
+    /// Whether the work is to end without a result.
+    fn is_stopped(&self) -> bool;
+}
+
+/// Returns the number of steps of [`of_set`] for the same part: image cases and stages with checks.
+pub fn n_steps(set: &Set, is_wanted: impl Fn(&str) -> bool) -> usize {
+    let steps = set.stages.iter().map(|stage| {
+        let n_cases = stage.cases.iter().filter(|case| is_wanted(&stage.id) || is_wanted(&case.id)).count();
+        n_cases + usize::from(is_wanted(&stage.id) && !stage.checks.is_empty())
+    });
+    steps.sum()
+}
+
+/// Returns the answers to the cases and stages of `set` whose ids `is_wanted` selects, to be stored below
+/// `stages`, with the list of known mistakes. A stage is selected as a whole, or case by case without its
+/// unit checks.
+///
+/// # Errors
+/// [`ExpectError`]; the sentences of all checks of all stages at once.
+pub fn of_set(
+    stages: &Path,
+    set: &Set,
+    is_wanted: impl Fn(&str) -> bool + Sync,
+    progress: &impl Progress,
+) -> Result<Answers, ExpectError> {
+    let wanted_stages = || set.stages.iter().filter(|stage| is_wanted(&stage.id) && !stage.checks.is_empty());
+    let (mut lists, mut wrong) = (vec![], vec![]);
+    // Checks come first: their problems are then reported before minutes of rendering.
+    for stage in wanted_stages() {
+        match of_checks(stages, stage, &set.course) {
+            Ok(file) => lists.extend(file),
+            Err(sentences) => wrong.extend(sentences),
+        }
+        progress.step();
+    }
+    if !wrong.is_empty() {
+        return Err(ExpectError::Checks(wrong));
+    }
+    lists.push(mistakes(stages, &set.course)?);
+    let all = set.stages.iter().enumerate();
+    let cases: Vec<(usize, &Case)> = all
+        .flat_map(|(n, stage)| stage.cases.iter().map(move |case| (n, stage, case)))
+        .filter(|(_, stage, case)| is_wanted(&stage.id) || is_wanted(&case.id))
+        .map(|(n, _, case)| (n, case))
+        .collect();
+    let cases = cases.par_iter().map(|(n, case)| {
+        if progress.is_stopped() {
+            return Err(ExpectError::Interrupted);
+        }
+        let answer = of_case(stages, set, *n, case);
+        progress.step();
+        answer.map_err(|source| ExpectError::Picture { id: case.id.clone(), source })
+    });
+    Ok(Answers { cases: cases.collect::<Result<_, _>>()?, lists })
+}
+
+/// Returns the answer to a case of the stage with index `n` of the set, to be stored below `stages`.
 ///
 /// # Errors
 /// What the encoders say.
 pub fn of_case(stages: &Path, set: &Set, n: usize, case: &Case) -> Result<CaseAnswer, film::PictureError> {
-    let answer = set.answer(n, case);
+    let right = set.picture(case);
+    let png = film::encode_by(set.rules.quantiser, film::Kind::Png, &right)?;
+    let answer = set.answer(n, case, right);
     let wrong = set.mistakes(case, &answer);
-    let exr = Expected { path: answer::image_answer_path(stages, &case.id), bytes: answer.encode(&wrong)? };
-    let png = film::encode_by(set.rules.quantiser, film::Kind::Png, set.picture(case))?;
+    let made_from = Digest::of_case(&set.course, set.stages[n].base, case);
+    let bytes = answer.encode(&made_from, &wrong)?;
+    let exr = Expected { path: answer::image_answer_path(stages, &case.id), bytes };
     let png = Expected { path: answer::expected_png_path(stages, &case.id), bytes: png };
     Ok(CaseAnswer { id: case.id.clone(), answer, wrong, files: [exr, png] })
 }

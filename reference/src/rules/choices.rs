@@ -186,6 +186,8 @@ choices! {
     Depth {
         /// depth < max_depth.
         Less,
+        /// depth ≤ max_depth, but never at max_depth 0.
+        OneMore,
         /// depth ≤ max_depth.
         LessOrEqual,
         /// depth + 1 < max_depth.

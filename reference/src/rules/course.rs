@@ -14,7 +14,8 @@ impl Rules {
     ///
     /// An epsilon of 1e-6 is the lecture's: in single precision it is then 1e-4. Any other holds in both precisions. [rule 21]
     pub fn of(course: &Course) -> Self {
-        // Taken apart whole, so that a new key cannot be forgotten here.
+        // The pattern names every field, so that a new key cannot be forgotten here. Which effects programs
+        // always simulate is no rule of light: it decides the effects of a scene.
         let Course {
             pixel,
             row_0,
@@ -32,6 +33,7 @@ impl Rules {
             refract_by,
             bytes,
             epsilon,
+            always_simulated: _,
         } = *course;
         Self {
             pixel_centre: pixel == Pixel::Centre,
@@ -67,7 +69,7 @@ impl Rules {
             ambient_inside: ambient_inside == AmbientInside::TimesKt,
             depth: match depth {
                 DepthTest::Less => Depth::Less,
-                DepthTest::LessOrEqual => Depth::LessOrEqual,
+                DepthTest::LessOrEqual => Depth::OneMore,
             },
             cutoff: match cutoff {
                 CutoffTest::AllChannels => Cutoff::AllChannels,

@@ -5,37 +5,48 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use cases::course;
-use cases::film;
-use cases::stage::{Case, Stage};
+use cases::files::{self, WriteError};
+use cases::stage::Case;
 use rayon::prelude::*;
+use tempfile::TempDir;
 use toml_edit::DocumentMut;
 
 use super::{Asset, Care, Original, Varied, take_along};
 use crate::expect::Set;
 
+/// The cases of a folder, by whether their numbers may be moved.
+#[derive(Clone, Debug)]
+pub struct Originals {
+    /// The cases with a `[vary]`.
+    pub varying: Vec<Original>,
+    /// The ids of the cases without one, which a varied set has unchanged.
+    pub constant: Vec<String>,
+}
+
 fn case_path(folder: &Path, id: &str) -> PathBuf {
     folder.join(format!("{id}.toml"))
 }
 
-/// The cases of the `set` read from `folder`, ready to be varied; `done` is told of each.
+/// Returns the cases of the `set` that was read from `folder`, ready to be varied; calls `done` after each.
 ///
 /// # Errors
-/// All that keeps any of them from being varied, a paragraph each.
-pub fn originals(folder: &Path, set: &Set, done: impl Fn() + Sync) -> Result<Vec<Original>, String> {
+/// All that keeps a case with a `[vary]` from being varied, a paragraph each.
+pub fn originals(folder: &Path, set: &Set, done: impl Fn() + Sync) -> Result<Originals, String> {
     let stages = set.stages.iter().enumerate();
-    let cases: Vec<(usize, &Case)> =
-        stages.flat_map(|(n, stage)| stage.cases.iter().map(move |case| (n, case))).collect();
-    let read = cases.par_iter().map(|(n, case)| {
+    let cases = stages.flat_map(|(n, stage)| stage.cases.iter().map(move |case| (n, case)));
+    let (varying, constant): (Vec<(usize, &Case)>, Vec<_>) = cases.partition(|(_, case)| case.bounds.is_some());
+    let read = varying.par_iter().map(|(n, case)| {
         let path = case_path(folder, &case.id);
-        let text = fs::read_to_string(&path).map_err(|why| cannot("read", &path, &why))?;
+        let text = read(&path)?;
         let original = Original::new(set, *n, case, &path, &text);
         done();
         original
     });
-    all(read.collect())
+    let constant = constant.into_iter().map(|(_, case)| case.id.clone()).collect();
+    Ok(Originals { varying: all(read.collect())?, constant })
 }
 
-/// The cases of `set` under `seed`; `done` is told of each.
+/// Returns the cases of `set` under `seed`; calls `done` after each.
 ///
 /// # Errors
 /// Which cases will not do, and why, a paragraph each.
@@ -60,67 +71,133 @@ fn all<T>(results: Vec<Result<T, String>>) -> Result<Vec<T>, String> {
     if wrong.is_empty() { Ok(values) } else { Err(wrong.join("\n")) }
 }
 
-/// Writes the `varied` cases of the `stages` in `folder` to `out`, with what their course decides: beside it first, then moved there whole. `out` is not there, or empty.
-///
-/// # Errors
-/// What cannot be read or written; `out` is then as it was.
-pub fn write(folder: &Path, stages: &[Stage], varied: &[Varied], out: &Path) -> Result<(), String> {
-    let beside = match out.parent() {
-        Some(parent) if parent != Path::new("") => parent,
-        _ => Path::new("."),
-    };
-    let failed = |why: io::Error| cannot("write", out, &why);
-    fs::create_dir_all(beside).map_err(failed)?;
-    let part = tempfile::Builder::new().prefix(".varied-").tempdir_in(beside).map_err(failed)?;
-    let whole = part.path().join("stages");
-    for stage in stages {
-        write_stage(&folder.join(&stage.id), &whole.join(&stage.id))?;
-    }
-    for varied in varied {
-        let path = case_path(&whole, &varied.case.id);
-        put(&path, varied.text.as_bytes())?;
-        take(&case_path(folder, &varied.case.id), &path, &varied.assets)?;
-    }
-    if let Some(path) = course::path_of(folder) {
-        let bytes = fs::read(&path).map_err(|why| cannot("read", &path, &why))?;
-        put(&whole.join(course::FILE), &bytes)?;
-    }
-    fs::rename(&whole, out).map_err(failed)
+/// Why a varied set was not written.
+#[derive(Debug, thiserror::Error)]
+pub enum WriteSetError {
+    /// What the set is made from cannot be read.
+    #[error("{0}")]
+    Source(String),
+    /// The set cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
 }
 
-/// The stage's own file and its unit checks, which stay as they are.
-fn write_stage(from: &Path, to: &Path) -> Result<(), String> {
-    let read = |path: &Path| fs::read_to_string(path).map_err(|why| cannot("read", path, &why));
-    put(&to.join("stage.toml"), read(&from.join("stage.toml"))?.as_bytes())?;
+/// A set of stages that is written, but not yet at its place. It goes away unless it is published.
+#[derive(Debug)]
+pub struct Draft {
+    part: TempDir,
+}
+
+impl Draft {
+    /// Writes a set to a temporary folder beside `out`: the `varied` cases of the `set` that was read from
+    /// `folder`, its `constant` ones as they are, its unit checks and its course.
+    ///
+    /// # Errors
+    /// [`WriteSetError`].
+    pub fn write(
+        folder: &Path,
+        set: &Set,
+        varied: &[Varied],
+        constant: &[String],
+        out: &Path,
+    ) -> Result<Self, WriteSetError> {
+        let beside = match out.parent() {
+            Some(parent) if parent != Path::new("") => parent,
+            _ => Path::new("."),
+        };
+        let failed = |source: io::Error| WriteError::untouched(out, source);
+        fs::create_dir_all(beside).map_err(failed)?;
+        let draft = Self { part: tempfile::Builder::new().prefix(".part-").tempdir_in(beside).map_err(failed)? };
+        let whole = draft.stages();
+        for stage in &set.stages {
+            write_stage(&folder.join(&stage.id), &whole.join(&stage.id))?;
+        }
+        for id in constant {
+            copy(&case_path(folder, id), &case_path(&whole, id))?;
+        }
+        for varied in varied {
+            let path = case_path(&whole, &varied.case.id);
+            put(&path, varied.text.as_bytes())?;
+            take(&case_path(folder, &varied.case.id), &path, &varied.assets)?;
+        }
+        // The set has a file of its own, so that one beside `out` decides nothing.
+        let course = match course::path_of(folder) {
+            Some(path) => fs::read(&path).map_err(|why| unread(&path, &why))?,
+            None => b"# The choices of the lecture.\n".to_vec(),
+        };
+        put(&whole.join(course::FILE), &course)?;
+        Ok(draft)
+    }
+
+    /// Returns the folder of the stages, to which answers may be added.
+    pub fn stages(&self) -> PathBuf {
+        self.part.path().join("stages")
+    }
+
+    /// Moves the set to `out`, which does not exist or is an empty folder.
+    ///
+    /// # Errors
+    /// What the file system says; `out` is then as it was.
+    pub fn publish(self, out: &Path) -> Result<(), WriteError> {
+        fs::rename(self.stages(), out).map_err(|source| WriteError::untouched(out, source))
+    }
+}
+
+/// Writes the stage's own file and its unit checks, which stay as they are.
+fn write_stage(from: &Path, to: &Path) -> Result<(), WriteSetError> {
+    let file = "stage.toml";
+    put(&to.join(file), source(&from.join(file))?.as_bytes())?;
     let checks = from.join("checks");
-    let entries =
-        if checks.is_dir() { Some(fs::read_dir(&checks).map_err(|why| cannot("read", &checks, &why))?) } else { None };
-    for entry in entries.into_iter().flatten() {
-        let path = entry.map_err(|why| cannot("read", &checks, &why))?.path();
+    if !checks.is_dir() {
+        return Ok(());
+    }
+    let unreadable = |why: io::Error| unread(&checks, &why);
+    for entry in fs::read_dir(&checks).map_err(unreadable)? {
+        let path = entry.map_err(unreadable)?.path();
         if path.extension().is_some_and(|end| end == "toml") {
-            let mut document: DocumentMut = read(&path)?.parse().map_err(|why| cannot("read", &path, &why))?;
-            let target = to.join("checks").join(path.file_name().unwrap_or_default());
-            take(&path, &target, &take_along(&mut document))?;
-            put(&target, document.to_string().as_bytes())?;
+            copy(&path, &to.join("checks").join(path.file_name().unwrap_or_default()))?;
         }
     }
     Ok(())
 }
 
+/// Copies a case or a file of checks with the meshes that it names. The text stays the same, to the byte,
+/// unless a mesh moves.
+fn copy(from: &Path, to: &Path) -> Result<(), WriteSetError> {
+    let text = source(from)?;
+    let mut document: DocumentMut = text.parse().map_err(|why| unread(from, &why))?;
+    let assets = take_along(&mut document);
+    take(from, to, &assets)?;
+    put(to, if assets.is_empty() { text } else { document.to_string() }.as_bytes())
+}
+
+fn source(path: &Path) -> Result<String, WriteSetError> {
+    read(path).map_err(WriteSetError::Source)
+}
+
+fn read(path: &Path) -> Result<String, String> {
+    fs::read_to_string(path).map_err(|why| cannot_read(path, &why))
+}
+
 /// Copies the meshes that the file `from` names to where the file `to` names them.
-fn take(from: &Path, to: &Path, assets: &[Asset]) -> Result<(), String> {
+fn take(from: &Path, to: &Path, assets: &[Asset]) -> Result<(), WriteSetError> {
     assets.iter().try_for_each(|asset| {
         let source = from.with_file_name("").join(&asset.from);
-        let bytes = fs::read(&source).map_err(|why| cannot("read", &source, &why))?;
+        let bytes = fs::read(&source).map_err(|why| unread(&source, &why))?;
         put(&to.with_file_name("").join(&asset.to), &bytes)
     })
 }
 
-fn put(path: &Path, bytes: &[u8]) -> Result<(), String> {
-    let folder = path.parent().unwrap_or(Path::new("."));
-    fs::create_dir_all(folder).and_then(|()| film::replace(path, bytes)).map_err(|why| cannot("write", path, &why))
+fn put(path: &Path, bytes: &[u8]) -> Result<(), WriteSetError> {
+    fs::create_dir_all(path.parent().unwrap_or(Path::new(".")))
+        .map_err(|source| WriteError::untouched(path, source))?;
+    Ok(files::write(path, bytes)?)
 }
 
-fn cannot(what: &str, path: &Path, why: &dyn std::fmt::Display) -> String {
-    format!("cannot {what} {}: {why}", path.display())
+fn unread(path: &Path, why: &dyn std::fmt::Display) -> WriteSetError {
+    WriteSetError::Source(cannot_read(path, why))
+}
+
+fn cannot_read(path: &Path, why: &dyn std::fmt::Display) -> String {
+    format!("cannot read {}: {why}", path.display())
 }

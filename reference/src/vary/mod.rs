@@ -11,8 +11,8 @@ pub mod folder;
 
 use std::path::{Path, PathBuf};
 
-use cases::Effects;
 use cases::stage::{self, Bounds, Case};
+use cases::{Course, Effects};
 use toml_edit::DocumentMut;
 
 use crate::expect::Set;
@@ -53,7 +53,8 @@ pub struct Varied {
     pub contested: Option<f64>,
 }
 
-/// `case`, whose file at `path` holds `text`, with its numbers moved once under `seed`, whether that will do or not.
+/// Returns `case` of the lecture's course, whose file at `path` holds `text`, with its numbers moved once
+/// under `seed`, whether the result is as telling as the original or not.
 ///
 /// # Errors
 /// A case that does not say how far its numbers may be moved, or a draw that is no case.
@@ -63,7 +64,8 @@ pub fn draw_any(case: &Case, path: &Path, text: &str, allows: Effects, seed: u64
     let mut document: DocumentMut = text.parse().map_err(|why| format!("{id}: {why}"))?;
     edit::jitter(&mut document, bounds, &mut Stream::new(seed, id)).map_err(|why| format!("{id}: {why}"))?;
     let stage = id.split('/').next().unwrap_or_default();
-    stage::parse_case(path, &document.to_string(), stage, allows).map_err(|problems| problems.to_string())
+    let course = Course::default();
+    stage::parse_case(path, &document.to_string(), stage, allows, &course).map_err(|problems| problems.to_string())
 }
 
 impl Original {
@@ -131,7 +133,8 @@ impl Original {
     /// What a draw resolves to, where it will do.
     fn accept(&self, set: &Set, text: &str, care: Care) -> Result<(Case, Measured), Refusal> {
         let stage = &set.stages[self.stage];
-        let case = stage::parse_case(&self.path, text, &stage.id, stage.allows).map_err(|problems| {
+        let parsed = stage::parse_case(&self.path, text, &stage.id, stage.allows, &set.course);
+        let case = parsed.map_err(|problems| {
             let first = problems.iter().next().map(|problem| problem.message.clone());
             Refusal::Invalid(first.unwrap_or_default())
         })?;

@@ -1,12 +1,14 @@
 //! What several tests need: scenes from text, and numbers that look random but are the same each time.
 #![allow(dead_code, reason = "no test needs all of it")]
 
+pub(crate) mod random;
+
 use cases::{Scene, scene};
 
 /// The scene of a TOML text without `[render]` and camera, which are added.
 pub(crate) fn scene(text: &str) -> Scene {
     let head = "[render]\nsize = [24, 18]\nmax_depth = 3\n[scene.camera]\neye = [0, 0, 4]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 40\n";
-    match scene::parse("test.toml", &format!("{head}{text}"), std::path::Path::new("")) {
+    match scene::parse("test.toml", &format!("{head}{text}"), std::path::Path::new(""), &cases::Course::default()) {
         Ok(scene) => scene,
         Err(problems) => panic!("{}", problems.render(false)),
     }

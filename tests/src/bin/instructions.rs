@@ -46,7 +46,7 @@ fn check(arguments: &Arguments) -> Result<String, String> {
     let scenes = budget.scene.into_iter().zip(counts);
     let scene = scenes.map(|(scene, instructions)| Scene { instructions, ..scene }).collect();
     let text = instructions::to_text(&Budget { toolchain, scene })?;
-    cases::film::replace(&path, text.as_bytes()).map_err(unreadable)?;
+    cases::files::write(&path, text.as_bytes()).map_err(|why| why.to_string())?;
     println!("wrote {}", path.display());
     Ok(String::new())
 }

@@ -78,7 +78,7 @@ fn judge(arguments: &Arguments) -> Result<Vec<String>, String> {
     if let Some(out) = &arguments.out {
         let tools = peers::ask(&folder, &trials)?;
         let text = page::page(&trials, &tools);
-        cases::film::replace(out, text.as_bytes()).map_err(|why| format!("{}: {why}", out.display()))?;
+        cases::files::write(out, text.as_bytes()).map_err(|why| why.to_string())?;
     }
     Ok([bars::faults(&trials), naming.faults()].concat())
 }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use cases::film::replace;
+use cases::files;
 use clap::{Parser, ValueEnum};
 use tests::performance::bench::Bench;
 use tests::performance::report::{Machine, Report};
@@ -113,5 +113,5 @@ fn write(report: &Report, out: Option<&Path>) -> Result<(), String> {
 }
 
 fn put(path: &Path, bytes: &[u8]) -> Result<(), String> {
-    replace(path, bytes).map_err(|why| format!("{}: {why}", path.display()))
+    files::write(path, bytes).map_err(|why| why.to_string())
 }

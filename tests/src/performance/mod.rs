@@ -3,7 +3,6 @@
 pub mod bars;
 pub mod bench;
 pub mod child;
-pub mod dice;
 pub mod effects;
 pub mod export;
 pub mod page;

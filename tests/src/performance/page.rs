@@ -28,9 +28,11 @@ fn head(report: &Report) -> String {
     format!(
         "# Speed, beside others\n\nMade by `cargo run --release -p tests --bin performance -- --out docs/performance.md`, which installs the others \
          (`tests/peers/renderers`); do not edit.\nMeasured on: {}, {} threads, {}, {:.0} GiB, {}; medians of {} rounds in which all take turns{}.\n\n\
-         A ratio counts on equal work alone. Where another does less work than this reference (a feature that it lacks, one branch of a path in the place of two), its row says \
-         so and counts for no bar. Where it casts more rays\nfor the same picture, the ratio is of rays a second, if that is less: what need not be done is our gain, \
-         but no speed. Numbers here are f64, every triangle is decided watertight; f32 is said where it is used.\n\n",
+         A ratio counts only where both do the same work. A renderer that does less (it lacks a feature, or follows one \
+         branch\nof a path where this reference follows two) is marked in its row, and its ratio counts for no bar. A renderer \
+         that casts\nmore rays for the same picture is compared in rays a second as well, and the smaller ratio counts: a ray \
+         that need not be\ncast is saved work, but no speed. This reference computes in f64 and decides every triangle watertight; \
+         where it computes\nin f32, the row says so.\n\n",
         machine.processor,
         machine.n_threads,
         if machine.vectors.is_empty() { "no wide vectors".to_owned() } else { machine.vectors.join(" and ") },

@@ -10,7 +10,7 @@ use reference::rules::Lecture;
 use reference::vec3::Vec3;
 use reference::world::World;
 
-use super::dice::Dice;
+use crate::dice::Dice;
 
 /// How far a new ray starts from the surface it leaves, in scene units: far beyond what single precision loses.
 const OFF: f64 = 1e-3;

@@ -5,11 +5,11 @@ use std::fs;
 use std::path::Path;
 
 use cases::Mesh;
-use cases::film::replace;
+use cases::files;
 use cases::glam::{DVec2, DVec3};
 
-use super::dice::Dice;
 use super::{ply, stone};
+use crate::dice::Dice;
 
 /// Width and height of every picture: 307,200 eye rays.
 pub const SIZE: (u32, u32) = (640, 480);
@@ -37,7 +37,7 @@ pub fn write(folder: &Path) -> Result<(), String> {
     fs::create_dir_all(folder).map_err(|why| format!("{}: {why}", folder.display()))?;
     let put = |name: String, bytes: &[u8]| {
         let path = folder.join(name);
-        replace(&path, bytes).map_err(|why| format!("{}: {why}", path.display()))
+        files::write(&path, bytes).map_err(|why| why.to_string())
     };
     put("floor.ply".to_owned(), &ply::encode(&squares(1, |_| true)))?;
     put("white.ply".to_owned(), &ply::encode(&squares(N_SQUARES, |n| n % 2 == 0)))?;
@@ -171,7 +171,8 @@ mod tests {
     fn every_scene_can_be_read_and_is_what_its_name_says() {
         let folder = tempfile::tempdir().expect("a folder");
         write(folder.path()).expect("it is written");
-        let read = |name: &str| cases::scene::load(&folder.path().join(name)).expect("it is valid");
+        let read =
+            |name: &str| cases::scene::load(&folder.path().join(name), &cases::Course::default()).expect("it is valid");
         let whitted = read("whitted.toml");
         assert_eq!((whitted.objects.len(), whitted.lights.len(), whitted.render.max_depth), (5, 1, 5));
         assert_eq!(whitted.meshes.iter().map(|mesh| mesh.triangles.len()).sum::<usize>(), 512);

@@ -67,7 +67,7 @@ fn render(path: &Path, threads: usize) -> Result<Value, String> {
 }
 
 fn load(path: &Path) -> Result<Scene, String> {
-    cases::scene::load(path).map_err(|why| why.to_string())
+    cases::scene::load(path, &cases::Course::default()).map_err(|why| why.to_string())
 }
 
 /// The mesh of that file alone, in its own space.
@@ -78,7 +78,7 @@ fn mesh_alone(path: &Path) -> Result<Scene, String> {
          [scene.materials]\nstone = {{}}\n[[scene.objects]]\nmesh = {{ file = {name:?} }}\nmaterial = \"stone\"\n"
     );
     let folder = path.parent().unwrap_or(Path::new("."));
-    cases::scene::parse(&name, &text, folder).map_err(|why| why.to_string())
+    cases::scene::parse(&name, &text, folder, &cases::Course::default()).map_err(|why| why.to_string())
 }
 
 /// Looks for what rays meet, one ray at a time on one thread, primary rays `by_packets` if asked; the first pass over each set warms up.

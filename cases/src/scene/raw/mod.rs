@@ -1,6 +1,7 @@
 //! Case files as they are written. The doc comments below are the reference of the format: `docs/scene-format.md` and the
 //! JSON Schema are made from them.
 
+pub(crate) mod effect;
 pub(crate) mod numbers;
 pub(crate) mod objects;
 pub(crate) mod read;
@@ -9,7 +10,7 @@ pub(crate) mod vary;
 use std::collections::BTreeMap;
 
 use numbers::{Colour, Depth, Direction, NonNegative, Point, Points, Rule, Side, Size, ViewAngle};
-use objects::RawObject;
+use objects::{RawObject, any_hole};
 use read::{At, Each, Maybe, choice, table};
 use vary::RawVary;
 
@@ -79,6 +80,14 @@ table! {
         materials: BTreeMap<String, Maybe<RawMaterial>> = "{}",
         /// What there is to see, in the order that decides between two hits at equal distance: the first wins.
         objects: Each<At<RawObject>> = "[]",
+    }
+}
+
+impl RawScene {
+    /// Whether a light, a material or an object could not be read, as the notes then say.
+    pub(crate) fn has_hole(&self) -> bool {
+        let materials = self.materials.values().any(|material| material.0.is_none());
+        materials || self.lights.has_hole() || any_hole(&self.objects)
     }
 }
 

@@ -38,6 +38,25 @@ table! {
     } exactly one of SHAPES
 }
 
+impl RawObject {
+    /// Whether a part of the object, or of an object in its group, could not be read.
+    pub(crate) fn has_hole(&self) -> bool {
+        self.is_shapeless() || self.transforms.has_hole() || self.group.as_ref().is_some_and(any_hole)
+    }
+
+    fn is_shapeless(&self) -> bool {
+        let Self { sphere, square, r#box, plane, cylinder, cone, mesh, group, .. } = self;
+        let round = sphere.is_some() || cylinder.is_some() || cone.is_some();
+        let flat = square.is_some() || r#box.is_some() || plane.is_some();
+        !(round || flat || mesh.is_some() || group.is_some())
+    }
+}
+
+/// Whether one of `objects`, or a part of one, could not be read.
+pub(crate) fn any_hole(objects: &Each<At<RawObject>>) -> bool {
+    objects.0.iter().any(|object| object.as_ref().is_none_or(|object| object.has_hole()))
+}
+
 /// Says in the schema that an object has exactly one shape.
 fn exactly_one_shape(schema: &mut Schema) {
     schema.insert("oneOf".to_owned(), SHAPES.iter().map(|shape| json!({ "required": [shape] })).collect());
@@ -131,10 +150,11 @@ impl Read for RawMesh {
 table! {
     /// A mesh from a file.
     "a mesh from a file" RawMeshFile {
-        /// Path to a Wavefront `.obj` or a `.ply` of triangles, relative to the folder of this file.
+        /// Path to a Wavefront `.obj` or a `.ply` file, relative to the folder of this file. Its
+        /// polygons are cut into triangles.
         file: At<String>,
-        /// `false` leaves the vertex normals of the file aside; `true` demands that it has some. Left out: they are used if the
-        /// file has them. [rule 18]
+        /// With `false` the vertex normals of the file are not looked at; with `true` it must have
+        /// them. Left out: they are used if the file has them. [rule 18]
         smooth: Option<bool>,
     }
 }

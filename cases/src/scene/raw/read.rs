@@ -18,11 +18,13 @@ pub(crate) type Value<'i> = Spanned<DeValue<'i>>;
 pub(crate) struct Notes {
     source: Arc<Source>,
     problems: Vec<Problem>,
+    /// Problems that were added, of which at most [`MAX_PROBLEMS`] are kept.
+    n_added: usize,
 }
 
 impl Notes {
     pub(crate) fn new(source: Arc<Source>) -> Self {
-        Self { source, problems: vec![] }
+        Self { source, problems: vec![], n_added: 0 }
     }
 
     /// Notes a problem at `span` (an empty one is the file as a whole); the result takes the help.
@@ -33,6 +35,7 @@ impl Notes {
         label: impl Into<String>,
     ) -> &mut Problem {
         let span = (!span.is_empty()).then_some(span);
+        self.n_added += 1;
         // Beyond the limit each problem replaces the last one: what is lost is only text that nobody would read.
         self.problems.truncate(MAX_PROBLEMS - 1);
         let source = Arc::clone(&self.source);
@@ -41,14 +44,20 @@ impl Notes {
         &mut self.problems[at]
     }
 
+    /// Whether so many problems are known that no other one is kept.
+    fn is_full(&self) -> bool {
+        self.problems.len() >= MAX_PROBLEMS
+    }
+
     /// Notes that `value` is not `wanted`, such as "a number".
     pub(crate) fn wrong(&mut self, value: &Value<'_>, wanted: &str) -> &mut Problem {
         let found = kind(value.get_ref());
         self.add(value.span(), format!("this is {found}, not {wanted}"), format!("{wanted} is due here"))
     }
 
-    pub(crate) fn is_empty(&self) -> bool {
-        self.problems.is_empty()
+    /// Returns the number of problems so far, which never falls.
+    pub(crate) fn len(&self) -> usize {
+        self.n_added
     }
 
     /// `value`, if nothing was noted.
@@ -148,6 +157,13 @@ impl<T: Read> Read for Vec<T> {
 #[derive(Clone, Debug)]
 pub(crate) struct Each<T>(pub(crate) Vec<Option<T>>);
 
+impl<T> Each<T> {
+    /// Whether an item is missing because it could not be read.
+    pub(crate) fn has_hole(&self) -> bool {
+        self.0.iter().any(Option::is_none)
+    }
+}
+
 impl<T: Read> Read for Each<T> {
     fn read(value: &Value<'_>, notes: &mut Notes) -> Option<Self> {
         Vec::<Maybe<T>>::read(value, notes).map(|items| Self(items.into_iter().map(|item| item.0).collect()))
@@ -232,6 +248,11 @@ impl<'a> Table<'a> {
     }
 
     fn refuse(&mut self, key: &str, span: Range<usize>, known: &[&'a str], notes: &mut Notes) {
+        if notes.is_full() {
+            // A file of a million unknown keys is not searched for a million suggestions that nobody reads.
+            notes.add(span, format!("unknown key `{key}`"), "");
+            return;
+        }
         let unused = known.iter().copied().filter(|known| !self.has(known));
         let meant = did_you_mean(key, unused);
         let problem = notes.add(span, format!("unknown key `{key}`"), format!("{} has no such key", self.what));

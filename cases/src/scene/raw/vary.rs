@@ -11,8 +11,8 @@ use crate::problem::{did_you_mean, quoted};
 use crate::stage::Bounds;
 
 table! {
-    /// How far `reference vary` may move the numbers of this case, either way. What is left out stays, and so does what does not
-    /// stand in the file: a default is never moved.
+    /// How far `reference vary` may move the numbers of this case, up or down. A kind of number that is left out here is not moved.
+    /// Neither is a number that does not stand in the case file: `vary` never moves a default.
     "`[vary]`" RawVary {
         /// The eye: scene units, for all axes or for each.
         eye: Option<Reach>,

@@ -17,7 +17,7 @@ use crate::record::{Finding, FindingKind};
 use difference::measure;
 
 pub use difference::{Difference, compare};
-pub use raster::RowsCompared;
+pub use raster::{Comparison, RowsCompared};
 
 /// What is said of an anti-aliased picture.
 const ONE_RAY: &str =

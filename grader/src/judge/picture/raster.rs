@@ -1,10 +1,18 @@
-//! Two pictures of 8-bit levels, one against the other, row by row: no envelope, no points, little memory.
+//! Compares two pictures row by row, without an envelope and without points.
+//!
+//! Neither picture is the right one, so their order does not matter. The memory does not grow with
+//! the pictures.
 
 use cases::answer::Clusters;
+use cases::film::WORDS_IN_BYTE;
 
 use super::{Difference, extent};
+use crate::judge::numbers::grouped;
 
-/// The pixels of two pictures of one width, as far as their rows have been taken, that differ by more than `slack` levels in some channel.
+/// `RowsCompared` compares the rows of two pictures of the same width, as they come.
+///
+/// A pixel is out if a channel differs by more than `slack` 8-bit levels, or if a channel is NaN or
+/// infinite in either picture.
 #[derive(Clone, Debug)]
 pub struct RowsCompared {
     slack: f64,
@@ -13,68 +21,147 @@ pub struct RowsCompared {
     difference: Difference,
     clusters: Clusters,
     out: Vec<bool>,
-    /// The worst pixel on both sides, and by how many levels.
-    worst: ([u8; 3], [u8; 3], u8),
+    worst: Option<Worst>,
+    n_not_finite: u32,
+}
+
+/// `Worst` is the pixel that is farthest out, and the first one of equals.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Worst {
+    /// The pictures differ by this many 8-bit levels; the value is infinite for NaN and infinity.
+    by: f64,
+    /// The pictures have these 8-bit levels there.
+    sides: [[f64; 3]; 2],
+}
+
+/// A `Comparison` says how two pictures differ.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    /// These pixels are out; none is contested.
+    pub difference: Difference,
+    /// The worst pixel differs by this many 8-bit levels. The value is infinite for NaN and
+    /// infinity, and 0 if no pixel is out.
+    pub by: f64,
+    /// This many pixels are NaN or infinite in either picture.
+    pub n_not_finite: u32,
+    /// The text says how many pixels are out, where they are, and what the worst of them shows.
+    pub text: String,
 }
 
 impl RowsCompared {
-    /// Of pictures of that many pixels in a row, at least 1; no row is taken yet.
+    /// Starts a comparison of pictures that have `width` pixels in a row, at least 1.
     pub fn new(width: u32, slack: f64) -> Self {
-        let difference = Difference { n_out: 0, cluster: 0, n_contested: 0, worst: None, bounds: None };
-        let (width, clusters) = (width as usize, Clusters::default());
-        Self { slack, width, n_rows: 0, difference, clusters, out: vec![false; width], worst: ([0; 3], [0; 3], 0) }
+        let width = width as usize;
+        Self {
+            slack,
+            width,
+            n_rows: 0,
+            difference: Difference { n_out: 0, cluster: 0, n_contested: 0, worst: None, bounds: None },
+            clusters: Clusters::default(),
+            out: vec![false; width],
+            worst: None,
+            n_not_finite: 0,
+        }
     }
 
-    /// Takes the next rows from the top, as many of both: red, green, blue of each pixel.
+    /// Compares the next rows in 8-bit levels: red, green and blue of each pixel.
     ///
     /// # Panics
-    /// Where those are not whole rows.
-    pub fn take(&mut self, yours: &[u8], expected: &[u8]) {
-        let n = self.width * 3;
-        assert!(yours.len() == expected.len() && yours.len().is_multiple_of(n), "whole rows");
-        yours.chunks_exact(n).zip(expected.chunks_exact(n)).for_each(|(yours, expected)| self.row(yours, expected));
+    /// The slices are not whole rows, or not equally long.
+    pub fn take(&mut self, one: &[u8], other: &[u8]) {
+        let most = |a: [u8; 3], b: [u8; 3]| a[0].abs_diff(b[0]).max(a[1].abs_diff(b[1])).max(a[2].abs_diff(b[2]));
+        for (one, other) in rows(one, other, self.width) {
+            if one != other {
+                self.row(one, other, 1.0, |a, b| (a != b).then(|| f64::from(most(a, b))));
+            }
+            self.end_row();
+        }
     }
 
-    /// How the rows taken so far differ, and that in words: how many pixels, where, and what the worst of them shows on both sides.
-    pub fn finish(self) -> (Difference, String) {
+    /// Compares the next rows in 16-bit levels: red, green and blue of each pixel.
+    ///
+    /// # Panics
+    /// The slices are not whole rows, or not equally long.
+    pub fn take_words(&mut self, one: &[f64], other: &[f64]) {
+        let apart = |a: [f64; 3], b: [f64; 3]| match a.iter().chain(&b).all(|level| level.is_finite()) {
+            true => Some((a[0] - b[0]).abs().max((a[1] - b[1]).abs()).max((a[2] - b[2]).abs())),
+            false => Some(f64::INFINITY),
+        };
+        for (one, other) in rows(one, other, self.width) {
+            self.row(one, other, WORDS_IN_BYTE, apart);
+            self.end_row();
+        }
+    }
+
+    /// Returns how the rows differ.
+    pub fn finish(self) -> Comparison {
         let difference = Difference { cluster: self.clusters.largest(), ..self.difference };
-        let text = extent(&difference, self.width as u64 * u64::from(self.n_rows));
-        let Some([x, y]) = difference.worst else { return (difference, text) };
-        let [yours, expected] =
-            [self.worst.0, self.worst.1].map(|pixel| pixel.map(|level| level.to_string()).join(" "));
-        (difference, format!("{text}, most at ({x}, {y}): yours {yours}, expected {expected}"))
+        let mut text = extent(&difference, self.width as u64 * u64::from(self.n_rows));
+        if let (Some([x, y]), Some(Worst { by, sides })) = (difference.worst, self.worst) {
+            let [one, other] = sides.map(|pixel| pixel.map(shown).join(" "));
+            let by = if by.is_finite() { format!(" by {} levels", shown(by)) } else { String::new() };
+            text += &format!(", most at ({x}, {y}){by}: first {one}, second {other}");
+        }
+        if self.n_not_finite > 0 {
+            let n = grouped(self.n_not_finite.into());
+            text += &format!("; {n} of them hold NaN or infinity, which differ from everything");
+        }
+        let by = self.worst.map_or(0.0, |worst| worst.by);
+        Comparison { difference, by, n_not_finite: self.n_not_finite, text }
     }
 
-    fn row(&mut self, yours: &[u8], expected: &[u8]) {
-        self.out.fill(false);
-        if yours != expected {
-            let pairs = yours.as_chunks::<3>().0.iter().zip(expected.as_chunks::<3>().0);
-            for (x, (a, b)) in pairs.enumerate().filter(|(_, (a, b))| a != b) {
-                let by = apart(*a, *b);
-                if f64::from(by) > self.slack {
-                    self.out[x] = true;
-                    note(&mut self.difference, [x as u32, self.n_rows], by > self.worst.2);
-                    if by > self.worst.2 {
-                        self.worst = (*a, *b, by);
-                    }
-                }
+    /// Compares a row of samples, of which `unit` are an 8-bit level. `apart` returns by how many
+    /// samples two pixels differ, if they do.
+    fn row<T: Copy + Into<f64>>(
+        &mut self,
+        one: &[T],
+        other: &[T],
+        unit: f64,
+        apart: impl Fn([T; 3], [T; 3]) -> Option<f64>,
+    ) {
+        let slack = self.slack * unit;
+        for (x, (a, b)) in one.as_chunks::<3>().0.iter().zip(other.as_chunks::<3>().0).enumerate() {
+            let Some(by) = apart(*a, *b) else { continue };
+            if by > slack {
+                self.note(x, by / unit, || [a, b].map(|pixel| pixel.map(|sample| sample.into() / unit)));
             }
         }
+    }
+
+    fn end_row(&mut self) {
         self.clusters.row(&self.out);
+        self.out.fill(false);
         self.n_rows += 1;
     }
-}
 
-/// The greatest difference of two pixels' channels.
-fn apart(a: [u8; 3], b: [u8; 3]) -> u8 {
-    a[0].abs_diff(b[0]).max(a[1].abs_diff(b[1])).max(a[2].abs_diff(b[2]))
-}
-
-fn note(difference: &mut Difference, [x, y]: [u32; 2], is_worst: bool) {
-    difference.n_out += 1;
-    if is_worst {
-        difference.worst = Some([x, y]);
+    /// Counts the pixel in column `x` of the current row, which is out.
+    fn note(&mut self, x: usize, by: f64, sides: impl FnOnce() -> [[f64; 3]; 2]) {
+        self.out[x] = true;
+        let (x, y) = (x as u32, self.n_rows);
+        if self.worst.is_none_or(|worst| by > worst.by) {
+            self.worst = Some(Worst { by, sides: sides() });
+            self.difference.worst = Some([x, y]);
+        }
+        self.difference.n_out += 1;
+        self.n_not_finite += u32::from(by.is_infinite());
+        let [x0, y0, x1, y1] = self.difference.bounds.unwrap_or([x, y, x, y]);
+        self.difference.bounds = Some([x0.min(x), y0.min(y), x1.max(x), y1.max(y)]);
     }
-    let [x0, y0, x1, y1] = difference.bounds.unwrap_or([x, y, x, y]);
-    difference.bounds = Some([x0.min(x), y0.min(y), x1.max(x), y1.max(y)]);
+}
+
+/// Returns pairs of rows.
+fn rows<'a, T>(one: &'a [T], other: &'a [T], width: usize) -> impl Iterator<Item = (&'a [T], &'a [T])> {
+    let n = width * 3;
+    assert!(one.len() == other.len() && one.len().is_multiple_of(n), "whole rows");
+    one.chunks_exact(n).zip(other.chunks_exact(n))
+}
+
+/// Formats a number of levels with three decimals, or with an exponent if it is tiny or huge.
+fn shown(levels: f64) -> String {
+    let thousandths = (levels * 1000.0).round() / 1000.0;
+    match levels.abs() {
+        _ if !levels.is_finite() => levels.to_string(),
+        size if size >= 1e6 || (size > 0.0 && size < 0.01) => format!("{levels:.2e}"),
+        _ => (thousandths + 0.0).to_string(), // no -0
+    }
 }

@@ -27,7 +27,8 @@ pub(super) struct Bar {
 pub(super) fn of(title: String, scores: impl Iterator<Item = (u64, u64)>) -> Histogram {
     let mut counts = [0; N_BARS];
     for (earned, possible) in scores.filter(|(_, possible)| *possible > 0) {
-        counts[(earned.min(possible) * 10 / possible) as usize] += 1;
+        let tenths = u128::from(earned.min(possible)) * 10 / u128::from(possible);
+        counts[usize::try_from(tenths).unwrap_or(0).min(N_BARS - 1)] += 1;
     }
     let most = counts.iter().copied().max().unwrap_or(0).max(1);
     let bar = |(n, count): (usize, &usize)| {

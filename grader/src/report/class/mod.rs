@@ -50,7 +50,7 @@ pub fn csv(entries: &[Entry]) -> String {
     let mut out = csv::Writer::from_writer(Vec::new());
     let head = ["id", "name", "points", "possible", "build"].map(str::to_owned).into_iter();
     let head = head
-        .chain(stages.iter().map(|stage| cell(stage.id)))
+        .chain(stages.iter().map(|stage| cell(&shown(stage.id))))
         .chain(KINDS.iter().map(|kind| words::finding(*kind).to_owned()));
     let mut write = |record: Vec<String>| out.write_record(record).expect("a vector takes all rows, all of one length");
     write(head.collect());
@@ -63,7 +63,13 @@ pub fn csv(entries: &[Entry]) -> String {
 
 fn cells(row: &rows::Row) -> Vec<String> {
     let points = |thousandths: &Option<u64>| thousandths.map(words::points).unwrap_or_default();
-    let head = [cell(row.id), cell(&shown(row.name)), points(&row.earned), points(&row.possible), row.build.to_owned()];
+    let head = [
+        cell(&shown(row.id)),
+        cell(&shown(row.name)),
+        points(&row.earned),
+        points(&row.possible),
+        row.build.to_owned(),
+    ];
     let counts = KINDS.iter().map(|kind| row.findings.get(kind).copied().unwrap_or(0).to_string());
     head.into_iter().chain(row.stages.iter().map(points)).chain(counts).collect()
 }

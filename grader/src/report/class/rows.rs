@@ -46,10 +46,11 @@ fn row<'a>(entry: &'a Entry, stages: &[Stage]) -> Row<'a> {
         name: &entry.name,
         earned: record.map(|record| record.score.earned),
         possible: record.map(|record| record.score.possible),
-        build: match record.map(|record| record.build.verdict) {
+        build: match record.map(|record| (record.interrupted, record.build.verdict)) {
             None => "not graded",
-            Some(Verdict::Pass) => "worked",
-            Some(verdict) => words::verdict(verdict),
+            Some((true, _)) => "interrupted",
+            Some((_, Verdict::Pass)) => "worked",
+            Some((_, verdict)) => words::verdict(verdict),
         },
         stages: stages.iter().map(|stage| earned_in(stage.id)).collect(),
         findings: record.map(findings).unwrap_or_default(),

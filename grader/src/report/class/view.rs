@@ -118,7 +118,7 @@ fn row(row: &rows::Row) -> Row {
     };
     let findings = row.findings.iter().map(|(kind, count)| format!("{count} × {}", words::finding(*kind)));
     Row {
-        id: row.id.to_owned(),
+        id: shown(row.id),
         name: shown(row.name),
         is_graded: row.earned.is_some(),
         total: number(&row.earned),
@@ -134,7 +134,7 @@ fn flagged(entries: &[Entry], row: &rows::Row) -> Vec<Flagged> {
     let checks = record.into_iter().flat_map(|record| &record.stages).flat_map(|stage| &stage.checks);
     let flag = |check: &CheckRecord| {
         let finding = check.finding.as_ref().filter(|finding| finding.kind == FindingKind::Contested)?;
-        let (id, name) = (row.id.to_owned(), shown(row.name));
+        let (id, name) = (shown(row.id), shown(row.name));
         Some(Flagged { id, name, check: shown(&check.id), message: shown(&finding.message) })
     };
     checks.filter_map(flag).collect()

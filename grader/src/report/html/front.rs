@@ -50,7 +50,9 @@ pub(super) fn view(pictures: &Pictures, time_s: f64) -> Option<FrontView> {
     let (expected, actual) = (&pictures.answer.expected, pictures.actual.as_ref()?);
     let front = pictures.front.as_ref()?;
     let same_size = (actual.width(), actual.height()) == (expected.width(), expected.height());
-    if !same_size || front.points.is_empty() || time_s <= 0.0 {
+    let is_time = |time_s: f64| time_s > 0.0 && time_s.is_finite();
+    let are_times = is_time(time_s) && front.points.iter().all(|point| is_time(point.time_s));
+    if !same_size || front.points.is_empty() || !are_times {
         return None;
     }
     let yours = FrontPoint { setting: "yours".to_owned(), time_s, rmse_levels: rmse_levels(expected, actual) };

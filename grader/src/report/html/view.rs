@@ -16,6 +16,8 @@ pub(super) struct Submission {
     name: String,
     digest: String,
     epoch: String,
+    /// Whether the user stopped the grader before everything was run.
+    is_interrupted: bool,
     grader: String,
     sandbox: String,
     score: Points,
@@ -146,6 +148,7 @@ pub(super) fn submission(graded: &Graded) -> Submission {
         name: shown(&record.submission.path),
         digest: shown(&record.submission.digest),
         epoch: shown(&record.epoch),
+        is_interrupted: record.interrupted,
         grader: shown(&record.grader),
         sandbox: shown(&record.sandbox),
         score: points(record.score),

@@ -82,7 +82,7 @@ mod tests {
     ";
 
     fn text(export: fn(&Scene) -> Result<Vec<File>, String>) -> String {
-        let scene = cases::scene::parse("tiny", TINY, Path::new(".")).expect("it is valid");
+        let scene = cases::scene::parse("tiny", TINY, Path::new("."), &cases::Course::default()).expect("it is valid");
         let files = export(&scene).expect("it can be exported");
         String::from_utf8(files.into_iter().next().expect("a scene").1).expect("text")
     }
@@ -160,7 +160,7 @@ mod tests {
     #[test]
     fn a_shape_that_the_others_lack_is_refused() {
         let text = TINY.replace("sphere = {}", "square = {}");
-        let scene = cases::scene::parse("tiny", &text, Path::new(".")).expect("it is valid");
+        let scene = cases::scene::parse("tiny", &text, Path::new("."), &cases::Course::default()).expect("it is valid");
         for export in [pov::export, tachyon::export, mitsuba::export] {
             assert!(export(&scene).expect_err("it has a square").contains("objects[1]"));
         }

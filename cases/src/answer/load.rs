@@ -1,0 +1,95 @@
+//! Reads stored answers and trusts only those that were made from what there is now.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use super::{
+    CheckAnswer, Digest, ImageAnswer, Mistake, check_answers_from_str, check_answers_path, image_answer_path,
+    mistakes_from_str, mistakes_path,
+};
+use crate::course::Course;
+use crate::film::PictureError;
+use crate::scene::text_file;
+use crate::stage::{Base, Case, Stage};
+
+/// Bytes of a file of answers that are read at most.
+const MAX_BYTES: u64 = 64 << 20;
+
+/// Why there is no answer that can be trusted.
+#[derive(Debug, thiserror::Error)]
+pub enum AnswerError {
+    /// Nothing is stored.
+    #[error("there is no stored answer")]
+    Missing,
+    /// The stored answer was made from something else.
+    #[error("the stored answer belongs to another scene, course or version of the rules")]
+    Stale,
+    /// The file cannot be read; says why.
+    #[error("the stored answer cannot be read: {0}")]
+    Unreadable(String),
+    /// The file is not a picture of the size of the case with an envelope.
+    #[error("the stored answer cannot be used: {0}")]
+    Picture(#[from] PictureError),
+    /// The file is not a list of answers.
+    #[error("the stored answer cannot be used: {0}")]
+    Json(#[from] serde_json::Error),
+}
+
+/// Returns the answer to `case`, of a stage with this base, that is stored below `stages`.
+///
+/// # Errors
+/// [`AnswerError`].
+pub fn image(stages: &Path, course: &Course, base: Base, case: &Case) -> Result<ImageAnswer, AnswerError> {
+    let bytes = bytes(&image_answer_path(stages, &case.id))?;
+    if ImageAnswer::made_from(&bytes)? != Some(Digest::of_case(course, base, case)) {
+        return Err(AnswerError::Stale);
+    }
+    Ok(ImageAnswer::decode(&bytes, case.scene.render.width, case.scene.render.height)?)
+}
+
+/// The answers to the unit checks of a stage, or why there is none, by id of the check.
+pub type CheckAnswers = BTreeMap<String, Result<CheckAnswer, AnswerError>>;
+
+/// Returns the answer to every unit check of `stage` that is stored below `stages`, and those of the
+/// stored answers that no check asks for.
+///
+/// # Errors
+/// A file that is missing or cannot be read.
+pub fn checks(stages: &Path, course: &Course, stage: &Stage) -> Result<(CheckAnswers, Vec<String>), AnswerError> {
+    if stage.checks.is_empty() {
+        return Ok((CheckAnswers::new(), vec![]));
+    }
+    let list = check_answers_from_str(&text(&check_answers_path(stages, &stage.id))?)?;
+    let mut stored: BTreeMap<String, CheckAnswer> =
+        list.into_iter().map(|answer| (answer.id.clone(), answer)).collect();
+    let mut answers = CheckAnswers::new();
+    for check in &stage.checks {
+        let answer = match stored.remove(&check.id) {
+            Some(answer) if answer.made_from == Digest::of_check(course, check) => Ok(answer),
+            Some(_) => Err(AnswerError::Stale),
+            None => Err(AnswerError::Missing),
+        };
+        answers.insert(check.id.clone(), answer);
+    }
+    Ok((answers, stored.into_keys().collect()))
+}
+
+/// Returns the list of known mistakes that is stored below `stages`.
+///
+/// # Errors
+/// [`AnswerError`].
+pub fn mistakes(stages: &Path, course: &Course) -> Result<Vec<Mistake>, AnswerError> {
+    let (made_from, mistakes) = mistakes_from_str(&text(&mistakes_path(stages))?)?;
+    if made_from == Digest::of_mistakes(course) { Ok(mistakes) } else { Err(AnswerError::Stale) }
+}
+
+fn bytes(path: &Path) -> Result<Vec<u8>, AnswerError> {
+    if !path.exists() {
+        return Err(AnswerError::Missing);
+    }
+    text_file::bytes(path, MAX_BYTES).map_err(AnswerError::Unreadable)
+}
+
+fn text(path: &Path) -> Result<String, AnswerError> {
+    String::from_utf8(bytes(path)?).map_err(|why| AnswerError::Unreadable(why.to_string()))
+}

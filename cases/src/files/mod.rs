@@ -1,0 +1,12 @@
+//! What a file name stands for, and the one way to write a file.
+//!
+//! A file is replaced whole: a reader sees the old content or the new content, never a part of it.
+//! Streams, pipes and devices are written to in place, since a file must never replace them.
+
+mod place;
+mod set;
+mod write;
+
+pub use place::{Place, is_standard, is_stdout, is_stream};
+pub use set::write_all;
+pub use write::{WriteError, check, is_usage, write};

@@ -1,0 +1,102 @@
+//! Lines of text fitted to a width.
+
+use terminal_size::{Width, terminal_size_of};
+use textwrap::{Options, WordSplitter};
+
+/// Columns of an output that is no terminal.
+const UNKNOWN: usize = 100;
+/// Narrower than this, text would be more breaks than words.
+const LEAST: usize = 40;
+
+/// Returns the columns of the terminal behind the output stream, at least 40; 100 where it is no terminal.
+pub fn columns() -> usize {
+    terminal_size_of(std::io::stdout()).map_or(UNKNOWN, |(Width(columns), _)| usize::from(columns).max(LEAST))
+}
+
+/// Returns `text` with every line that is wider than `columns` broken between words.
+///
+/// What follows of a broken line stands four columns deeper than its beginning. A word that is wider
+/// than a line is broken as well. Escape codes for colour take no columns; a tab becomes four spaces.
+pub fn folded(text: &str, columns: usize) -> String {
+    let mut out = String::with_capacity(text.len());
+    for line in text.split_inclusive('\n') {
+        let (line, end) = line.strip_suffix('\n').map_or((line, ""), |line| (line, "\n"));
+        fold(line, columns, &mut out);
+        out.push_str(end);
+    }
+    out
+}
+
+fn fold(line: &str, columns: usize, out: &mut String) {
+    let line = line.replace('\t', "    ");
+    if textwrap::core::display_width(&line) <= columns {
+        out.push_str(&line);
+        return;
+    }
+    let words = line.trim_start_matches(' ');
+    // A deep indent would leave no room for words.
+    let indent = " ".repeat((line.len() - words.len()).min(columns / 2));
+    let deeper = format!("{indent}    ");
+    let options = Options::new(columns).word_splitter(WordSplitter::NoHyphenation);
+    let options = options.initial_indent(&indent).subsequent_indent(&deeper);
+    out.push_str(&textwrap::fill(words, options));
+}
+
+/// Returns `word` in the plural unless `n` is 1, with the number before it.
+pub fn count(n: usize, word: &str) -> String {
+    if n == 1 { format!("1 {word}") } else { format!("{n} {word}s") }
+}
+
+/// Returns names for a message, such as `` `a`, `b` and 5 more ``: at most `most`, then how many are left.
+pub fn some<'a>(names: impl IntoIterator<Item = &'a str>, most: usize) -> String {
+    let names: Vec<String> = names.into_iter().map(|name| format!("`{name}`")).collect();
+    match names.len() {
+        0 => "none".to_owned(),
+        1 => names.concat(),
+        n if n <= most => format!("{} and {}", names[..n - 1].join(", "), names[n - 1]),
+        n => format!("{} and {} more", names[..most].join(", "), n - most),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn long_lines_are_broken_between_words_and_indented() {
+        let table = [
+            ("short\n\n  too\n", "short\n\n  too\n"),
+            ("  one two three four five six seven\n", "  one two three four\n      five six seven\n"),
+            ("aaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "aaaaaaaaaaaaaaaa\n    aaaaaaaaaaaaaa"),
+            ("\u{1b}[31mone two three four\u{1b}[0m", "\u{1b}[31mone two three four\u{1b}[0m"),
+            ("光光光光光光光光光光光", "光光光光光光光光\n    光光光"),
+            ("a --html b --html c --html", "a --html b --html c\n    --html"),
+        ];
+        for (text, expected) in table {
+            assert_eq!(folded(text, 20), expected, "{text:?}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn no_line_is_wider_and_no_letter_is_lost(text in "[ a-z:#\\[\n\u{1b}m光é-]{0,200}", columns in 40..120usize) {
+            let out = folded(&text, columns);
+            prop_assert!(out.lines().all(|line| textwrap::core::display_width(line) <= columns), "{out}");
+            let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).collect::<String>();
+            prop_assert_eq!(letters(&out), letters(&text));
+        }
+    }
+
+    #[test]
+    fn lists_are_short() {
+        let table = [(&[][..], "none"), (&["a"], "`a`"), (&["a", "b"], "`a` and `b`")];
+        for (names, text) in table {
+            assert_eq!(some(names.iter().copied(), 3), text);
+        }
+        assert_eq!(some(["a", "b", "c"], 3), "`a`, `b` and `c`");
+        assert_eq!(some(["a", "b", "c", "d", "e"], 3), "`a`, `b`, `c` and 2 more");
+        assert_eq!((count(1, "check"), count(0, "check")), ("1 check".to_owned(), "0 checks".to_owned()));
+    }
+}

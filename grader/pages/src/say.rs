@@ -1,0 +1,68 @@
+//! The one way to print. No output panics where its reader has gone away, as in `grader lint | head`.
+
+use std::io::{self, Write};
+
+use anstream::{AutoStream, ColorChoice};
+
+use crate::plain;
+
+/// Prints text to the output stream, guarded by [`plain::printable`] and ended by a line break.
+///
+/// Colours are left out where the stream is no terminal or the user wants none.
+///
+/// # Errors
+/// What the stream says; a reader that has gone away is no error.
+pub fn out(text: &str) -> io::Result<()> {
+    let stream = io::stdout();
+    raw(finished(text, AutoStream::choice(&stream)).as_bytes())
+}
+
+/// Prints text to the error stream, like [`out`]. An error is dropped, since no stream is left to report it on.
+pub fn err(text: &str) {
+    let stream = io::stderr();
+    let text = finished(text, AutoStream::choice(&stream));
+    let mut stream = stream.lock();
+    let _ = stream.write_all(text.as_bytes()).and_then(|()| stream.flush());
+}
+
+/// Writes bytes of our own making (a picture, a man page, JSON) to the output stream as they are.
+///
+/// # Errors
+/// What the stream says; a reader that has gone away is no error.
+pub fn raw(bytes: &[u8]) -> io::Result<()> {
+    let mut stream = io::stdout().lock();
+    match stream.write_all(bytes).and_then(|()| stream.flush()) {
+        Err(why) if why.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        outcome => outcome,
+    }
+}
+
+/// Text as it goes to a stream; colours are taken out first, since they could part a command.
+fn finished(text: &str, colours: ColorChoice) -> String {
+    let plain = match colours {
+        ColorChoice::Never => plain::printable(&anstream::adapter::strip_str(text).to_string()),
+        _ => plain::printable(text),
+    };
+    if plain.is_empty() || plain.ends_with('\n') { plain } else { plain + "\n" }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_ends_its_line_and_gives_no_command() {
+        let table = [
+            ("", ColorChoice::Never, ""),
+            ("a", ColorChoice::Never, "a\n"),
+            ("a\n", ColorChoice::Never, "a\n"),
+            ("\u{1b}[31ma\u{1b}[0m", ColorChoice::Never, "a\n"),
+            ("\u{1b}[31ma\u{1b}[0m", ColorChoice::Always, "\u{1b}[31ma\u{1b}[0m\n"),
+            ("#\u{1b}[31m#[error]", ColorChoice::Never, "\\u{23}#[error]\n"),
+            ("\u{1b}[31m::error::", ColorChoice::Always, "\u{1b}[31m\\u{3a}:error::\n"),
+        ];
+        for (text, colours, expected) in table {
+            assert_eq!(finished(text, colours), expected, "{text:?}");
+        }
+    }
+}

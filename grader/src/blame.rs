@@ -1,0 +1,137 @@
+//! Decides whether a failed system call is the fault of the machine or of the file it was about.
+
+use std::error::Error;
+use std::io;
+
+/// The party whose fault an I/O error is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Blame {
+    /// The machine that grades: it lacks room, memory or handles, or a device fails. Another try
+    /// may succeed.
+    Machine,
+    /// The file or folder that the call named: it is missing, unreadable, of another kind, or
+    /// broken.
+    File,
+}
+
+/// Returns whose fault `error` is. One I/O error of the machine's in its chain of causes decides.
+///
+/// The answer is right for a file that somebody hands to the grader. An error about a folder of the
+/// grader's own, such as a missing TMPDIR, is always [`Blame::Machine`], so there is nothing to
+/// ask. An error without an I/O error in its chain is about content, which is [`Blame::File`].
+pub fn of(error: &(dyn Error + 'static)) -> Blame {
+    let mut next = Some(error);
+    while let Some(error) = next {
+        let io = error.downcast_ref::<io::Error>();
+        if io.is_some_and(is_of_machine) {
+            return Blame::Machine;
+        }
+        // An I/O error with a cause of its own names the cause of that cause as its source.
+        next = match io.and_then(io::Error::get_ref) {
+            Some(inner) => Some(inner),
+            None => error.source(),
+        };
+    }
+    Blame::File
+}
+
+fn is_of_machine(error: &io::Error) -> bool {
+    match error.raw_os_error() {
+        Some(code) => OF_MACHINE.contains(&code),
+        None => KINDS_OF_MACHINE.contains(&error.kind()),
+    }
+}
+
+/// Codes that say nothing of the file that was named.
+const OF_MACHINE: [i32; 18] = [
+    libc::ENOSPC,
+    libc::EDQUOT,
+    libc::EFBIG, // a limit is set on the grader, whose own limits are lower
+    libc::EMFILE,
+    libc::ENFILE,
+    libc::ENOMEM,
+    libc::ENOBUFS,
+    libc::EIO,
+    libc::EROFS,
+    libc::EAGAIN,
+    libc::EINTR,
+    libc::EBUSY,
+    libc::ETXTBSY, // another thread forked while a program was written
+    libc::ENOLCK,
+    libc::ESTALE, // a network file system lost the file
+    libc::ENOTCONN,
+    libc::ETIMEDOUT,
+    libc::EHOSTDOWN,
+];
+
+/// The same as [`OF_MACHINE`], for errors that a library has wrapped without the code.
+const KINDS_OF_MACHINE: [io::ErrorKind; 12] = [
+    io::ErrorKind::StorageFull,
+    io::ErrorKind::QuotaExceeded,
+    io::ErrorKind::FileTooLarge,
+    io::ErrorKind::OutOfMemory,
+    io::ErrorKind::ReadOnlyFilesystem,
+    io::ErrorKind::WouldBlock,
+    io::ErrorKind::Interrupted,
+    io::ErrorKind::ResourceBusy,
+    io::ErrorKind::ExecutableFileBusy,
+    io::ErrorKind::StaleNetworkFileHandle,
+    io::ErrorKind::NotConnected,
+    io::ErrorKind::TimedOut,
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An error of a library that keeps its cause, as `tar` and `tempfile` do.
+    #[derive(Debug, thiserror::Error)]
+    #[error("cannot read the entry")]
+    struct Wrapped(#[source] io::Error);
+
+    fn check(code: i32, expected: Blame) {
+        let bare = || io::Error::from_raw_os_error(code);
+        assert_eq!(of(&bare()), expected, "{}", bare());
+        assert_eq!(of(&Wrapped(bare())), expected, "{} as a cause", bare());
+        let twice = io::Error::other(Wrapped(io::Error::other(Wrapped(bare()))));
+        assert_eq!(of(&twice), expected, "{} as the cause of a cause", bare());
+    }
+
+    #[test]
+    fn a_lack_of_room_memory_or_handles_is_the_machines() {
+        for code in OF_MACHINE {
+            check(code, Blame::Machine);
+        }
+    }
+
+    #[test]
+    fn what_says_something_of_the_file_is_the_files() {
+        let of_file = [
+            libc::ENOENT,
+            libc::EACCES,
+            libc::EPERM,
+            libc::ENOTDIR,
+            libc::EISDIR,
+            libc::ELOOP,
+            libc::ENAMETOOLONG,
+            libc::ENXIO,
+            libc::EINVAL,
+            libc::EEXIST,
+            libc::ENOEXEC,
+        ];
+        for code in of_file {
+            check(code, Blame::File);
+        }
+    }
+
+    #[test]
+    fn a_kind_without_a_code_is_judged_too() {
+        for kind in KINDS_OF_MACHINE {
+            assert_eq!(of(&io::Error::new(kind, "wrapped")), Blame::Machine, "{kind}");
+        }
+        for kind in [io::ErrorKind::InvalidData, io::ErrorKind::UnexpectedEof, io::ErrorKind::Other] {
+            assert_eq!(of(&io::Error::new(kind, "broken")), Blame::File, "{kind}");
+        }
+        assert_eq!(of(&std::fmt::Error), Blame::File, "an error that is no I/O error");
+    }
+}

@@ -1,0 +1,173 @@
+//! The cases and their answers, read once and shared by all submissions.
+
+mod faults;
+mod single;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use cases::answer::{
+    AnswerError, CheckAnswer, Digest, ImageAnswer, Mistake, check_answers_path, image_answer_path, load, mistakes_path,
+};
+use cases::course::{self, Course};
+use cases::front::{Fronts, fronts_from_str, fronts_path};
+use cases::problem::Problems;
+use cases::stage::{Stage, load_all};
+
+pub use faults::{Fault, Subject, Untrusted};
+pub use single::{SingleError, stored_answer};
+
+/// All stages with all answers that can be trusted.
+#[derive(Debug)]
+pub struct Exam {
+    /// The folder `stages`.
+    pub folder: PathBuf,
+    /// What the course of the folder decides.
+    pub course: Course,
+    /// The stages, in order.
+    pub stages: Vec<Questions>,
+    /// The mistakes that a diagnosis may name; none where the list cannot be trusted.
+    pub mistakes: Vec<Mistake>,
+    /// The questions without an answer that can be trusted.
+    pub faults: Vec<Fault>,
+    /// Ids of stored answers to unit checks that do not exist.
+    pub surplus: Vec<String>,
+    /// What accuracy costs, if it was measured, or why that cannot be read.
+    pub fronts: Result<Option<Fronts>, String>,
+    /// A hash of everything in the folder that a score depends on. Titles, descriptions and times do not
+    /// count.
+    pub hash: String,
+}
+
+/// A stage, and those of its answers that can be trusted.
+#[derive(Clone, Debug)]
+pub struct Questions {
+    /// The stage.
+    pub stage: Stage,
+    /// The answers to image cases, by id.
+    pub images: BTreeMap<String, ImageAnswer>,
+    /// The answers to unit checks, by id.
+    pub units: BTreeMap<String, CheckAnswer>,
+}
+
+/// Why there is no exam.
+#[derive(Debug, thiserror::Error)]
+pub enum ExamError {
+    /// Cases or the course cannot be understood.
+    #[error("{0}")]
+    Cases(#[from] Problems),
+    /// A file of the folder cannot be read.
+    #[error("{}: {source}", path.display())]
+    Folder {
+        /// The file or the folder.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+}
+
+impl Exam {
+    /// Reads the stages in `folder`, their course and their answers. An answer that is missing or belongs
+    /// to something else is a fault; [`Exam::trust`] refuses to judge by what is left.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the cases or the course.
+    pub fn load(folder: &Path) -> Result<Self, ExamError> {
+        let course = course::course_of(folder)?;
+        let stages = load_all(folder, &course)?;
+        let hash = hash(folder, &course, &stages).map_err(|(path, source)| ExamError::Folder { path, source })?;
+        let (mut faults, mut surplus) = (vec![], vec![]);
+        let stages =
+            stages.into_iter().map(|stage| questions(folder, &course, stage, &mut faults, &mut surplus)).collect();
+        let mistakes = load::mistakes(folder, &course)
+            .map_err(|why| faults.push(Fault { subject: Subject::Mistakes, why }))
+            .unwrap_or_default();
+        let fronts = fronts(folder);
+        Ok(Self { folder: folder.to_owned(), course, stages, mistakes, faults, surplus, fronts, hash })
+    }
+
+    /// Demands that every question of the given ids, and the list of known mistakes, has an answer that
+    /// can be trusted.
+    ///
+    /// # Errors
+    /// [`Untrusted`] names those that have none, and the command that renews them.
+    pub fn trust<'a>(&'a self, ids: impl IntoIterator<Item = &'a str>) -> Result<(), Untrusted<'a>> {
+        Untrusted::among(self, ids).map_or(Ok(()), Err)
+    }
+}
+
+fn questions(
+    folder: &Path,
+    course: &Course,
+    stage: Stage,
+    faults: &mut Vec<Fault>,
+    surplus: &mut Vec<String>,
+) -> Questions {
+    let mut images = BTreeMap::new();
+    for case in &stage.cases {
+        match load::image(folder, course, stage.base, case) {
+            Ok(answer) => drop(images.insert(case.id.clone(), answer)),
+            Err(why) => faults.push(Fault { subject: Subject::Case(case.id.clone()), why }),
+        }
+    }
+    let mut units = BTreeMap::new();
+    match load::checks(folder, course, &stage) {
+        Ok((answers, unasked)) => {
+            surplus.extend(unasked);
+            for (id, answer) in answers {
+                match answer {
+                    Ok(answer) => drop(units.insert(id, answer)),
+                    Err(why) => faults.push(Fault { subject: Subject::Check(id), why }),
+                }
+            }
+        }
+        Err(why) => faults.push(Fault { subject: Subject::Checks(stage.id.clone()), why }),
+    }
+    Questions { stage, images, units }
+}
+
+fn fronts(folder: &Path) -> Result<Option<Fronts>, String> {
+    let path = fronts_path(folder);
+    let wrong = |why: &dyn std::fmt::Display| format!("what accuracy costs {} cannot be used: {why}", path.display());
+    match fs::read_to_string(&path) {
+        Ok(text) => fronts_from_str(&text).map(Some).map_err(|why| wrong(&why)),
+        Err(why) if why.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(why) => Err(wrong(&why)),
+    }
+}
+
+/// Hashes what a score depends on: for each question its points, its rules and what its answer has to be
+/// made from, and the bytes of all stored answers.
+fn hash(folder: &Path, course: &Course, stages: &[Stage]) -> Result<String, (PathBuf, io::Error)> {
+    let mut hasher = blake3::Hasher::new();
+    let mut add = |parts: &[&[u8]]| {
+        for part in parts {
+            hasher.update(&(part.len() as u64).to_le_bytes()).update(part);
+        }
+    };
+    let mut files = vec![mistakes_path(folder)];
+    for stage in stages {
+        add(&[stage.id.as_bytes(), &stage.unit_points.to_le_bytes()]);
+        files.push(check_answers_path(folder, &stage.id));
+        for case in &stage.cases {
+            let made_from = Digest::of_case(course, stage.base, case).to_string();
+            add(&[case.id.as_bytes(), &case.points.to_le_bytes(), &case.rules, made_from.as_bytes()]);
+            files.push(image_answer_path(folder, &case.id));
+        }
+        for check in &stage.checks {
+            let made_from = Digest::of_check(course, check).to_string();
+            add(&[check.id.as_bytes(), &check.rules, made_from.as_bytes()]);
+        }
+    }
+    for file in files {
+        match fs::read(&file) {
+            Ok(bytes) => add(&[&bytes]),
+            // A missing answer is a fault, which is reported where it is needed.
+            Err(why) if why.kind() == io::ErrorKind::NotFound => add(&[b"missing"]),
+            Err(why) => return Err((file, why)),
+        }
+    }
+    Ok(hasher.finalize().to_hex().to_string())
+}

@@ -1,0 +1,245 @@
+//! Folders that a live process holds by a lock. The next run removes those whose process was
+//! killed.
+//!
+//! A folder is removed only if all of this holds: its name begins with the prefix, it is a folder
+//! and no link, it belongs to this user, it bears the mark (where one is asked for), and nobody
+//! holds its lock. The lock goes away with its process, however that ends.
+
+use std::fs::{File, Permissions, TryLockError};
+use std::io;
+use std::os::unix::fs::{MetadataExt, PermissionsExt};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use rustix::fs::{Mode, OFlags};
+
+mod remove;
+
+pub use remove::remove;
+
+/// Name and content of the file that marks a folder as ours.
+const MARK: (&str, &str) =
+    (".grader", "This folder belongs to a run of grader. A later run removes it if it was left behind.\n");
+
+/// How long a folder is kept where the file system has no locks.
+const WITHOUT_LOCKS: Duration = Duration::from_secs(24 * 60 * 60);
+
+/// Tells which folders are ours.
+#[derive(Clone, Copy, Debug)]
+pub struct Kind {
+    /// The beginning of the name.
+    pub prefix: &'static str,
+    /// Whether the folder bears the mark; needed where other programs make folders too.
+    pub is_marked: bool,
+    /// Permissions of the folder.
+    pub mode: u32,
+}
+
+/// A folder that this process holds. What is in it when this is dropped is removed.
+#[derive(Debug)]
+pub struct Held {
+    path: PathBuf,
+    /// `None` where the file system has no locks.
+    _lock: Option<File>,
+}
+
+impl Held {
+    /// Makes a folder in `parent` and locks it.
+    ///
+    /// # Errors
+    /// What the file system says.
+    pub fn new(parent: &Path, kind: Kind) -> io::Result<Self> {
+        loop {
+            let mut builder = tempfile::Builder::new();
+            builder.prefix(kind.prefix).permissions(Permissions::from_mode(kind.mode));
+            let path = builder.tempdir_in(parent)?.keep();
+            // Another run may take it for a leftover in the moment before it is locked.
+            let folder = match open(&path) {
+                Err(why) if why.kind() == io::ErrorKind::NotFound => continue,
+                opened => opened?,
+            };
+            let lock = match folder.try_lock() {
+                Ok(()) if is_at(&folder, &path) => Some(folder),
+                Err(TryLockError::Error(_)) => None,
+                Ok(()) | Err(TryLockError::WouldBlock) => continue,
+            };
+            let held = Self { path, _lock: lock };
+            if kind.is_marked {
+                std::fs::write(held.path.join(MARK.0), MARK.1)?;
+            }
+            return Ok(held);
+        }
+    }
+
+    /// Returns where the folder is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+}
+
+impl Drop for Held {
+    /// What cannot be removed stays for the next run.
+    fn drop(&mut self) {
+        let _ = remove_marked_last(&self.path);
+    }
+}
+
+/// Removes a folder, its mark after everything else: a run that is killed meanwhile leaves a folder
+/// that is still known.
+fn remove_marked_last(path: &Path) -> io::Result<()> {
+    for entry in std::fs::read_dir(path)? {
+        let entry = entry?;
+        if entry.file_name() != MARK.0 {
+            remove(&entry.path())?;
+        }
+    }
+    remove(path)
+}
+
+/// Removes what killed runs left in `parent`, and returns how many folders that were.
+///
+/// # Errors
+/// A `parent` that cannot be listed. What cannot be removed stays.
+pub fn clear(parent: &Path, kind: Kind) -> io::Result<usize> {
+    let left = left_behind(parent, kind)?;
+    Ok(left.into_iter().filter(|left| remove_marked_last(&left.path).is_ok()).count())
+}
+
+/// A folder that a killed run left. No other run takes it while this lives.
+#[derive(Debug)]
+pub struct Left {
+    /// Where the folder is.
+    pub path: PathBuf,
+    _lock: File,
+}
+
+/// Finds what killed runs left in `parent`, in order.
+///
+/// # Errors
+/// A `parent` that cannot be listed.
+pub fn left_behind(parent: &Path, kind: Kind) -> io::Result<Vec<Left>> {
+    let mut all = vec![];
+    for entry in std::fs::read_dir(parent)? {
+        let entry = entry?;
+        if entry.file_name().as_encoded_bytes().starts_with(kind.prefix.as_bytes()) {
+            // What cannot be looked at is not ours.
+            all.extend(take(entry.path(), kind).ok().flatten());
+        }
+    }
+    all.sort_by(|a, b| a.path.cmp(&b.path));
+    Ok(all)
+}
+
+/// Takes one folder, if it was left behind.
+fn take(path: PathBuf, kind: Kind) -> io::Result<Option<Left>> {
+    let folder = open(&path)?;
+    let about = folder.metadata()?;
+    let is_ours = about.uid() == rustix::process::geteuid().as_raw();
+    if !is_ours || (kind.is_marked && !is_marked(&path)) {
+        return Ok(None);
+    }
+    let is_left_behind = match folder.try_lock() {
+        Ok(()) => is_at(&folder, &path),
+        Err(TryLockError::WouldBlock) => false,
+        Err(TryLockError::Error(_)) => about.modified()?.elapsed().is_ok_and(|age| age > WITHOUT_LOCKS),
+    };
+    Ok(is_left_behind.then_some(Left { path, _lock: folder }))
+}
+
+/// Opens a folder, and nothing else: a link in its place is not followed.
+fn open(path: &Path) -> io::Result<File> {
+    let flags = OFlags::RDONLY | OFlags::DIRECTORY | OFlags::NOFOLLOW | OFlags::CLOEXEC;
+    Ok(rustix::fs::open(path, flags, Mode::empty())?.into())
+}
+
+/// Returns whether `path` still names the open folder.
+fn is_at(folder: &File, path: &Path) -> bool {
+    let (Ok(here), Ok(there)) = (folder.metadata(), path.symlink_metadata()) else { return false };
+    (here.dev(), here.ino()) == (there.dev(), there.ino())
+}
+
+fn is_marked(path: &Path) -> bool {
+    let file = path.join(MARK.0);
+    let is_file = file.symlink_metadata().is_ok_and(|about| about.is_file() && about.len() == MARK.1.len() as u64);
+    is_file && std::fs::read(file).is_ok_and(|text| text == MARK.1.as_bytes())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::os::unix::fs::symlink;
+
+    use super::*;
+
+    const OURS: Kind = Kind { prefix: "grader-", is_marked: true, mode: 0o700 };
+
+    /// A folder as a killed process leaves it: whole, but locked by nobody.
+    fn abandoned(parent: &Path) -> PathBuf {
+        let held = Held::new(parent, OURS).unwrap();
+        std::fs::create_dir(held.path.join("1")).unwrap();
+        std::fs::write(held.path.join("1/scene.json"), "{}").unwrap();
+        let path = held.path.clone();
+        let copy = parent.join("grader-left");
+        std::fs::rename(&path, &copy).unwrap();
+        drop(held);
+        copy
+    }
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = std::fs::read_dir(folder).unwrap();
+        let mut names: Vec<String> =
+            entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn what_nobody_holds_is_removed() {
+        let home = tempfile::tempdir().unwrap();
+        let left = abandoned(home.path());
+        assert_eq!(names(home.path()), ["grader-left"]);
+        assert_eq!(clear(home.path(), OURS).unwrap(), 1);
+        assert!(!left.exists());
+    }
+
+    #[test]
+    fn what_is_held_stays_until_it_is_dropped() {
+        let home = tempfile::tempdir().unwrap();
+        let held = Held::new(home.path(), OURS).unwrap();
+        assert_eq!(clear(home.path(), OURS).unwrap(), 0);
+        assert!(held.path().is_dir());
+        drop(held);
+        assert_eq!(names(home.path()), [""; 0]);
+    }
+
+    #[test]
+    fn what_is_not_ours_stays() {
+        let home = tempfile::tempdir().unwrap();
+        let left = abandoned(home.path());
+        // No mark; another text in the mark; a mark behind a link; a link to a folder of ours; a
+        // file; another name.
+        for name in ["grader-results", "grader-other", "grader-linked-mark", "other"] {
+            std::fs::create_dir(home.path().join(name)).unwrap();
+        }
+        std::fs::write(home.path().join("grader-other").join(MARK.0), "mine").unwrap();
+        std::fs::write(home.path().join("other").join(MARK.0), MARK.1).unwrap();
+        symlink(left.join(MARK.0), home.path().join("grader-linked-mark").join(MARK.0)).unwrap();
+        symlink(home.path().join("other"), home.path().join("grader-link")).unwrap();
+        std::fs::write(home.path().join("grader-file"), "").unwrap();
+        let mut expected = names(home.path());
+        expected.retain(|name| name != "grader-left");
+        assert_eq!(clear(home.path(), OURS).unwrap(), 1);
+        assert_eq!(names(home.path()), expected);
+        assert!(home.path().join("other").join(MARK.0).exists(), "the target of a link was emptied");
+    }
+
+    #[test]
+    fn a_folder_without_a_mark_is_cleared_where_none_is_asked_for() {
+        let home = tempfile::tempdir().unwrap();
+        let parts = Kind { prefix: ".part-", is_marked: false, mode: 0o755 };
+        std::fs::create_dir(home.path().join(".part-x")).unwrap();
+        let held = Held::new(home.path(), parts).unwrap();
+        assert_eq!(clear(home.path(), parts).unwrap(), 1);
+        assert!(held.path().is_dir());
+        assert!(clear(&home.path().join("nowhere"), parts).is_err());
+    }
+}

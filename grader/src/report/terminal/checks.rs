@@ -1,0 +1,210 @@
+//! Lines on the checks that did not pass: an example of each group, and how many more there are.
+
+use pages::lines::count;
+use similar::{ChangeTag, TextDiff};
+
+use super::groups::{self, Cause, Group};
+use super::{BAD, GOOD, Look, ODD, indented, line};
+use crate::functions;
+use crate::plain::shown;
+use crate::record::{CheckKind, CheckRecord, Finding, FindingKind, Record, Verdict};
+use crate::report::{mistakes, words};
+
+/// Groups whose example is shown with the difference between the answers.
+const MOST_DIFFERENCES: usize = 6;
+/// Lines of an answer that are compared, and lines that differ that are shown of it.
+const MOST_COMPARED: usize = 200;
+const MOST_DIFFERENT: usize = 8;
+/// Characters of a message.
+const MOST_OF_A_MESSAGE: usize = 180;
+/// Names of checks that are listed of a group.
+const MOST_NAMED: usize = 3;
+
+/// Writes what there is to say of all checks: in full where that is wanted, else an example of each group.
+pub(super) fn write(record: &Record, look: Look, text: &mut String) {
+    let groups = groups::of(record);
+    let are_answers_wrong = groups.iter().any(|group| is_of_a_function(group) && !is_of_a_composed_one(group));
+    let mut n_differences = 0;
+    for group in groups.iter().filter(|group| !matches!(group.cause, Cause::NotRun(..))) {
+        match group.cause {
+            _ if look.is_verbose => group.checks.iter().for_each(|one| in_full(record, one, text)),
+            // A wrong function makes pictures wrong, and the functions that call it: one line will do.
+            Cause::Pictures(_) if are_answers_wrong => {
+                in_short(&count(group.checks.len(), "wrong picture"), group, text);
+            }
+            Cause::Answers(function) if are_answers_wrong && is_of_a_composed_one(group) => {
+                let n = count(group.checks.len(), "wrong answer");
+                in_short(&format!("{n} of `{}`, which calls others", shown(function)), group, text);
+            }
+            _ => by_example(record, group, &mut n_differences, text),
+        }
+    }
+    still_to_be_written(&groups, text);
+    not_run(&groups, text);
+    for (stage, remark) in record.stages.iter().flat_map(|stage| stage.remarks.iter().map(|one| (&stage.id, one))) {
+        line(text, &format!("{ODD}{}{ODD:#}  {}", shown(stage), shown(remark)));
+    }
+}
+
+fn is_of_a_function(group: &Group) -> bool {
+    matches!(group.cause, Cause::Answers(_))
+}
+
+/// Whether a group is of a function that leaves most of its work to others.
+fn is_of_a_composed_one(group: &Group) -> bool {
+    let function = groups::function(group.checks[0]).and_then(functions::find);
+    is_of_a_function(group) && function.is_some_and(|(_, function)| function.is_composed)
+}
+
+/// One check of a group with what is wrong with it, and the names of the others.
+fn by_example(record: &Record, group: &Group, n_differences: &mut usize, text: &mut String) {
+    let has_answers = |one: &&&CheckRecord| one.finding.as_ref().is_some_and(|it| it.expected.is_some());
+    // An answer says more than a picture.
+    let example = group.checks.iter().find(has_answers).unwrap_or(&group.checks[0]);
+    headline(record, example, text);
+    if has_answers(&example) && *n_differences < MOST_DIFFERENCES {
+        *n_differences += 1;
+        differences(example, false, text);
+    }
+    more(group, example, text);
+}
+
+/// A line on a whole group.
+fn in_short(what: &str, group: &Group, text: &mut String) {
+    line(text, &format!("{BAD}{}{BAD:#}  {what}: {}", place(&group.checks), named(&group.checks)));
+}
+
+/// The first names of checks, without their stage, and how many more there are.
+fn named(checks: &[&CheckRecord]) -> String {
+    let behind = |one: &&CheckRecord| shown(one.id.split_once('/').map_or(one.id.as_str(), |(_, behind)| behind));
+    let names = checks.iter().take(MOST_NAMED).map(behind).collect::<Vec<_>>().join(", ");
+    let rest = checks.len().saturating_sub(MOST_NAMED);
+    if rest == 0 { names } else { format!("{names} and {rest} more (-v)") }
+}
+
+/// The line on one check: its id, what is wrong with it, its rules.
+fn headline(record: &Record, check: &CheckRecord, text: &mut String) {
+    let Some(finding) = &check.finding else { return };
+    let style = if matches!(check.verdict, Verdict::Fail | Verdict::NotRun) { BAD } else { ODD };
+    let part = match check.verdict {
+        Verdict::Partial => format!("{} points, ", words::share(check.earned, check.possible)),
+        _ => String::new(),
+    };
+    let rules: String = check.rules.iter().map(|rule| format!(" [rule {rule}]")).collect();
+    let (kind, message) = (words::finding(finding.kind), short(&shown(&finding.message)));
+    line(text, &format!("{style}{}{style:#}  {part}{kind}: {message}{rules}", shown(&check.id)));
+    if let Some(says) = finding.diagnosis.as_ref().and_then(|id| mistakes::says(record, id)) {
+        line(text, &format!("    most likely {}", shown(says)));
+    }
+}
+
+/// How many other checks a group has, and the first of their names.
+fn more(group: &Group, example: &CheckRecord, text: &mut String) {
+    let others: Vec<&CheckRecord> = group.checks.iter().copied().filter(|one| one.id != example.id).collect();
+    let what = match group.cause {
+        _ if others.is_empty() => return,
+        Cause::Mistake(_) => "the same explains",
+        Cause::Answers(_) | Cause::Pictures(_) => "wrong as well:",
+        Cause::Ending(..) | Cause::NotRun(..) | Cause::Remark(..) => "the same goes for",
+    };
+    line(text, &format!("    {what} {}", named(&others)));
+}
+
+fn in_full(record: &Record, check: &CheckRecord, text: &mut String) {
+    headline(record, check, text);
+    let Some(finding) = &check.finding else { return };
+    differences(check, true, text);
+    details(check, finding, text);
+}
+
+fn details(check: &CheckRecord, finding: &Finding, text: &mut String) {
+    indented(text, &shown(&check.about));
+    if let Some(question) = &finding.asked {
+        indented(text, &format!("question: {}", short(&shown(&question.to_string()))));
+    }
+    if let Some(stderr) = &finding.stderr {
+        indented(text, &format!("standard error:\n{}", shown(stderr)));
+    }
+}
+
+/// Expected and actual answer, line by line; unless `is_whole`, only the first lines that differ, side by side.
+fn differences(check: &CheckRecord, is_whole: bool, text: &mut String) {
+    let Some((expected, actual)) = check.finding.as_ref().and_then(|it| it.expected.as_ref().zip(it.actual.as_ref()))
+    else {
+        return;
+    };
+    let lines = |answer: &str| answer.lines().take(MOST_COMPARED).map(|one| shown(one) + "\n").collect::<String>();
+    let (expected, actual) = (lines(expected), lines(actual));
+    let diff = TextDiff::from_lines(expected.as_str(), actual.as_str());
+    let changes: Vec<_> =
+        diff.iter_all_changes().filter(|change| is_whole || change.tag() != ChangeTag::Equal).collect();
+    let most = if is_whole { usize::MAX } else { MOST_DIFFERENT };
+    for same in changes[..changes.len().min(most)].chunk_by(|a, b| !is_whole && a.tag() == b.tag()) {
+        let (sign, style) = match same[0].tag() {
+            ChangeTag::Delete => ("- expected ", GOOD),
+            ChangeTag::Insert => ("+ yours    ", BAD),
+            ChangeTag::Equal => ("           ", anstyle::Style::new()),
+        };
+        let values: Vec<&str> = same.iter().map(|change| change.value().trim_end()).collect();
+        line(text, &format!("    {style}{sign}{}{style:#}", values.join("  ")));
+    }
+    if changes.len() > most {
+        line(text, &format!("    ({} (-v shows all))", count(changes.len() - most, "more line")));
+    }
+}
+
+/// The functions that are still to be written, in the order of the stages, each with the checks that wait for it.
+fn still_to_be_written(groups: &[Group], text: &mut String) {
+    let mut waiting: Vec<(usize, &str, &Group)> = groups.iter().filter_map(waiting).collect();
+    waiting.sort_by_key(|(place, ..)| *place);
+    if !waiting.is_empty() {
+        line(text, &format!("{ODD}still to be written{ODD:#} (each function, or one that it calls)"));
+    }
+    for (_, message, group) in waiting {
+        line(text, &format!("    {}: {}", shown(functions::subject(message)), counts(&group.checks)));
+    }
+}
+
+/// The place of the function that the unit checks of a group wait for, and what is said of it.
+fn waiting<'a>(group: &'a Group<'a>) -> Option<(usize, &'a str, &'a Group<'a>)> {
+    let Cause::NotRun(FindingKind::Todo, message) = group.cause else { return None };
+    let key = groups::function(group.checks[0])?;
+    Some((functions::find(key).map_or(usize::MAX, |(place, _)| place), message, group))
+}
+
+/// What else was not run, in as few lines as there are reasons.
+fn not_run(groups: &[Group], text: &mut String) {
+    for group in groups {
+        if let (Cause::NotRun(_, why), None) = (group.cause, waiting(group)) {
+            line(text, &format!("{ODD}not run{ODD:#}  {}: {}", counts(&group.checks), short(&shown(why))));
+        }
+    }
+}
+
+/// How many pictures and unit checks there are, and of which stage.
+fn counts(checks: &[&CheckRecord]) -> String {
+    let n = |kind| checks.iter().filter(|check| check.kind == kind).count();
+    let kinds = [(n(CheckKind::Image), "picture"), (n(CheckKind::Unit), "unit check")];
+    let kinds: Vec<String> = kinds.iter().filter(|(n, _)| *n > 0).map(|(n, what)| count(*n, what)).collect();
+    format!("{} of {}", kinds.join(" and "), place(checks))
+}
+
+/// The stage of checks, or how many stages they are of.
+fn place(checks: &[&CheckRecord]) -> String {
+    let mut stages: Vec<&str> = checks.iter().filter_map(|check| check.id.split('/').next()).collect();
+    stages.dedup();
+    match stages.as_slice() {
+        [one] => shown(one),
+        several => count(several.len(), "stage"),
+    }
+}
+
+/// The beginning of a long message; to the end of a part of it, where one ends late enough.
+fn short(message: &str) -> String {
+    let start: String = message.chars().take(MOST_OF_A_MESSAGE).collect();
+    if start.len() == message.len() {
+        return start;
+    }
+    let end = start.rfind("; ").filter(|end| *end > MOST_OF_A_MESSAGE / 2).unwrap_or(start.len());
+    format!("{} […]", &start[..end])
+}

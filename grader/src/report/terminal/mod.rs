@@ -1,0 +1,102 @@
+//! The report for a terminal: what is wrong, where and why; then a table of stages, and what to do next.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `groups.rs` | the checks that did not pass, put together by what is wrong with them |
+//! | `checks.rs` | lines on them |
+//! | `table.rs` | the table, and the next step |
+
+use anstyle::{AnsiColor, Style};
+use pages::lines::{count, folded};
+
+use super::{mistakes, words};
+use crate::plain::{printable, shown};
+use crate::record::{Diagnosis, Record};
+
+mod checks;
+mod groups;
+mod table;
+#[cfg(test)]
+mod tests;
+
+const GOOD: Style = AnsiColor::Green.on_default();
+const BAD: Style = AnsiColor::Red.on_default();
+const ODD: Style = AnsiColor::Yellow.on_default();
+const BOLD: Style = Style::new().bold();
+
+/// Lines of the compiler's errors that are shown; the first ones matter.
+const MOST_ERRORS: usize = 60;
+
+/// How much is shown, and in what width.
+#[derive(Clone, Copy, Debug)]
+pub struct Look {
+    /// Adds warnings, the protection that was in force, what programs wrote on their error streams, what each
+    /// check is about, and every check that did not pass.
+    pub is_verbose: bool,
+    /// Columns of a line.
+    pub columns: usize,
+}
+
+/// Returns the report as text with colours; whoever prints it strips them where they do not belong.
+pub fn render(record: &Record, look: Look) -> String {
+    let mut text = String::new();
+    build(record, look, &mut text);
+    checks::write(record, look, &mut text);
+    if !text.is_empty() {
+        text.push('\n');
+    }
+    if record.interrupted {
+        line(&mut text, &format!("{BAD}Interrupted{BAD:#}: not everything was run, so the points are not final."));
+    }
+    table::write(record, look, &mut text);
+    record.diagnoses.iter().for_each(|one| diagnosis(record, one, &mut text));
+    table::next(record, &mut text);
+    // A rule and its number stay on one line.
+    let text = text.replace("[rule ", "[rule\u{a0}");
+    printable(&folded(&text, look.columns).replace("[rule\u{a0}", "[rule "))
+}
+
+/// What the program most likely does, where to look, and how much that explains.
+fn diagnosis(record: &Record, diagnosis: &Diagnosis, text: &mut String) {
+    let mut lead = format!("{BOLD}Most likely{BOLD:#}");
+    for mistake in &diagnosis.mistakes {
+        let see = mistakes::rule(mistake.rule).map_or(String::new(), |rule| format!("; see {}", rule.link()));
+        line(text, &format!("{lead}  {} [rule {}]", shown(&mistake.says), mistake.rule));
+        line(text, &format!("    look at {}{see}", mistakes::place(mistake)));
+        lead = format!("{BOLD}or{BOLD:#}");
+    }
+    line(text, &format!("    It explains {}.", mistakes::extent(record, diagnosis)));
+}
+
+fn line(text: &mut String, line: &str) {
+    text.push_str(line);
+    text.push('\n');
+}
+
+fn indented(text: &mut String, block: &str) {
+    block.lines().for_each(|one| line(text, &format!("    {one}")));
+}
+
+/// What was left aside, the compiler's warnings, and why there is no program.
+fn build(record: &Record, look: Look, text: &mut String) {
+    for ignored in &record.build.ignored {
+        line(text, &format!("{ODD}left aside{ODD:#}  {}", shown(ignored)));
+    }
+    let warnings = &record.build.warnings;
+    if look.is_verbose {
+        warnings.iter().for_each(|warning| line(text, &format!("{}\n", shown(warning))));
+    } else if !warnings.is_empty() {
+        let n = count(warnings.len(), "warning");
+        line(text, &format!("{ODD}the compiler gives {n}{ODD:#} (-v shows them)"));
+    }
+    if let Some(finding) = &record.build.finding {
+        line(text, &format!("{BAD}{}{BAD:#}", words::finding(finding.kind)));
+        let message = shown(&finding.message);
+        let most = if look.is_verbose { usize::MAX } else { MOST_ERRORS };
+        indented(text, &message.lines().take(most).collect::<Vec<_>>().join("\n"));
+        let n_more = message.lines().count().saturating_sub(most);
+        if n_more > 0 {
+            indented(text, &format!("({} (-v shows all))", count(n_more, "more line")));
+        }
+    }
+}
