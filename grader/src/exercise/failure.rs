@@ -7,16 +7,23 @@ use cases::program::EXIT_TODO;
 
 use crate::sandbox::{Finished, Outcome};
 
-/// Processes that must fail in the same way. The last of them is given nothing to do.
-pub const N_SAME: u32 = 3;
+/// Number of processes that must fail in the same way before another one, which is given nothing to
+/// do, decides.
+const N_SAME: u32 = 3;
+/// The same number where the processes die without a word, so that their ends look alike whatever
+/// the cause is.
+pub(super) const N_SILENT: u32 = 8;
+/// This many lines at the end of the error stream are compared: they hold the place and the message
+/// of a Rust panic and of a Python exception.
+const N_LINES: usize = 5;
 
 /// The way in which a process failed.
 #[derive(Clone, Debug)]
 pub struct Failure {
     /// The end of the process, with its streams cut.
     pub finished: Finished,
-    /// The last line on the error stream, without the name of the work folder.
-    last_line: String,
+    /// The last lines on the error stream, without what differs from run to run.
+    message: String,
 }
 
 impl Failure {
@@ -30,14 +37,33 @@ impl Failure {
             return None;
         }
         let text = finished.stderr_text().unwrap_or_default();
-        let last_line = text.lines().next_back().unwrap_or_default();
-        let last_line = last_line.replace(&*folder.to_string_lossy(), "");
-        Some(Self { finished: finished.clone().without_streams(), last_line })
+        let lines: Vec<&str> = text.lines().collect();
+        let last = lines[lines.len().saturating_sub(N_LINES)..].join("\n");
+        let message = settled(&last.replace(&*folder.to_string_lossy(), ""));
+        Some(Self { finished: finished.clone().without_streams(), message })
     }
 
     fn is_like(&self, other: &Self) -> bool {
-        self.finished.outcome == other.finished.outcome && self.last_line == other.last_line
+        self.finished.outcome == other.finished.outcome && self.message == other.message
     }
+
+    /// Returns how many processes must fail like this one.
+    fn n_needed(&self) -> u32 {
+        let is_death = matches!(self.finished.outcome, Outcome::Exited(_) | Outcome::Signalled(_));
+        if is_death && self.message.trim().is_empty() { N_SILENT } else { N_SAME }
+    }
+}
+
+/// Returns a message without numbers in brackets and addresses: Rust prints the number of a thread as
+/// `(1234)`, and C++ an address as `0x55d0`.
+fn settled(message: &str) -> String {
+    let mut settled = String::with_capacity(message.len());
+    let mut rest = message;
+    while let Some(at) = ["(", "0x"].iter().filter_map(|mark| Some(rest.find(mark)? + mark.len())).min() {
+        settled.push_str(&rest[..at]);
+        rest = rest[at..].trim_start_matches(|c: char| c.is_ascii_hexdigit());
+    }
+    settled + rest
 }
 
 /// The evidence of the first processes of one kind (`render`, `probe`) on all others.
@@ -55,19 +81,25 @@ enum State {
     Failing(Failure, u32),
     /// One gave something, ended without a failure, or failed otherwise. From now on all are run.
     Fine,
-    /// No process will give anything.
-    Broken(Failure),
+    /// No process will give anything, as so many have shown.
+    Broken(Failure, u32),
 }
 
 impl Start {
-    /// Returns the failure of a program that fails whatever it is given.
-    pub fn broken(&self) -> Option<&Failure> {
-        if let State::Broken(failure) = &self.state { Some(failure) } else { None }
+    /// Returns the failure of a program that fails whatever it is given, and how many processes have
+    /// shown that.
+    pub fn broken(&self) -> Option<(&Failure, u32)> {
+        if let State::Broken(failure, n) = &self.state { Some((failure, *n)) } else { None }
+    }
+
+    /// Returns how many processes have failed alike, if that is not yet enough to know.
+    pub(super) fn n_failures(&self) -> u32 {
+        if let State::Failing(_, n) = self.state { n } else { 0 }
     }
 
     /// Returns whether it is known if the program is broken.
     pub fn is_known(&self) -> bool {
-        matches!(self.state, State::Fine | State::Broken(_))
+        matches!(self.state, State::Fine | State::Broken(..))
     }
 
     /// Takes in how a process ended. `failure` is `None` where it gave anything, or did not fail.
@@ -78,8 +110,8 @@ impl Start {
         self.state = match (std::mem::take(&mut self.state), failure) {
             (State::New, Some(failure)) => State::Failing(failure.clone(), 1),
             (State::Failing(first, n), Some(failure)) if failure.is_like(&first) => match n + 1 {
-                n if n + 1 < N_SAME => State::Failing(first, n),
-                _ if trial().is_some_and(|failure| failure.is_like(&first)) => State::Broken(first),
+                n if n < first.n_needed() => State::Failing(first, n),
+                n if trial().is_some_and(|failure| failure.is_like(&first)) => State::Broken(first, n + 1),
                 _ => State::Fine,
             },
             (State::New | State::Failing(..), _) => State::Fine,
@@ -88,9 +120,25 @@ impl Start {
     }
 }
 
+/// Returns the order in which `n` things are tried until it is known whether the program is broken.
+///
+/// The first two come first, then the last one, then others from all over: what the first two share
+/// may be what the program fails at.
+pub fn order(n: usize) -> Vec<usize> {
+    let spread = (1..N_SILENT as usize).map(|k| k * n / N_SILENT as usize);
+    let mut order: Vec<usize> = vec![];
+    for place in [0, 1, n.saturating_sub(1)].into_iter().chain(spread).chain(0..n).filter(|place| *place < n) {
+        if !order.contains(&place) {
+            order.push(place);
+        }
+    }
+    order
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sandbox::Clock;
 
     /// A failure by `code` with `stderr`, seen in the folder `/tmp/7`.
     fn failure(outcome: Outcome, stderr: &str) -> Option<Failure> {
@@ -120,24 +168,63 @@ mod tests {
     #[test]
     fn a_program_is_broken_if_it_fails_in_the_same_way_with_nothing_to_do() {
         let no_config = || crash("no configuration");
+        let two = [no_config(), no_config()];
         check(&[], None, false, false);
-        check(&[no_config()], no_config(), false, false);
-        check(&[no_config(), no_config()], no_config(), true, true);
+        check(&two, no_config(), false, false);
+        check(&[no_config(), no_config(), no_config()], no_config(), true, true);
         check(&[no_config(), no_config(), no_config(), None], no_config(), true, true);
-        check(&[no_config(), no_config()], None, true, false);
-        check(&[no_config(), no_config()], crash("no scene"), true, false);
-        check(&[no_config(), crash("no sphere")], no_config(), true, false);
+        check(&[no_config(), no_config(), no_config()], None, true, false);
+        check(&[no_config(), no_config(), no_config()], crash("no scene"), true, false);
+        check(&[no_config(), no_config(), crash("no sphere")], no_config(), true, false);
         check(&[no_config(), failure(Outcome::Exited(2), "no configuration")], no_config(), true, false);
         check(&[None, no_config(), no_config()], no_config(), true, false);
         check(&[no_config(), None, no_config()], no_config(), true, false);
     }
 
+    /// Ends without a word look alike, so more of them are needed.
     #[test]
-    fn names_of_folders_and_earlier_lines_make_no_difference() {
+    fn silent_ends_need_more_evidence() {
+        let silent = |n| vec![failure(Outcome::Signalled(11), ""); n];
+        check(&silent(7), failure(Outcome::Signalled(11), ""), false, false);
+        check(&silent(8), failure(Outcome::Signalled(11), ""), true, true);
+        check(&silent(8), None, true, false);
+        check(
+            &vec![failure(Outcome::TimedOut(Clock::Cpu), ""); 3],
+            failure(Outcome::TimedOut(Clock::Cpu), ""),
+            true,
+            true,
+        );
+    }
+
+    /// All Rust panics end with the same note.
+    #[test]
+    fn panics_at_different_places_are_not_alike() {
+        let panic = |thread: u32, at: &str| {
+            let note = "note: run with `RUST_BACKTRACE=1` environment variable to display a backtrace";
+            let text = format!("thread 'main' ({thread}) panicked at src/{at}:\nindex out of bounds\n{note}\n");
+            failure(Outcome::Exited(101), &text).unwrap()
+        };
+        assert!(panic(7, "scene.rs:3:5").is_like(&panic(1234, "scene.rs:3:5")));
+        assert!(!panic(7, "scene.rs:3:5").is_like(&panic(7, "scene.rs:4:5")));
+    }
+
+    #[test]
+    fn names_of_folders_and_addresses_make_no_difference() {
         let one = crash("at 0x1234\ncannot open /tmp/7/scene.json").unwrap();
-        let other = Finished { stderr: b"cannot open /tmp/8/scene.json".to_vec(), ..one.finished.clone() };
+        let other = Finished { stderr: b"at 0xffe0\ncannot open /tmp/8/scene.json".to_vec(), ..one.finished.clone() };
         assert!(one.is_like(&Failure::of(&other, Path::new("/tmp/8")).unwrap()));
         assert!(!one.is_like(&Failure::of(&other, Path::new("/tmp/9")).unwrap()));
+    }
+
+    #[test]
+    fn the_first_tries_are_far_apart() {
+        assert_eq!(order(0), [0; 0]);
+        assert_eq!(order(1), [0]);
+        assert_eq!(order(3), [0, 1, 2]);
+        assert_eq!(order(16)[..6], [0, 1, 15, 2, 4, 6]);
+        let mut all = order(50);
+        all.sort();
+        assert_eq!(all, (0..50).collect::<Vec<_>>());
     }
 
     #[test]

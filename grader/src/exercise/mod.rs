@@ -14,7 +14,7 @@ use crate::build::Program;
 use crate::sandbox::Limits;
 
 pub use explain::explain;
-pub use failure::{Failure, N_SAME, Start};
+pub use failure::{Failure, Start, order};
 pub use pictures::{NoPicture, Shot, read, shoot};
 pub use probes::{Ended, Probed, probe};
 pub use replies::Got;

@@ -7,6 +7,7 @@ use std::time::Duration;
 use cases::probe::Question;
 
 use super::attempt::{Attempt, NEEDED, Task, attempt};
+use super::failure::N_SILENT;
 use super::replies::{self, Got, Replies};
 use super::{Candidate, N_TIMEOUTS, Start, reduced};
 use crate::sandbox::{Finished, Limits, Outcome};
@@ -70,17 +71,20 @@ pub fn probe(candidate: &Candidate, questions: &[Question], start: &mut Start) -
             probed.not_asked.extend(open.drain(..).map(|question| (question.id.clone(), why.clone())));
             break;
         }
-        let (finished, behind) = ask(candidate, &open, limits, &mut probed, start);
+        let batch = batch(&open, start);
+        let (finished, behind) = ask(candidate, &batch, limits, &mut probed, start);
         let answers_nothing = behind == 0 && probed.got.is_empty();
-        let is_through = finished.outcome == Outcome::Exited(0) && (answers_nothing || behind == open.len());
+        let is_through = finished.outcome == Outcome::Exited(0) && (answers_nothing || behind == batch.len());
         sends_off |= behind > 0 && finished.outcome != Outcome::Exited(0);
-        let suspect = open.get(behind).or(open.first()).copied();
-        let is_sure = behind > 0 || open.len() == 1 || sends_off;
+        let suspect = batch.get(behind).or(batch.first()).copied();
+        let is_sure = behind > 0 || batch.len() == 1 || sends_off;
         open.retain(|question| !probed.got.contains_key(&question.id));
         if is_through || cannot_go_on(&finished) {
+            let is_over = cannot_go_on(&finished);
             let ended = Ended { finished, limits };
-            probed.ended.extend(open.drain(..).map(|question| (question.id.clone(), ended.clone())));
-            break;
+            let is_done = |question: &&Question| is_over || batch.iter().any(|one| one.id == question.id);
+            probed.ended.extend(open.extract_if(.., |it| is_done(it)).map(|it| (it.id.clone(), ended.clone())));
+            continue;
         }
         let Some(suspect) = suspect.filter(|suspect| open.iter().any(|question| question.id == suspect.id)) else {
             continue;
@@ -101,6 +105,16 @@ pub fn probe(candidate: &Candidate, questions: &[Question], start: &mut Start) -
         give_up(&mut open, &hangs, &mut probed);
     }
     probed
+}
+
+/// Returns the questions for the next process: all that are open, or a single one where it is still
+/// to be found out whether the program fails whatever it is given.
+fn batch<'a>(open: &[&'a Question], start: &Start) -> Vec<&'a Question> {
+    match start.n_failures() as usize {
+        0 | 1 => open.to_vec(),
+        2 => vec![open[open.len() - 1]],
+        n => vec![open[(n - 2) * open.len() / N_SILENT as usize]],
+    }
 }
 
 /// Puts the questions to one process, and takes in its answers. Returns how it ended, and the place

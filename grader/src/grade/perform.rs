@@ -124,15 +124,15 @@ struct Session<'a> {
 }
 
 impl Session<'_> {
-    /// Runs the first tasks of a kind one after another, until it is known whether the program is
-    /// broken.
+    /// Runs tasks of a kind one after another, until it is known whether the program is broken.
     fn begin(&self, kind: std::ops::Range<usize>) -> (BTreeMap<usize, Ran>, Start) {
         let mut start = Start::default();
         let mut ran = BTreeMap::new();
-        for n in kind {
+        for place in exercise::order(kind.len()) {
             if start.is_known() {
                 break;
             }
+            let n = kind.start + place;
             ran.insert(n, self.run(n, &mut start));
         }
         (ran, start)
@@ -202,7 +202,7 @@ impl Session<'_> {
         ] {
             let n = ids.len();
             let judgement = || match start.broken() {
-                Some(failure) => verdicts::skipped(failure, limits, what, n),
+                Some((failure, n_same)) => verdicts::skipped(failure, n_same, limits, (what, n)),
                 None => Judgement::ours("it was planned, but not run"),
             };
             answers.done.extend(ids.into_iter().map(|id| (id, Done::unmeasured(judgement(), None))));

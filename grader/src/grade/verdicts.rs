@@ -5,7 +5,7 @@ use cases::probe::{Answer, Question};
 use cases::stage::Case;
 
 use crate::exam::Questions;
-use crate::exercise::{Ended, Failure, Got, N_SAME, NoPicture, Probed, Shot};
+use crate::exercise::{Ended, Failure, Got, NoPicture, Probed, Shot};
 use crate::judge::{self, Judgement};
 use crate::record::{Finding, FindingKind};
 use crate::sandbox::{Clock, Finished, Limits, Outcome};
@@ -97,8 +97,8 @@ pub(super) fn of_answer(question: &Question, probed: &Probed, questions: &Questi
 }
 
 /// Returns the judgement on one of `n` checks that were left out because the program fails whatever
-/// it is given.
-pub(super) fn skipped(failure: &Failure, limits: &Limits, what: Skipped, n: usize) -> Judgement {
+/// it is given, as `n_same` processes have shown.
+pub(super) fn skipped(failure: &Failure, n_same: u32, limits: &Limits, (what, n): (Skipped, usize)) -> Judgement {
     let mut judgement = judge::ending(&failure.finished, limits);
     if let Some(finding) = &mut judgement.finding {
         let (given, one) = match what {
@@ -107,7 +107,7 @@ pub(super) fn skipped(failure: &Failure, limits: &Limits, what: Skipped, n: usiz
         };
         let left_out = if n == 1 { format!("1 {one} was") } else { format!("{n} {one}s were") };
         finding.message = format!(
-            "not run, because the program fails whatever it is given: {}. {N_SAME} processes ended in this way, the \
+            "not run, because the program fails whatever it is given: {}. {n_same} processes ended in this way, the \
              last of them {given}, so {left_out} left out",
             finding.message
         );
