@@ -74,6 +74,18 @@ fn an_interrupt_keeps_what_is_done() {
     assert!(printed.contains("2 are left"), "{printed}");
 }
 
+/// A run that one of them kills keeps what is known of the other.
+#[test]
+fn two_submissions_that_kill_the_grader_hold_up_nobody_for_ever() {
+    let kill = "kill -9 $PPID; sleep 5";
+    let class = Class::new(&[("a", kill), ("b", kill), ("c", BLACK), ("d", BLACK)]);
+    let run = || class.start("1").wait_with_output().unwrap().status.code();
+    let codes: Vec<_> = std::iter::repeat_with(run).take(8).take_while(Option::is_none).collect();
+    assert_eq!(codes.len(), 4, "each of them kills two runs");
+    assert!(class.has_record("c") && class.has_record("d"));
+    assert_eq!(run(), None, "a later run tries them again");
+}
+
 fn interrupt(child: &Child) {
     let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
     assert!(sent.success());

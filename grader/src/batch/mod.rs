@@ -190,6 +190,7 @@ fn bring(grader: &impl Grader, store: &Store, one: &Submission, listener: &dyn L
     }
     if let Brought::Taken(record) | Brought::Graded(record) = &brought {
         store.show(&one.id, record)?;
+        store.clear(&one.id);
     }
     Ok(brought)
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::files;
 use crate::grade::Graded;
-use crate::leftovers::{self, Held};
+use crate::leftovers::{self, Held, Left};
 use crate::record::{Record, SCHEMA};
 use crate::report::html;
 
@@ -24,6 +24,9 @@ pub(super) struct Store {
 
 /// The ending of a file that notes that a submission is being graded.
 const DOING: &str = ".doing";
+/// The ending of a file with the number of deaths of a suspect, which is kept until the submission has
+/// a record.
+const SUSPECT: &str = ".suspect";
 
 impl Store {
     /// Makes the folders, and clears what a run that was killed left in them.
@@ -31,10 +34,17 @@ impl Store {
         for folder in ["results", "records", "reports"] {
             std::fs::create_dir_all(out.join(folder))?;
         }
-        let suspects = suspects(out)?;
+        let work = Held::new(out, files::PARTS)?;
+        let left = leftovers::left_behind(out, files::PARTS)?;
+        let suspects = suspects(&left)?;
+        // They are noted again before the old notes go, in case that this run dies as well.
+        for (id, n_deaths) in &suspects {
+            std::fs::write(work.path().join(format!("{id}{SUSPECT}")), n_deaths.to_string())?;
+        }
+        drop(left);
         files::clear_parts(out)?;
         files::clear_parts(&out.join("results"))?;
-        Ok(Self { out: out.to_owned(), epoch: epoch.to_owned(), work: Held::new(out, files::PARTS)?, suspects })
+        Ok(Self { out: out.to_owned(), epoch: epoch.to_owned(), work, suspects })
     }
 
     /// Returns how often a run died while it graded this submission and no other, or `None` where
@@ -45,13 +55,17 @@ impl Store {
 
     /// Notes that a submission is being graded, in case that the run dies.
     pub(super) fn begin(&self, id: &str) -> io::Result<()> {
-        let n_deaths = self.deaths(id).unwrap_or(0);
-        std::fs::write(self.doing(id), n_deaths.to_string())
+        std::fs::write(self.doing(id), "")
     }
 
     /// Notes that it is not graded any more.
     pub(super) fn end(&self, id: &str) {
         let _ = std::fs::remove_file(self.doing(id)); // The whole folder goes when the run ends.
+    }
+
+    /// Notes that a submission has a record, so that no death of a run is laid to its charge.
+    pub(super) fn clear(&self, id: &str) {
+        let _ = std::fs::remove_file(self.work.path().join(format!("{id}{SUSPECT}"))); // Most have none.
     }
 
     fn doing(&self, id: &str) -> PathBuf {
@@ -109,17 +123,27 @@ impl Store {
     }
 }
 
-/// Returns what was being graded when earlier runs died, from the folders that they left in `out`.
-fn suspects(out: &Path) -> io::Result<BTreeMap<String, u32>> {
+/// Returns what was being graded when earlier runs died, from the folders that they left. A submission
+/// that was graded alone has one death more.
+fn suspects(left: &[Left]) -> io::Result<BTreeMap<String, u32>> {
     let mut suspects = BTreeMap::new();
-    for left in leftovers::left_behind(out, files::PARTS)? {
-        let names = files::below(&left.path)?.into_iter().filter_map(|path| {
-            let id = path.file_name()?.to_str()?.strip_suffix(DOING)?.to_owned();
-            Some((id, std::fs::read_to_string(&path).ok()?.trim().parse().unwrap_or(0)))
+    for left in left {
+        let files = files::below(&left.path)?;
+        let ids = |ending| {
+            let id = move |path: &PathBuf| Some(path.file_name()?.to_str()?.strip_suffix(ending)?.to_owned());
+            files.iter().filter_map(move |path| Some((id(path)?, path)))
+        };
+        let known = ids(SUSPECT).map(|(id, path)| {
+            let n_deaths = std::fs::read_to_string(path).ok().and_then(|text| text.trim().parse().ok());
+            (id, n_deaths.unwrap_or(0))
         });
-        let doing: Vec<(String, u32)> = names.collect();
-        let is_alone = u32::from(doing.len() == 1);
-        suspects.extend(doing.into_iter().map(|(id, n_deaths)| (id, n_deaths + is_alone)));
+        let known: BTreeMap<String, u32> = known.collect();
+        let is_alone = u32::from(ids(DOING).count() == 1);
+        let doing = ids(DOING).map(|(id, _)| (known.get(&id).unwrap_or(&0) + is_alone, id)).map(|(n, id)| (id, n));
+        for (id, n_deaths) in known.clone().into_iter().chain(doing) {
+            let most: &mut u32 = suspects.entry(id).or_default();
+            *most = n_deaths.max(*most);
+        }
     }
     Ok(suspects)
 }

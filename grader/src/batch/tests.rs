@@ -220,21 +220,21 @@ fn what_a_kill_leaves_behind_does_no_harm() {
 fn what_killed_the_grader_comes_last_and_not_for_ever() {
     let class = Class::new(&THREE);
     // A run died while it graded alice and bob, and another one while it graded bob alone.
-    let die = |ids: &[(&str, &str)]| {
-        let part = class.out(&format!(".part-{}", ids.len()));
+    let die = |files: &[(&str, &str)]| {
+        let part = class.out(&format!(".part-{}", files.len()));
         fs::create_dir_all(&part).unwrap();
-        ids.iter().for_each(|(id, n)| fs::write(part.join(format!("{id}.doing")), n).unwrap());
+        files.iter().for_each(|(name, n)| fs::write(part.join(name), n).unwrap());
     };
     let order = |grader: &Fake| grader.graded.lock().unwrap().clone();
-    die(&[("alice", "0"), ("bob", "0")]);
+    die(&[("alice.doing", ""), ("bob.doing", "")]);
     let grader = Fake::new("1", ALL);
     assert_eq!(class.run(&grader, 1).exit_code(), 0);
     assert_eq!(order(&grader), ["carol", "alice", "bob"]);
-    die(&[("bob", "0")]);
+    die(&[("bob.doing", "")]);
     let grader = Fake::new("2", ALL);
     assert_eq!(class.run(&grader, 1).exit_code(), 0);
     assert_eq!(order(&grader), ["alice", "carol", "bob"]);
-    die(&[("bob", "1")]);
+    die(&[("bob.doing", ""), ("bob.suspect", "1")]);
     let grader = Fake::new("3", ALL);
     let summary = class.run(&grader, 1);
     assert_eq!((summary.exit_code(), summary.failed.len()), (3, 1));
