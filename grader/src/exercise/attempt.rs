@@ -2,15 +2,15 @@
 //! should.
 //!
 //! A failure counts only if it is the program's own. The process is run again, once and alone,
-//! where others may have slowed it down, where the program's file was changed, and where the
-//! machine could not start it.
+//! where others may have slowed it down or filled the disk, where the program's file was changed,
+//! and where the machine could not start it.
 
 use std::ffi::OsString;
 use std::path::Path;
 
 use super::Candidate;
 use super::failure::Failure;
-use crate::sandbox::{self, Call, Clock, Finished, Folder, Limits, Outcome, Shortage, Turn};
+use crate::sandbox::{self, Call, Clock, Finished, Folder, Limits, Outcome, Room, Shortage, Turn};
 
 /// The input of a process.
 pub(super) struct Task<'a> {
@@ -24,6 +24,9 @@ pub(super) struct Task<'a> {
 
 /// Room for what programs write beside what is asked for, such as compiled scripts.
 pub(super) const NEEDED: u64 = 64 << 10;
+
+/// Fewer free files than this are few: a program may make so many beside what is asked for.
+const FEW_FILES: u64 = 1000;
 
 /// The result of a process.
 pub(super) struct Attempt<T> {
@@ -79,8 +82,15 @@ fn is_doubtful(finished: &Finished, limits: &Limits) -> bool {
     match finished.outcome {
         Outcome::TimedOut(Clock::Wall) | Outcome::Machine(Shortage::NotStarted(_)) => true,
         Outcome::TimedOut(Clock::Cpu) => finished.is_disturbed && finished.cpu < limits.cpu_at_most(),
+        Outcome::Exited(_) | Outcome::Signalled(_) => is_tight(finished.least, limits),
         _ => false,
     }
+}
+
+/// Returns whether the disk may have been full for a moment: another program, which has ended since,
+/// may have taken as much as was left.
+fn is_tight(least: Room, limits: &Limits) -> bool {
+    least.bytes < limits.folder_size || least.files < FEW_FILES
 }
 
 /// Runs one process in a fresh folder, and returns whether it gave what was due.
@@ -128,4 +138,31 @@ fn prepared(candidate: &Candidate, task: &Task) -> Result<(Folder, Call), Shorta
         needed: task.needed,
     };
     Ok((folder, call))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exercise::Allowance;
+
+    fn check(outcome: Outcome, least: Room, expected: bool) {
+        let finished = Finished { least, ..Finished::without_run(outcome.clone()) };
+        assert_eq!(is_doubtful(&finished, &Allowance::default().picture), expected, "{outcome:?}, {least:?}");
+    }
+
+    #[test]
+    fn a_failure_on_a_disk_that_may_have_been_full_is_doubtful() {
+        let limit = Allowance::default().picture.folder_size;
+        for (bytes, files, expected) in [
+            (limit, FEW_FILES, false),
+            (limit - 1, FEW_FILES, true),
+            (limit, FEW_FILES - 1, true),
+            (0, u64::MAX, true),
+            (u64::MAX, u64::MAX, false),
+        ] {
+            check(Outcome::Exited(1), Room { bytes, files }, expected);
+            check(Outcome::Signalled(11), Room { bytes, files }, expected);
+            check(Outcome::TooMuchOutput(sandbox::Stream::Files), Room { bytes, files }, false);
+        }
+    }
 }
