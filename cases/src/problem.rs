@@ -1,10 +1,14 @@
 //! What is wrong with files that people write: every problem at once, each with its place, the reason and a way out.
 
 use std::fmt;
+use std::io;
 use std::ops::Range;
+use std::path::Path;
 use std::sync::Arc;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
+
+use crate::files::ReadError;
 
 /// As many problems of one file are kept; a file with more is not worth reading to its end.
 pub const MAX_PROBLEMS: usize = 100;
@@ -38,6 +42,8 @@ pub struct Problem {
     pub label: String,
     /// The way out.
     pub help: Option<String>,
+    /// The number of the system's error, where the system did not let a file be read.
+    pub os_error: Option<i32>,
 }
 
 impl Problem {
@@ -103,6 +109,11 @@ fn line_of<'a>(text: &'a str, span: &Range<usize>) -> Line<'a> {
 pub struct Problems(Vec<Problem>);
 
 impl Problems {
+    /// Returns the number of the system's error, if the system did not let one of the files be read.
+    pub fn os_error(&self) -> Option<i32> {
+        self.0.iter().find_map(|problem| problem.os_error)
+    }
+
     /// The problems in order, or `None` where there are none.
     pub fn new(mut problems: Vec<Problem>) -> Option<Self> {
         problems.sort_by(|a, b| a.place().cmp(&b.place()));
@@ -113,7 +124,25 @@ impl Problems {
     /// A single problem with the file of that name as a whole.
     pub fn of_file(name: impl Into<String>, message: impl Into<String>, help: Option<String>) -> Self {
         let source = Source::new(name, "");
-        Self(vec![Problem { source, span: None, message: message.into(), label: String::new(), help }])
+        let label = String::new();
+        Self(vec![Problem { source, span: None, message: message.into(), label, help, os_error: None }])
+    }
+
+    /// The problem of a file that is not read.
+    pub(crate) fn of_reading(path: &Path, why: &ReadError) -> Self {
+        let mut problems = Self::of_file(path.display().to_string(), format!("the file cannot be used: {why}"), None);
+        if let ReadError::Io(why) = why {
+            problems.0[0].os_error = why.raw_os_error();
+        }
+        problems
+    }
+
+    /// The problem of a folder that cannot be listed.
+    pub(crate) fn of_listing(folder: &Path, why: &io::Error) -> Self {
+        let message = format!("the folder cannot be read: {why}");
+        let mut problems = Self::of_file(folder.display().to_string(), message, None);
+        problems.0[0].os_error = why.raw_os_error();
+        problems
     }
 
     /// The problems, in order.
@@ -225,7 +254,8 @@ mod tests {
     fn counts_lines_and_characters() {
         let source = Source::new("a.toml", "é = 1\nñü = 2\n");
         let at = source.text.find('2').map(|at| at..at + 1);
-        let problem = Problem { source, span: at, message: String::new(), label: String::new(), help: None };
+        let problem =
+            Problem { source, span: at, message: String::new(), label: String::new(), help: None, os_error: None };
         assert_eq!(problem.line_column(), Some((2, 6)));
     }
 }

@@ -3,6 +3,8 @@
 use std::error::Error;
 use std::io;
 
+use cases::problem::Problems;
+
 /// The party whose fault an I/O error is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Blame {
@@ -33,6 +35,14 @@ pub fn of(error: &(dyn Error + 'static)) -> Blame {
         };
     }
     Blame::File
+}
+
+/// Returns whose fault problems with files are that people write. Most are about content.
+pub fn of_problems(problems: &Problems) -> Blame {
+    match problems.os_error() {
+        Some(code) if OF_MACHINE.contains(&code) => Blame::Machine,
+        _ => Blame::File,
+    }
 }
 
 fn is_of_machine(error: &io::Error) -> bool {

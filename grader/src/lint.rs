@@ -5,12 +5,13 @@ mod sharpness;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use cases::answer::{Wrong, check_answers_path, expected_png_path, image_answer_path, mistakes_path};
+use cases::answer::{Wrong, check_answers_path, expected_png_path, image_answer_path, load, mistakes_path};
 use cases::probe::Answer;
 use cases::stage::{Base, Case};
 use cases::{Course, effects};
 
-use crate::exam::{Exam, ExamError, Questions};
+use crate::blame::{self, Blame};
+use crate::exam::{Exam, Questions};
 use crate::files;
 use crate::judge;
 use crate::record::Verdict;
@@ -20,20 +21,24 @@ use crate::report::words::points;
 const MIN_CASES: usize = 8;
 
 /// What a look at a set of cases has found.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Found {
     /// Everything that is wrong. A problem that quotes a file has escape codes for colour.
     pub problems: Vec<String>,
     /// A line for each stage, and the sum.
     pub summary: Vec<String>,
+    /// Whose fault the problems are: the machine's if it fails to read one of the files.
+    pub blame: Blame,
 }
 
 /// Checks the stages in `folder`. Where a file cannot be understood, nothing else is looked at.
 pub fn lint(folder: &Path) -> Found {
     let exam = match Exam::load(folder) {
         Ok(exam) => exam,
-        Err(ExamError::Cases(problems)) => return Found { problems: vec![problems.render(true)], summary: vec![] },
-        Err(why) => return Found { problems: vec![why.to_string()], summary: vec![] },
+        Err(problems) => {
+            let blame = blame::of_problems(&problems);
+            return Found { problems: vec![problems.render(true)], summary: vec![], blame };
+        }
     };
     let mut problems = vec![];
     for questions in &exam.stages {
@@ -46,7 +51,9 @@ pub fn lint(folder: &Path) -> Found {
         problems.push(format!("{why} (`reference cost --store` measures it again)"));
     }
     unknown_files(&exam, &mut problems);
-    Found { problems, summary: summary(&exam) }
+    let is_of_machine = exam.faults.iter().any(|fault| blame::of(&fault.why) == Blame::Machine);
+    let blame = if is_of_machine { Blame::Machine } else { Blame::File };
+    Found { problems, summary: summary(&exam), blame }
 }
 
 /// Demands enough cases, and among them one for each effect that the stage adds.
@@ -95,7 +102,7 @@ fn sharpness(exam: &Exam, questions: &Questions, problems: &mut Vec<String>) {
     for case in &questions.stage.cases {
         let Some(answer) = questions.images.get(&case.id) else { continue };
         let size = case.scene.render;
-        let bytes = std::fs::read(image_answer_path(&exam.folder, &case.id)).unwrap_or_default();
+        let bytes = load::bytes(&image_answer_path(&exam.folder, &case.id)).unwrap_or_default();
         match Wrong::decode_all(&bytes, size.width, size.height) {
             Ok(wrong) => problems.extend(sharpness::problems(case, answer, &wrong, &exam.mistakes)),
             Err(why) => problems.push(format!("{}: the stored mistakes cannot be read: {why}", case.id)),

@@ -106,3 +106,24 @@ fn words_for_people_make_no_answer_stale() {
         assert_eq!(code, Some(0), "{words:?}: {said}");
     }
 }
+
+/// A pipe that nobody writes to, and a machine without handles: no command waits, and none blames the cases.
+#[test]
+fn an_answer_that_cannot_be_read_holds_up_nothing() {
+    for special in ["mkfifo", "mkdir", "ln -s /dev/zero"] {
+        check(&JUDGES[..3], DARK, |stages| {
+            let answer = image_answer_path(stages, ID);
+            fs::remove_file(&answer).unwrap();
+            let line = format!("{special} '{}'", answer.display());
+            assert!(Command::new("sh").args(["-c", &line]).status().unwrap().success());
+        });
+    }
+    let home = home();
+    let grader = env!("CARGO_BIN_EXE_grader");
+    for words in ["grade mine --cases stages", "images pictures --cases stages", "lint stages"] {
+        let line = format!("ulimit -n 4; exec '{grader}' {words}");
+        let output = Command::new("sh").args(["-c", &line]).current_dir(home.path()).output().unwrap();
+        let said = String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned();
+        assert_eq!(output.status.code(), Some(3), "{words}: {said}");
+    }
+}

@@ -8,8 +8,8 @@ use super::{
     mistakes_from_str, mistakes_path,
 };
 use crate::course::Course;
+use crate::files::{self, ReadError};
 use crate::film::PictureError;
-use crate::scene::text_file;
 use crate::stage::{Base, Case, Stage};
 
 /// Bytes of a file of answers that are read at most.
@@ -24,9 +24,9 @@ pub enum AnswerError {
     /// The stored answer was made from something else.
     #[error("the stored answer belongs to another scene, course or version of the rules")]
     Stale,
-    /// The file cannot be read; says why.
+    /// The file cannot be read.
     #[error("the stored answer cannot be read: {0}")]
-    Unreadable(String),
+    Unreadable(#[source] ReadError),
     /// The file is not a picture of the size of the case with an envelope.
     #[error("the stored answer cannot be used: {0}")]
     Picture(#[from] PictureError),
@@ -83,13 +83,20 @@ pub fn mistakes(stages: &Path, course: &Course) -> Result<Vec<Mistake>, AnswerEr
     if made_from == Digest::of_mistakes(course) { Ok(mistakes) } else { Err(AnswerError::Stale) }
 }
 
-fn bytes(path: &Path) -> Result<Vec<u8>, AnswerError> {
-    if !path.exists() {
-        return Err(AnswerError::Missing);
-    }
-    text_file::bytes(path, MAX_BYTES).map_err(AnswerError::Unreadable)
+/// Returns the bytes of a file of answers.
+///
+/// # Errors
+/// [`AnswerError::Missing`], [`AnswerError::Unreadable`].
+pub fn bytes(path: &Path) -> Result<Vec<u8>, AnswerError> {
+    files::read(path, MAX_BYTES).map_err(AnswerError::of)
 }
 
 fn text(path: &Path) -> Result<String, AnswerError> {
-    String::from_utf8(bytes(path)?).map_err(|why| AnswerError::Unreadable(why.to_string()))
+    files::read_text(path, MAX_BYTES).map_err(AnswerError::of)
+}
+
+impl AnswerError {
+    fn of(why: ReadError) -> Self {
+        if matches!(why, ReadError::Missing) { Self::Missing } else { Self::Unreadable(why) }
+    }
 }

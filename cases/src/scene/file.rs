@@ -10,8 +10,9 @@ use toml::de::{DeTable, DeValue};
 use super::model::Scene;
 use super::raw::read::{Notes, Read, Value};
 use super::raw::{RawRender, RawScene, RawSceneFile};
-use super::{json, resolve, text_file, validate};
+use super::{json, resolve, validate};
 use crate::course::Course;
+use crate::files;
 use crate::problem::{Problems, Source};
 
 /// Bytes of a file of which every error of syntax is reported. Of a larger one only the first is, since a few
@@ -82,8 +83,7 @@ fn offset(text: &str, line: usize, column: usize) -> usize {
 
 /// The text of the file at `path`.
 pub(crate) fn read(path: &Path) -> Result<String, Problems> {
-    text_file::text(path, MAX_SCENE_BYTES)
-        .map_err(|why| Problems::of_file(path.display().to_string(), format!("the file cannot be used: {why}"), None))
+    files::read_text(path, MAX_SCENE_BYTES).map_err(|why| Problems::of_reading(path, &why))
 }
 
 /// A document as the table `T`, as far as it can be read, with the problems so far.

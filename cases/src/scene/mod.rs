@@ -17,8 +17,6 @@ pub(crate) mod resolve;
 #[cfg(feature = "authoring")]
 mod shapes;
 #[cfg(feature = "authoring")]
-pub(crate) mod text_file;
-#[cfg(feature = "authoring")]
 pub(crate) mod transform;
 #[cfg(feature = "authoring")]
 mod validate;

@@ -176,9 +176,7 @@ pub(super) fn limit(scene: &mut Scene, allows: Effects, course: &Course, notes: 
 /// What is in `folder`, ordered by name.
 pub(super) fn entries(folder: &Path) -> Result<Vec<PathBuf>, Problems> {
     let list = || std::fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<std::io::Result<Vec<_>>>();
-    let mut paths = list().map_err(|why| {
-        Problems::of_file(folder.display().to_string(), format!("the folder cannot be read: {why}"), None)
-    })?;
+    let mut paths = list().map_err(|why| Problems::of_listing(folder, &why))?;
     paths.sort();
     Ok(paths)
 }

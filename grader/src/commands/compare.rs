@@ -4,7 +4,6 @@ use std::path::Path;
 
 use cases::answer::{ImageAnswer, Limits};
 use cases::film::{PictureError, Rows, most_bytes};
-use grader::blame::{self, Blame};
 use grader::exam;
 use grader::grade::GradeError;
 use grader::input::{self, Input};
@@ -134,10 +133,7 @@ fn with_answer(name: &Path, answer: &Path, tolerance: Option<f64>) -> Outcome {
 
 /// Reads the stored answer `name`, which must be one for a picture of `size`.
 fn stored(name: &Path, size: (u32, u32)) -> Result<ImageAnswer, GradeError> {
-    let answer = exam::stored_answer(name).map_err(|why| match blame::of(&why) {
-        Blame::Machine => GradeError::Machine(why.to_string()),
-        Blame::File => GradeError::Input(why.to_string()),
-    })?;
+    let answer = exam::stored_answer(name).map_err(|why| GradeError::of(why.blame(), why.to_string()))?;
     let wanted = (answer.expected.width(), answer.expected.height());
     match wanted == size {
         true => Ok(answer),

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use grader::blame::Blame;
 use grader::grade::GradeError;
 use grader::lint;
 
@@ -21,7 +22,7 @@ pub(crate) fn run(arguments: &Lint, talk: &Talk) -> Outcome {
     let found = lint::lint(&folder);
     let summary = found.summary.iter().filter(|_| !talk.is_quiet);
     exit::print(&found.problems.iter().chain(summary).map(|line| format!("{line}\n")).collect::<String>())?;
-    Ok(Done::of(found.problems.is_empty()))
+    Ok(if found.blame == Blame::Machine { Done::Ours } else { Done::of(found.problems.is_empty()) })
 }
 
 /// Whether some folder in `folder` is a stage. One that cannot be listed is left to the reader of the stages.

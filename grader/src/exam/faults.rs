@@ -5,6 +5,7 @@ use std::fmt;
 use std::path::Path;
 
 use super::{AnswerError, Exam};
+use crate::blame::{self, Blame};
 
 /// Where `reference expect` looks for stages by itself.
 const USUAL_FOLDER: &str = "cases/stages";
@@ -85,6 +86,14 @@ impl<'a> Untrusted<'a> {
         let ids: BTreeSet<&str> = ids.into_iter().collect();
         let faults: Vec<&Fault> = exam.faults.iter().filter(|fault| fault.subject.concerns(&ids)).collect();
         (!faults.is_empty()).then_some(Self { folder: &exam.folder, faults })
+    }
+
+    /// Returns whose fault it is: the machine's if it fails to read one of the answers.
+    pub fn blame(&self) -> Blame {
+        match self.faults.iter().any(|fault| blame::of(&fault.why) == Blame::Machine) {
+            true => Blame::Machine,
+            false => Blame::File,
+        }
     }
 
     /// Returns the faults of one kind as lines: a stage with its cases by name and the number of its checks.

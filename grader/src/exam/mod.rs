@@ -4,14 +4,13 @@ mod faults;
 mod single;
 
 use std::collections::BTreeMap;
-use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 
 use cases::answer::{
     AnswerError, CheckAnswer, Digest, ImageAnswer, Mistake, check_answers_path, image_answer_path, load, mistakes_path,
 };
 use cases::course::{self, Course};
+use cases::files::{self, ReadError};
 use cases::front::{Fronts, fronts_from_str, fronts_path};
 use cases::problem::Problems;
 use cases::stage::{Stage, load_all};
@@ -52,21 +51,8 @@ pub struct Questions {
     pub units: BTreeMap<String, CheckAnswer>,
 }
 
-/// Why there is no exam.
-#[derive(Debug, thiserror::Error)]
-pub enum ExamError {
-    /// Cases or the course cannot be understood.
-    #[error("{0}")]
-    Cases(#[from] Problems),
-    /// A file of the folder cannot be read.
-    #[error("{}: {source}", path.display())]
-    Folder {
-        /// The file or the folder.
-        path: PathBuf,
-        /// What the system says.
-        source: io::Error,
-    },
-}
+/// Bytes of the list of what accuracy costs that are read at most.
+const MAX_FRONTS_BYTES: u64 = 64 << 20;
 
 impl Exam {
     /// Reads the stages in `folder`, their course and their answers. An answer that is missing or belongs
@@ -74,10 +60,10 @@ impl Exam {
     ///
     /// # Errors
     /// Everything that is wrong with the cases or the course.
-    pub fn load(folder: &Path) -> Result<Self, ExamError> {
+    pub fn load(folder: &Path) -> Result<Self, Problems> {
         let course = course::course_of(folder)?;
         let stages = load_all(folder, &course)?;
-        let hash = hash(folder, &course, &stages).map_err(|(path, source)| ExamError::Folder { path, source })?;
+        let hash = hash(folder, &course, &stages);
         let (mut faults, mut surplus) = (vec![], vec![]);
         let stages =
             stages.into_iter().map(|stage| questions(folder, &course, stage, &mut faults, &mut surplus)).collect();
@@ -131,16 +117,16 @@ fn questions(
 fn fronts(folder: &Path) -> Result<Option<Fronts>, String> {
     let path = fronts_path(folder);
     let wrong = |why: &dyn std::fmt::Display| format!("what accuracy costs {} cannot be used: {why}", path.display());
-    match fs::read_to_string(&path) {
+    match files::read_text(&path, MAX_FRONTS_BYTES) {
         Ok(text) => fronts_from_str(&text).map(Some).map_err(|why| wrong(&why)),
-        Err(why) if why.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(ReadError::Missing) => Ok(None),
         Err(why) => Err(wrong(&why)),
     }
 }
 
 /// Hashes what a score depends on: for each question its points, its rules and what its answer has to be
 /// made from, and the bytes of all stored answers.
-fn hash(folder: &Path, course: &Course, stages: &[Stage]) -> Result<String, (PathBuf, io::Error)> {
+fn hash(folder: &Path, course: &Course, stages: &[Stage]) -> String {
     let mut hasher = blake3::Hasher::new();
     let mut add = |parts: &[&[u8]]| {
         for part in parts {
@@ -162,12 +148,8 @@ fn hash(folder: &Path, course: &Course, stages: &[Stage]) -> Result<String, (Pat
         }
     }
     for file in files {
-        match fs::read(&file) {
-            Ok(bytes) => add(&[&bytes]),
-            // A missing answer is a fault, which is reported where it is needed.
-            Err(why) if why.kind() == io::ErrorKind::NotFound => add(&[b"missing"]),
-            Err(why) => return Err((file, why)),
-        }
+        // An answer that cannot be read is a fault, which is reported where it is needed.
+        add(&[&load::bytes(&file).unwrap_or_default()]);
     }
-    Ok(hasher.finalize().to_hex().to_string())
+    hasher.finalize().to_hex().to_string()
 }

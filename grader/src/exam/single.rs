@@ -9,6 +9,7 @@ use cases::stage::load_all;
 
 use super::Subject;
 use super::faults::command;
+use crate::blame::{self, Blame};
 
 /// How the name of an answer ends.
 const ENDING: &str = ".answer.exr";
@@ -40,6 +41,13 @@ pub enum SingleError {
         /// What is wrong with it.
         source: AnswerError,
     },
+}
+
+impl SingleError {
+    /// Returns whose fault it is: the machine's if it fails to read a file.
+    pub fn blame(&self) -> Blame {
+        if let Self::Cases(problems) = self { blame::of_problems(problems) } else { blame::of(self) }
+    }
 }
 
 /// Returns the answer in the file at `path`, if it belongs to the case that lies beside it.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use cases::answer::{Mistake, Wrong, image_answer_path};
+use cases::answer::{Mistake, Wrong, image_answer_path, load};
 use cases::stage::{Case, Check};
 use rayon::prelude::*;
 
@@ -61,7 +61,7 @@ fn state(done: &Done) -> State {
 
 fn of_case(exam: &Exam, part: &Part, case: &Case, done: &Done) -> Option<Evidence> {
     let (width, height) = (case.scene.render.width, case.scene.render.height);
-    let bytes = || std::fs::read(image_answer_path(&exam.folder, &case.id)).ok();
+    let bytes = || load::bytes(&image_answer_path(&exam.folder, &case.id)).ok();
     match state(done) {
         State::Right => Some(Evidence::right(&case.id, case.points, Wrong::ids(&bytes()?, width, height).ok()?)),
         State::Wrong => {

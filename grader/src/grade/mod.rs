@@ -18,6 +18,7 @@ use cases::front::FrontPoint;
 
 use plan::Plan;
 
+use crate::blame::{self, Blame};
 use crate::build::{BuildError, Built, Workshop, build};
 use crate::exam::Exam;
 use crate::exercise::{self, Allowance, Candidate};
@@ -42,7 +43,7 @@ impl Bench {
     /// # Errors
     /// Everything that is wrong with the cases; a workspace that is not there.
     pub fn open(stages: &Path) -> Result<Self, GradeError> {
-        let exam = Exam::load(stages).map_err(|why| GradeError::Input(why.to_string()))?;
+        let exam = Exam::load(stages).map_err(|why| GradeError::of(blame::of_problems(&why), why.to_string()))?;
         let workshop = Workshop::open(stages).map_err(GradeError::Machine)?;
         Ok(Self { exam, workshop, allowance: Allowance::default() })
     }
@@ -160,6 +161,16 @@ pub enum GradeError {
     Machine(String),
 }
 
+impl GradeError {
+    /// Returns the error for which this party is to blame.
+    pub fn of(blame: Blame, text: String) -> Self {
+        match blame {
+            Blame::Machine => Self::Machine(text),
+            Blame::File => Self::Input(text),
+        }
+    }
+}
+
 impl From<WriteError> for GradeError {
     fn from(why: WriteError) -> Self {
         if why.is_usage() { Self::Input(why.to_string()) } else { Self::Machine(why.to_string()) }
@@ -206,7 +217,7 @@ fn planned<'a>(bench: &'a Bench, options: &Options) -> Result<Plan<'a>, GradeErr
 /// Demands answers that can be trusted for all of `plan`.
 fn trusted<'a>(bench: &Bench, plan: Plan<'a>) -> Result<Plan<'a>, GradeError> {
     let ids = plan.stages.iter().flat_map(plan::Part::ids);
-    bench.exam.trust(ids).map_err(|untrusted| GradeError::Input(untrusted.to_string()))?;
+    bench.exam.trust(ids).map_err(|untrusted| GradeError::of(untrusted.blame(), untrusted.to_string()))?;
     Ok(plan)
 }
 

@@ -35,7 +35,7 @@ impl Expected {
 
     /// Whether exactly this is stored.
     pub fn is_stored(&self) -> bool {
-        std::fs::read(&self.path).is_ok_and(|stored| stored == self.bytes)
+        cases::files::read(&self.path, self.bytes.len() as u64).is_ok_and(|stored| stored == self.bytes)
     }
 }
 

@@ -15,7 +15,7 @@ use super::model::Mesh;
 use super::raw::numbers::{MAX_NUMBER, unit};
 use super::raw::objects::RawMeshFile;
 use super::raw::read::Notes;
-use super::text_file;
+use crate::files;
 use fault::Fault;
 
 /// The most bytes of a mesh file that are read.
@@ -44,8 +44,8 @@ fn mesh(raw: &RawMeshFile, path: &Path) -> Result<Mesh, (String, String)> {
         Some("ply") => ply::parse,
         _ => return refused("the name of a mesh ends in .obj or .ply", "convert the mesh to one of these formats"),
     };
-    let bytes = text_file::bytes(path, MAX_MESH_BYTES)
-        .map_err(|why| (why, "the path is relative to the folder of this file".to_owned()))?;
+    let bytes = files::read(path, MAX_MESH_BYTES)
+        .map_err(|why| (why.to_string(), "the path is relative to the folder of this file".to_owned()))?;
     parse(&bytes, raw.smooth != Some(false))
         .and_then(|mesh| usable(mesh, raw.smooth == Some(true)))
         .map_err(|fault| (fault.describe(&path.display().to_string(), &bytes), fault.help))

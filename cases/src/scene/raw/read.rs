@@ -40,7 +40,14 @@ impl Notes {
         self.problems.truncate(MAX_PROBLEMS - 1);
         let source = Arc::clone(&self.source);
         let at = self.problems.len();
-        self.problems.push(Problem { source, span, message: message.into(), label: label.into(), help: None });
+        self.problems.push(Problem {
+            source,
+            span,
+            message: message.into(),
+            label: label.into(),
+            help: None,
+            os_error: None,
+        });
         &mut self.problems[at]
     }
 
