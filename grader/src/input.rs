@@ -180,8 +180,10 @@ fn held<R: Read>(
 ) -> Result<Input, InputError> {
     let (sender, receiver) = mpsc::channel();
     // After an interrupt the thread runs until the process ends, which is soon.
-    std::thread::spawn(move || sender.send(open().and_then(|stream| take(stream, most))));
+    let read = move || sender.send(open().and_then(|stream| take(stream, most)));
     let name = || name.to_owned();
+    let started = std::thread::Builder::new().spawn(read);
+    started.map_err(|source| InputError::Io { name: name(), source })?;
     loop {
         match receiver.recv_timeout(LOOK_EVERY) {
             Ok(Ok(Ok(bytes))) => return Ok(Input::Held(Cursor::new(bytes))),

@@ -2,10 +2,10 @@
 //! killed.
 //!
 //! A folder is removed only if all of this holds: its name begins with the prefix, it is a folder
-//! and no link, it belongs to this user, it bears the mark (where one is asked for), and nobody
-//! holds its lock. The lock goes away with its process, however that ends.
+//! and no link, it belongs to this user, it bears the mark (if its kind has one) or is empty, and
+//! nobody holds its lock. The lock goes away with its process, however that ends.
 
-use std::fs::{File, Permissions, TryLockError};
+use std::fs::{File, Metadata, Permissions, TryLockError};
 use std::io;
 use std::os::unix::fs::{MetadataExt, PermissionsExt};
 use std::path::{Path, PathBuf};
@@ -135,7 +135,8 @@ fn take(path: PathBuf, kind: Kind) -> io::Result<Option<Left>> {
     let folder = open(&path)?;
     let about = folder.metadata()?;
     let is_ours = about.uid() == rustix::process::geteuid().as_raw();
-    if !is_ours || (kind.is_marked && !is_marked(&path)) {
+    let is_known = !kind.is_marked || is_marked(&path) || is_bare(&path, &about, kind);
+    if !is_ours || !is_known {
         return Ok(None);
     }
     let is_left_behind = match folder.try_lock() {
@@ -156,6 +157,12 @@ fn open(path: &Path) -> io::Result<File> {
 fn is_at(folder: &File, path: &Path) -> bool {
     let (Ok(here), Ok(there)) = (folder.metadata(), path.symlink_metadata()) else { return false };
     (here.dev(), here.ino()) == (there.dev(), there.ino())
+}
+
+/// Returns whether a folder is empty and has the permissions of its kind: its process was killed before
+/// it made the mark, or after it removed the mark.
+fn is_bare(path: &Path, about: &Metadata, kind: Kind) -> bool {
+    about.mode() & 0o7777 == kind.mode && std::fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_none())
 }
 
 fn is_marked(path: &Path) -> bool {
@@ -230,6 +237,21 @@ mod tests {
         assert_eq!(clear(home.path(), OURS).unwrap(), 1);
         assert_eq!(names(home.path()), expected);
         assert!(home.path().join("other").join(MARK.0).exists(), "the target of a link was emptied");
+    }
+
+    #[test]
+    fn an_empty_folder_of_a_process_that_was_killed_before_it_made_the_mark_is_cleared() {
+        let home = tempfile::tempdir().unwrap();
+        let make = |name: &str, mode| {
+            std::fs::create_dir(home.path().join(name)).unwrap();
+            std::fs::set_permissions(home.path().join(name), Permissions::from_mode(mode)).unwrap();
+        };
+        make("grader-killed", 0o700);
+        make("grader-open-to-others", 0o755);
+        make("grader-with-files", 0o700);
+        std::fs::write(home.path().join("grader-with-files/x"), "").unwrap();
+        assert_eq!(clear(home.path(), OURS).unwrap(), 1);
+        assert_eq!(names(home.path()), ["grader-open-to-others", "grader-with-files"]);
     }
 
     #[test]

@@ -166,7 +166,11 @@ fn a_picture_is_not_judged_by_an_answer_to_another_case() {
     dark_exam(&home.at("stages"));
     let answer = "stages/01_ray_casting/dark.answer.exr";
     fs::copy(home.at(answer), home.at("dark.answer.exr")).unwrap();
-    home.check(&["a.png", "--answer", "dark.answer.exr"], 2, "dark.toml beside it, so nothing shows that the answer is current");
+    home.check(
+        &["a.png", "--answer", "dark.answer.exr"],
+        2,
+        "dark.toml beside it, so nothing shows that the answer is current",
+    );
     let case = home.at("stages/01_ray_casting/dark.toml");
     fs::write(&case, CASE.replace("Nothing is there", "It is dark")).unwrap();
     home.check(&["a.png", "--answer", answer], 0, "they agree");

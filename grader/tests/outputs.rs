@@ -92,6 +92,7 @@ fn a_name_that_cannot_be_written_is_said_before_anything_is_judged() {
         ("--json - --html -", "only one of --json, --html and --junit can go to standard output"),
         ("--json stdout --junit -", "only one of --json, --html and --junit can go to standard output"),
         ("--json a.txt --junit a.txt", "two reports cannot be the same file"),
+        ("--json a.txt --html stages/../a.txt", "two reports cannot be the same file"),
         ("--html - --open", "--open shows a file"),
     ] {
         home.check(&format!("$images {words}"), 2, says);

@@ -100,10 +100,10 @@ pub enum BatchError {
         why: io::Error,
     },
     /// Nothing in it is a submission.
-    #[error("there is no submission in {}: each is a folder or an archive (.zip, .tar.gz, .tgz) in it", .0.display())]
+    #[error("there is no submission in {}: each is a folder or an archive (.zip, .tar.gz, .tgz, .tar) in it", .0.display())]
     Empty(PathBuf),
     /// The results cannot be written.
-    #[error("cannot write the results to {}: {why}; what was finished is kept", .out.display())]
+    #[error("cannot write the results to {}: {why}; results of finished submissions are kept", .out.display())]
     Out {
         /// As it was given.
         out: PathBuf,

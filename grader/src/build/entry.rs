@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+use crate::blame::{self, Blame};
 use crate::{files, leftovers, plain};
 
 /// The file that describes the entry, and holds the digests of its files when it was published.
@@ -25,7 +26,7 @@ pub(super) const VERSION: u32 = 2;
 #[derive(Debug, thiserror::Error)]
 pub enum StoreError {
     /// The entry differs from what was published.
-    #[error("{} was changed after it was stored ({change}); it has been removed: run again to make it anew", .folder.display())]
+    #[error("{} was changed after it was stored ({change}); it has been removed: run again to make it", .folder.display())]
     Changed {
         /// The folder of the entry.
         folder: PathBuf,
@@ -40,6 +41,16 @@ pub enum StoreError {
         /// The first difference.
         change: String,
         /// What keeps it from being removed.
+        source: io::Error,
+    },
+    /// The machine fails to read the entry, which may be as it was published.
+    #[error("{}: {what} cannot be read: {source}", .folder.display())]
+    Read {
+        /// The folder of the entry.
+        folder: PathBuf,
+        /// The file.
+        what: String,
+        /// What the system says.
         source: io::Error,
     },
     /// The entry cannot be published.
@@ -99,7 +110,7 @@ impl<T: DeserializeOwned> Entry<T> {
             return Ok(None);
         }
         let index = open(&folder.join(INDEX)).and_then(|file| Ok(serde_json::from_reader(io::BufReader::new(file))?));
-        let Index { about, digests } = index.map_err(|why| spoilt(folder, format!("{INDEX}: {why}")))?;
+        let Index { about, digests } = index.map_err(|why| unreadable(folder, INDEX, why))?;
         let entry = Self { folder: folder.to_owned(), about, digests };
         entry.check().map(|()| Some(entry))
     }
@@ -111,26 +122,23 @@ impl<T> Entry<T> {
     /// # Errors
     /// An entry that was changed; it is removed.
     pub(super) fn check(&self) -> Result<(), StoreError> {
-        self.difference().map_or(Ok(()), |change| Err(spoilt(&self.folder, change)))
-    }
-
-    /// Returns the first file that differs, and how. No other file may lie there, since compilers
-    /// take what they find.
-    fn difference(&self) -> Option<String> {
-        let is_folder = self.folder.symlink_metadata().is_ok_and(|about| about.is_dir());
-        let names = match names(&self.folder) {
-            Ok(names) if is_folder => names,
-            Ok(_) => return Some("it is a link".to_owned()),
-            Err(why) => return Some(why.to_string()),
-        };
+        let unreadable = |why| unreadable(&self.folder, "the folder", why);
+        let is_folder = self.folder.symlink_metadata().map_err(unreadable)?.is_dir();
+        let names = names(&self.folder).map_err(unreadable)?;
+        if !is_folder {
+            return Err(spoilt(&self.folder, "it is a link".to_owned()));
+        }
+        // No other file may lie there, since compilers take what they find.
         let surplus = names.iter().find(|name| *name != INDEX && !self.digests.contains_key(*name));
         if let Some(name) = surplus {
-            return Some(format!("{} was added", plain::name(name.as_bytes())));
+            return Err(spoilt(&self.folder, format!("{} was added", plain::name(name.as_bytes()))));
         }
-        self.digests.iter().find_map(|(name, published)| match open(&self.folder.join(name)).and_then(digest) {
-            Ok(found) if found == *published => None,
-            Ok(_) => Some(format!("{name} has another content")),
-            Err(why) => Some(format!("{name}: {why}")),
+        self.digests.iter().try_for_each(|(name, published)| {
+            let found = open(&self.folder.join(name)).and_then(digest);
+            match found.map_err(|why| self::unreadable(&self.folder, name, why))? == *published {
+                true => Ok(()),
+                false => Err(spoilt(&self.folder, format!("{name} has another content"))),
+            }
         })
     }
 
@@ -146,8 +154,17 @@ impl<T> Entry<T> {
         match read {
             Ok(_) if is_published => Ok(bytes),
             Ok(_) => Err(spoilt(&self.folder, format!("{name} has another content"))),
-            Err(why) => Err(spoilt(&self.folder, format!("{name}: {why}"))),
+            Err(why) => Err(unreadable(&self.folder, name, why)),
         }
+    }
+}
+
+/// Returns the error of a file of an entry that cannot be read. The entry is removed unless the machine
+/// is to blame: then it may be whole, and others use it.
+fn unreadable(folder: &Path, what: &str, source: io::Error) -> StoreError {
+    match blame::of(&source) {
+        Blame::Machine => StoreError::Read { folder: folder.to_owned(), what: what.to_owned(), source },
+        Blame::File => spoilt(folder, format!("{what}: {source}")),
     }
 }
 
@@ -248,6 +265,18 @@ mod tests {
         let taken = Entry::<String>::take(&folder).unwrap().unwrap();
         std::fs::write(folder.join("b"), "b").unwrap();
         assert!(taken.check().is_err());
+    }
+
+    #[test]
+    fn a_machine_that_fails_to_read_costs_no_entry() {
+        let (_home, folder) = entry();
+        let error = |code| unreadable(&folder, "program", io::Error::from_raw_os_error(code));
+        for code in [libc::EMFILE, libc::EIO, libc::ENOMEM] {
+            assert!(matches!(error(code), StoreError::Read { .. }), "{code}");
+            assert!(folder.is_dir(), "{code}");
+        }
+        assert!(matches!(error(libc::ENOENT), StoreError::Changed { .. }));
+        assert!(!folder.exists());
     }
 
     #[test]

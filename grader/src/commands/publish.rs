@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use cases::files::{self, is_stdout};
+use cases::files::{self, Place, is_stdout};
 use grader::grade::{GradeError, Graded};
 use grader::record::{FindingKind, Record, Verdict};
 use grader::report::{html, junit, terminal};
@@ -22,7 +22,8 @@ pub(crate) fn check(reports: &Reports) -> Result<(), GradeError> {
     let Reports { json, html, junit, open } = reports;
     let named: Vec<&PathBuf> = [json, html, junit].into_iter().flatten().collect();
     named.iter().try_for_each(|path| files::check(path))?;
-    let is_twice = |(n, path): (usize, &&PathBuf)| named[..n].contains(path);
+    let places: Vec<Option<PathBuf>> = named.iter().map(|path| place(path)).collect();
+    let is_twice = |(n, _): (usize, &&PathBuf)| places[n].is_some() && places[..n].contains(&places[n]);
     if named.iter().filter(|path| is_stdout(path)).count() > 1 {
         let text = "only one of --json, --html and --junit can go to standard output";
         return Err(GradeError::Input(text.to_owned()));
@@ -37,6 +38,13 @@ pub(crate) fn check(reports: &Reports) -> Result<(), GradeError> {
     Ok(())
 }
 
+/// Returns the one path of a regular file that may have several names, such as `a` and `./a`.
+fn place(name: &Path) -> Option<PathBuf> {
+    let (Place::File(path) | Place::Free(path)) = Place::of(name).ok()? else { return None };
+    let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+    Some(folder.canonicalize().ok()?.join(path.file_name()?))
+}
+
 /// Writes every report, and prints the one for people unless another one goes to standard output.
 ///
 /// # Errors
@@ -44,21 +52,22 @@ pub(crate) fn check(reports: &Reports) -> Result<(), GradeError> {
 pub(crate) fn publish(graded: &Graded, reports: &Reports, talk: &Talk) -> Outcome {
     let record = &graded.record;
     let Reports { json, html, junit, open: is_shown } = reports;
-    let mut written = Ok(());
+    let mut written: Result<(), GradeError> = Ok(());
+    let write = |path: &Path, text: &str| files::write(path, text.as_bytes()).map_err(GradeError::from);
     if let Some(path) = json {
-        written = written.and(files::write(path, record.to_json().as_bytes()));
+        written = written.and(write(path, &record.to_json()));
     }
     if let Some(path) = junit {
-        let text = junit::to_string(record).map_err(GradeError::Machine)?;
-        written = written.and(files::write(path, text.as_bytes()));
+        let text = junit::to_string(record).map_err(GradeError::Machine);
+        written = written.and(text.and_then(|text| write(path, &text)));
     }
     if let Some(path) = html {
-        written = written.and(files::write(path, html::render(graded).as_bytes()));
+        written = written.and(write(path, &html::render(graded)));
     }
     let is_taken = [json, html, junit].into_iter().flatten().any(|path| is_stdout(path));
     if !is_taken && !talk.is_quiet {
         let look = terminal::Look { is_verbose: talk.is_verbose, columns: lines::columns() };
-        exit::print(&terminal::render(record, look))?;
+        written = written.and(exit::print(&terminal::render(record, look)));
     }
     written?;
     if let (Some(path), true) = (html, is_shown) {

@@ -145,7 +145,10 @@ fn nothing(listing: &Listing, template: &Template) -> String {
             own::MANIFEST,
             few(listing.files.iter()),
         ),
-        (true, true) => "there is no file in it: hand in the folder of the template, with its `src`".to_owned(),
+        (true, true) => {
+            let what = if listing.aside.is_empty() { "there is no file in it" } else { "no file in it can be taken" };
+            format!("{what}: hand in the folder of the template, with its `src`")
+        }
     };
     for aside in listing.aside.iter().take(5) {
         text += &format!("\nleft aside: {aside}");
