@@ -206,13 +206,18 @@ fn a_time_out_near_the_limit_is_confirmed_alone_where_others_run() {
 }
 
 #[test]
-fn three_processes_tell_that_a_program_answers_nothing() {
+fn a_few_processes_tell_that_a_program_answers_nothing() {
     let home = tempfile::tempdir().unwrap();
     let log = home.path().join("log");
     let count = || std::fs::read_to_string(&log).unwrap().lines().count();
     let note = format!("echo started >> {}", log.display());
-    let probed = check_probe(&format!("{note}; echo no configuration >&2; exit 1"), &[], &["q0"]);
-    assert_eq!((count(), probed.skipped.len()), (3, 4), "{probed:?}");
+    let probed = check_probe(&format!("{note}; echo no configuration >&2; exit 1"), &[], &["q0", "q4"]);
+    assert_eq!((count(), probed.skipped.len()), (4, 3), "all questions, the first and the last one, none: {probed:?}");
+    // One that dies without a word at the first question and without one answers the others.
+    let at_q0 = answering("n=1; case $id in q0) exit 1;; esac;");
+    let silent = format!("{note}; n=0; {at_q0}; [ $n = 1 ] || exit 1");
+    let probed = check_probe(&silent, &["q1", "q2", "q3", "q4"], &["q0"]);
+    assert!(probed.skipped.is_empty(), "{probed:?}");
     // One that fails at the questions alone is asked them all.
     let picky = format!("{note}; read -r line || exit 0; echo no answers >&2; exit 1");
     let probed = check_probe(&picky, &[], &["q0", "q1", "q2", "q3", "q4"]);
