@@ -59,9 +59,14 @@ impl Failure {
 fn settled(message: &str) -> String {
     let mut settled = String::with_capacity(message.len());
     let mut rest = message;
-    while let Some(at) = ["(", "0x"].iter().filter_map(|mark| Some(rest.find(mark)? + mark.len())).min() {
-        settled.push_str(&rest[..at]);
-        rest = rest[at..].trim_start_matches(|c: char| c.is_ascii_hexdigit());
+    while let Some(at) = rest.find(['(', 'x']) {
+        settled.push_str(&rest[..=at]);
+        let is_address = rest[..at].ends_with('0') && rest.as_bytes()[at] == b'x';
+        rest = match rest.as_bytes()[at] {
+            b'(' => rest[at + 1..].trim_start_matches(|c: char| c.is_ascii_digit()),
+            _ if is_address => rest[at + 1..].trim_start_matches(|c: char| c.is_ascii_hexdigit()),
+            _ => &rest[at + 1..],
+        };
     }
     settled + rest
 }
@@ -214,6 +219,7 @@ mod tests {
         let other = Finished { stderr: b"at 0xffe0\ncannot open /tmp/8/scene.json".to_vec(), ..one.finished.clone() };
         assert!(one.is_like(&Failure::of(&other, Path::new("/tmp/8")).unwrap()));
         assert!(!one.is_like(&Failure::of(&other, Path::new("/tmp/9")).unwrap()));
+        assert_eq!(settled("(17) (abc) f(3) 0xffe0: axe 0x1"), "() (abc) f() 0x: axe 0x");
     }
 
     #[test]
