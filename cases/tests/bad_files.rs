@@ -72,6 +72,17 @@ fn a_file_with_very_many_problems_is_not_reported_to_its_end() {
 }
 
 #[test]
+fn a_word_of_any_length_makes_a_message_that_people_can_read() {
+    let word = "x".repeat(100_000);
+    let texts = [format!("{word} = 1\n"), format!("[scene.materials]\na = {{ kd = \"{word}\" }}\n"), word];
+    for text in texts {
+        let read = cases::scene::parse("long.toml", &text, Path::new(""), &cases::Course::default());
+        let said = read.expect_err("accepted").render(false);
+        assert!(said.len() < 5000, "{} bytes: {said:.300}", said.len());
+    }
+}
+
+#[test]
 fn colour_comes_only_when_asked_for() {
     let problems =
         cases::scene::parse("x.toml", "a = 1", Path::new(""), &cases::Course::default()).expect_err("accepted");

@@ -18,6 +18,7 @@ use super::limits::{LIMITS, MANIFEST_BYTES, size};
 use super::listing::Listing;
 use super::reading::{read_bytes, read_text};
 use super::{Kind, Submission, SubmissionError, refuse, rust};
+use crate::plain;
 
 /// The file that makes a folder a submission of this kind.
 pub(super) const MANIFEST: &str = "submission.toml";
@@ -90,10 +91,10 @@ fn parse(text: &str) -> Result<(Option<Vec<String>>, Vec<String>), String> {
     Ok((manifest.build.map(|step| words(step, "build")).transpose()?, words(manifest.run, "run")?))
 }
 
-/// Returns a message that quotes the manifest, with its lines cut.
+/// Returns a message that quotes the manifest, guarded and with its lines cut.
 fn narrow(message: &str) -> String {
     let lines: Vec<String> = message.lines().map(|line| line.chars().take(120).collect()).collect();
-    lines.join("\n")
+    plain::shown(&lines.join("\n"))
 }
 
 fn digest(folder: &Path, files: &[String]) -> Result<String, SubmissionError> {

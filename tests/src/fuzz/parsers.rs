@@ -125,7 +125,7 @@ fn handed_in(path: &Path) -> Read {
     match submission::read(path, &TEMPLATE) {
         Ok(_) => Read::Accepted,
         Err(why @ (SubmissionError::Machine { .. } | SubmissionError::Folder(_))) => panic!("{why}"),
-        Err(why) => refused(&printable(&why.to_string())),
+        Err(why) => refused(&why.to_string()),
     }
 }
 

@@ -43,8 +43,8 @@ impl Notes {
         self.problems.push(Problem {
             source,
             span,
-            message: message.into(),
-            label: label.into(),
+            message: abridged(message.into()),
+            label: abridged(label.into()),
             help: None,
             os_error: None,
         });
@@ -435,3 +435,14 @@ macro_rules! transparent_schema {
 }
 
 transparent_schema!(At => T, Maybe => T, Each => Vec<T>);
+
+/// Characters of a message, which may quote a word of any length.
+const MAX_MESSAGE: usize = 1000;
+
+/// Returns a message that people can read. A longer one ends in `…`.
+fn abridged(message: String) -> String {
+    match message.char_indices().nth(MAX_MESSAGE) {
+        Some((end, _)) => format!("{}…", &message[..end]),
+        None => message,
+    }
+}
