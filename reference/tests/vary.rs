@@ -87,6 +87,19 @@ fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     found
 }
 
+/// The originals have no course of their own, and the place of the set has one beside it.
+#[test]
+fn a_course_beside_the_set_decides_nothing() {
+    let folder = folder(NARROW);
+    fs::create_dir(folder.path().join("b")).unwrap();
+    fs::write(folder.path().join("b/course.toml"), "highlight = \"phong\"\n").unwrap();
+    let (code, errors, _) = run(folder.path(), &["vary", "--seed", "3", "--out", "b/hidden"]);
+    assert_eq!(code, Some(0), "{errors}");
+    let (code, errors, _) = run(folder.path(), &["expect", "--check", "b/hidden"]);
+    assert_eq!(code, Some(0), "{errors}");
+    assert!(fs::read_to_string(folder.path().join("b/hidden/course.toml")).unwrap().starts_with("# The choices"));
+}
+
 #[test]
 fn writes_a_whole_set_with_its_answers() {
     let folder = folder(NARROW);
@@ -101,7 +114,7 @@ fn writes_a_whole_set_with_its_answers() {
         names.iter().map(String::as_str).partition(|name| answers.contains(name));
     assert_eq!(made, answers);
     let varied: Vec<&str> = varied.into_iter().map(|name| name.trim_start_matches("01_one/")).collect();
-    assert_eq!(varied, ["card.toml", "checks/sphere.toml", "stage.toml", "up/up/meshes/card.obj"]);
+    assert_eq!(varied, ["card.toml", "checks/sphere.toml", "stage.toml", "up/up/meshes/card.obj", "course.toml"]);
     let text = fs::read_to_string(set.join("01_one/card.toml")).unwrap();
     assert!(text.contains("title = \"A card\" # of paper"), "comments stay: {text}");
     assert!(text.contains("look_at = [0, 0, 0]") && text.contains("file = \"up/up/meshes/card.obj\""), "{text}");
