@@ -96,6 +96,14 @@ fn files_of_other_programs_are_read_where_they_show_a_whole_picture() {
     }
 }
 
+/// The decoder panics at this file, a stored answer of 7 × 5 pixels in which some bytes were changed.
+#[test]
+fn a_file_whose_blocks_do_not_fit_is_damaged() {
+    let bytes = include_bytes!("pictures/short_blocks.exr");
+    let why = ImageAnswer::decode(bytes, 7, 5).unwrap_err().to_string();
+    assert!(why.contains("its blocks do not fit its header"), "{why}");
+}
+
 #[test]
 fn tiles_are_read_as_lines_are() {
     let channels = SpecificChannels::rgb(|at: exr::math::Vec2<usize>| {

@@ -5,6 +5,7 @@
 //! whose order changes from run to run.
 
 use std::io::Cursor;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use ::exr::meta::Headers;
 use ::exr::meta::header::Header;
@@ -126,7 +127,7 @@ fn exr_part(part: &Part, size: (usize, usize)) -> ExrPart<AnyChannels<FlatSample
 pub fn decode_first(bytes: &[u8], width: u32, height: u32) -> Result<(Part, String), PictureError> {
     demand(bytes, (width, height))?;
     let reader = read().no_deep_data().largest_resolution_level().all_channels().first_valid_layer().all_attributes();
-    let file = reader.non_parallel().from_buffered(Cursor::new(bytes)).map_err(broken)?;
+    let file = guarded(|| reader.non_parallel().from_buffered(Cursor::new(bytes)))?;
     let notes = notes_in(&file.layer_data.attributes);
     Ok((our_part(file.layer_data), notes))
 }
@@ -165,7 +166,7 @@ pub fn decode_rgb(bytes: &[u8], admit: impl Fn((u32, u32)) -> Result<(), Picture
         },
     );
     let reader = reader.first_valid_layer().all_attributes().non_parallel();
-    let file = reader.from_buffered(Cursor::new(bytes)).map_err(broken)?;
+    let file = guarded(|| reader.from_buffered(Cursor::new(bytes)))?;
     Ok(Shown { size, pixels: file.layer_data.channel_data.pixels, part: name(first) })
 }
 
@@ -213,7 +214,7 @@ fn demand_length(length: usize, first: &Header) -> Result<(), PictureError> {
 pub fn decode(bytes: &[u8], width: u32, height: u32) -> Result<(Vec<Part>, String), PictureError> {
     demand(bytes, (width, height))?;
     let reader = read().no_deep_data().largest_resolution_level().all_channels().all_layers().all_attributes();
-    let file = reader.non_parallel().from_buffered(Cursor::new(bytes)).map_err(broken)?;
+    let file = guarded(|| reader.non_parallel().from_buffered(Cursor::new(bytes)))?;
     let notes = file.layer_data.first().map(|part| notes_in(&part.attributes)).unwrap_or_default();
     Ok((file.layer_data.into_iter().map(our_part).collect(), notes))
 }
@@ -255,7 +256,7 @@ fn name(header: &Header) -> String {
 
 /// Reads the headers alone.
 fn headers(bytes: &[u8]) -> Result<Headers, PictureError> {
-    let headers = MetaData::read_from_buffered(Cursor::new(bytes), true).map_err(broken)?.headers;
+    let headers = guarded(|| MetaData::read_from_buffered(Cursor::new(bytes), true))?.headers;
     let n_planes: usize = headers.iter().map(|header| header.channels.list.len()).sum();
     if headers.len() > MOST || n_planes > MOST {
         let n = headers.len();
@@ -279,6 +280,15 @@ fn our_part(part: ExrPart<AnyChannels<FlatSamples>>) -> Part {
     };
     let name = part.attributes.layer_name.as_ref().map(Text::to_string).unwrap_or_default();
     Part { name, planes: part.channel_data.list.into_iter().map(plane).collect() }
+}
+
+/// Calls the decoder. A panic of it is an error of the file.
+///
+/// The decoder (1.74.2) indexes out of bounds where a block is shorter than the header says. What it
+/// reads lies in memory, so that nothing is left behind half changed.
+fn guarded<T>(read: impl FnOnce() -> ::exr::error::Result<T>) -> Result<T, PictureError> {
+    let unfit = |_| PictureError::Broken("its blocks do not fit its header".to_owned());
+    catch_unwind(AssertUnwindSafe(read)).map_err(unfit)?.map_err(broken)
 }
 
 fn broken(why: ::exr::error::Error) -> PictureError {

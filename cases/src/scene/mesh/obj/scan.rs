@@ -83,13 +83,15 @@ impl<'a> Scan<'a> {
     /// Passes over the rest of a comment, or of a statement that is not used.
     ///
     /// If the line ends with `\`, the next line is passed over too, unless it is a statement that
-    /// is
-    /// used: such a comment can end with the name of a folder, and no vertex must be lost for it.
+    /// is used: such a comment can end with the name of a folder, and no vertex must be lost for it.
     pub(super) fn skip(&mut self) {
         while self.skip_line() {
             let mut next = *self;
-            if next.word().is_none_or(|word| is_used(word.text)) {
-                return;
+            match next.word() {
+                // Lines without a word between here and there end with `\` as well. To look at each
+                // of them would take time in proportion to their square.
+                Some(word) if !is_used(word.text) => self.at = word.at,
+                _ => return,
             }
         }
     }
