@@ -83,7 +83,6 @@ const BANS: &[Ban] = &[
         except: &[
             "cases/src/files",
             "cases/src/program.rs",
-            "cases/src/scene/text_file.rs",
             "cases/src/scene/raw/objects.rs",
             "cases/src/stage/load.rs",
         ],
