@@ -47,7 +47,7 @@ fn at<'a>(value: &'a mut Value, place: &[String]) -> &'a mut Value {
     })
 }
 
-/// Puts every slip in the place of every value of the file at `path`. Returns how many were refused.
+/// Replaces every value of the file at `path` by every slip. Returns how many were refused.
 fn check<T>(path: &Path, read: impl Fn(&str) -> Result<T, Problems>) -> usize {
     let text = fs::read_to_string(path).unwrap();
     let right: Value = Value::Table(text.parse().unwrap());

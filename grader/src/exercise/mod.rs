@@ -50,7 +50,16 @@ impl Allowance {
         let limits = limits.with_time(time);
         Self { picture: limits, questions: limits }
     }
+
+    /// Returns the idle time that all runs of a submission may take together: [`N_IDLE`] times that of
+    /// one picture.
+    pub fn most_idle(&self) -> Duration {
+        self.picture.idle * N_IDLE
+    }
 }
+
+/// Number of runs of a submission that may be idle for as long as one may.
+const N_IDLE: u32 = 12;
 
 /// Number of time-outs within a stage, of pictures or of questions, after which the rest gets
 /// [`reduced`] limits.

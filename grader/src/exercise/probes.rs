@@ -71,6 +71,14 @@ pub fn probe(candidate: &Candidate, questions: &[Question], start: &mut Start) -
             probed.not_asked.extend(open.drain(..).map(|question| (question.id.clone(), why.clone())));
             break;
         }
+        // What other stages take does not count here, so that the order of the stages decides nothing.
+        let most_idle = candidate.allowance.most_idle();
+        if probed.idle >= most_idle {
+            let why =
+                format!("not asked: the program was idle for {} s at the questions before it", most_idle.as_secs());
+            probed.not_asked.extend(open.drain(..).map(|question| (question.id.clone(), why.clone())));
+            break;
+        }
         let batch = batch(&open, start);
         let (finished, behind) = ask(candidate, &batch, limits, &mut probed, start);
         let answers_nothing = behind == 0 && probed.got.is_empty();

@@ -47,6 +47,22 @@ fn check_probe(script: &str, answered: &[&str], ended: &[&str]) -> Probed {
     probed
 }
 
+/// Each question ends its process after a wait that is shorter than the limit of one process.
+#[test]
+fn idle_time_is_limited_over_all_questions_of_a_stage() {
+    let (program, _folder) = program("sleep 0.4; read -r line && { echo $line | cut -c 8-9 >&2; exit 1; }");
+    let limits = Limits { idle: Duration::from_millis(500), ..Allowance::default().picture };
+    let short = Limits { idle: Duration::from_millis(80), ..limits };
+    let probed = |picture| {
+        let candidate = Candidate { program: &program, allowance: Allowance { picture, questions: limits } };
+        probe(&candidate, &questions(), &mut Start::default())
+    };
+    assert!(probed(limits).not_asked.is_empty());
+    let probed = probed(short);
+    assert!(!probed.ended.is_empty() && !probed.not_asked.is_empty(), "{probed:?}");
+    assert!(probed.not_asked.values().all(|why| why.starts_with("not asked: the program was idle")), "{probed:?}");
+}
+
 #[test]
 fn all_questions_are_answered() {
     let probed = check_probe(&answering(""), &["q0", "q1", "q2", "q3", "q4"], &[]);

@@ -168,7 +168,7 @@ impl Session<'_> {
     }
 
     fn most_idle(&self) -> Duration {
-        thrift::most_idle(self.candidate.allowance.picture.idle)
+        self.candidate.allowance.most_idle()
     }
 
     /// Puts the results together as if all tasks had been run one after another.

@@ -9,15 +9,6 @@ use std::time::Duration;
 
 use crate::exercise::N_TIMEOUTS;
 
-/// Number of runs of a submission that may be idle for as long as one may.
-const N_IDLE: u32 = 12;
-
-/// Returns the idle time that all runs of a submission may take together, where one run may take
-/// `limit`.
-pub(super) fn most_idle(limit: Duration) -> Duration {
-    limit * N_IDLE
-}
-
 /// The time that a run took.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Taken {
