@@ -51,7 +51,7 @@ impl Allowance {
         Self { picture: limits, questions: limits }
     }
 
-    /// Returns the idle time that all runs of a submission may take together: [`N_IDLE`] times that of
+    /// Returns the idle time that all runs of a submission may take together: twelve times that of
     /// one picture.
     pub fn most_idle(&self) -> Duration {
         self.picture.idle * N_IDLE
