@@ -12,7 +12,7 @@ use crate::sandbox::{Finished, Outcome};
 const N_SAME: u32 = 3;
 /// The same number where the processes die without a word, so that their ends look alike whatever
 /// the cause is.
-pub(super) const N_SILENT: u32 = 8;
+const N_SILENT: u32 = 8;
 /// This many lines at the end of the error stream are compared: they hold the place and the message
 /// of a Rust panic and of a Python exception.
 const N_LINES: usize = 5;
@@ -43,12 +43,13 @@ impl Failure {
         Some(Self { finished: finished.clone().without_streams(), message })
     }
 
-    fn is_like(&self, other: &Self) -> bool {
+    /// Returns whether both processes ended in the same way.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
         self.finished.outcome == other.finished.outcome && self.message == other.message
     }
 
     /// Returns how many processes must fail like this one.
-    fn n_needed(&self) -> u32 {
+    pub(super) fn n_needed(&self) -> u32 {
         let is_death = matches!(self.finished.outcome, Outcome::Exited(_) | Outcome::Signalled(_));
         if is_death && self.message.trim().is_empty() { N_SILENT } else { N_SAME }
     }
@@ -140,8 +141,16 @@ pub fn order(n: usize) -> Vec<usize> {
     order
 }
 
+/// Returns which of `n` things to try after `n_failures` of them failed: the last one, then others
+/// from all over.
+pub(super) fn spread(n_failures: u32, n: usize) -> Option<usize> {
+    let last = n.checked_sub(1)?;
+    let nth = (n_failures as usize).saturating_sub(2);
+    Some(if nth == 0 { last } else { (nth * n / N_SILENT as usize).min(last) })
+}
+
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::sandbox::Clock;
 
@@ -151,7 +160,7 @@ mod tests {
         Failure::of(&finished, Path::new("/tmp/7"))
     }
 
-    fn crash(stderr: &str) -> Option<Failure> {
+    pub(in crate::exercise) fn crash(stderr: &str) -> Option<Failure> {
         failure(Outcome::Exited(1), stderr)
     }
 

@@ -4,6 +4,7 @@
 mod attempt;
 mod explain;
 mod failure;
+mod functions;
 mod pictures;
 mod probes;
 pub mod replies;
@@ -16,7 +17,7 @@ use crate::sandbox::Limits;
 pub use explain::explain;
 pub use failure::{Failure, Start, order};
 pub use pictures::{NoPicture, Shot, read, shoot};
-pub use probes::{Ended, Probed, probe};
+pub use probes::{Ended, LeftOut, Probed, probe};
 pub use replies::Got;
 
 /// What a program may use.

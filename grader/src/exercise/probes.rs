@@ -7,9 +7,10 @@ use std::time::Duration;
 use cases::probe::Question;
 
 use super::attempt::{Attempt, NEEDED, Task, attempt};
-use super::failure::N_SILENT;
+use super::failure::{Failure, spread};
+use super::functions::Functions;
 use super::replies::{self, Got, Replies};
-use super::{Candidate, N_TIMEOUTS, Start, reduced};
+use super::{Allowance, Candidate, N_TIMEOUTS, Start, reduced};
 use crate::sandbox::{Finished, Limits, Outcome};
 
 /// Questions at which one function may have to be stopped, before no more are put to it.
@@ -28,6 +29,8 @@ pub struct Probed {
     pub not_asked: BTreeMap<String, String>,
     /// Questions that were left out because the program fails whatever it is given.
     pub skipped: BTreeSet<String>,
+    /// Questions that were left out because the function fails whatever the question is, by id.
+    pub left_out: BTreeMap<String, LeftOut>,
     /// What is worth saying of the output as a whole.
     pub remarks: Vec<String>,
     /// Wall time of all processes.
@@ -49,6 +52,17 @@ pub struct Ended {
     pub limits: Limits,
 }
 
+/// The evidence that a function fails at all questions of a stage.
+#[derive(Clone, Debug)]
+pub struct LeftOut {
+    /// The end of the last process.
+    pub ended: Ended,
+    /// Number of questions at which a process ended in this way.
+    pub n_failures: u32,
+    /// Number of questions that were left out.
+    pub n: usize,
+}
+
 /// Puts all questions to the program. `start` holds what is known of the program so far.
 ///
 /// Where the program ends early, the first question behind the last answer is to blame. Where not
@@ -58,6 +72,7 @@ pub fn probe(candidate: &Candidate, questions: &[Question], start: &mut Start) -
     let mut probed = Probed::default();
     let mut open: Vec<&Question> = questions.iter().collect();
     let mut hangs: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut functions = Functions::default();
     let mut limits = candidate.allowance.questions;
     let mut n_timeouts = 0;
     let mut sends_off = false;
@@ -66,27 +81,18 @@ pub fn probe(candidate: &Candidate, questions: &[Question], start: &mut Start) -
             probed.skipped.extend(open.drain(..).map(|question| question.id.clone()));
             break;
         }
-        if probed.cpu + probed.idle >= MAX_TIME {
-            let why = format!("not asked: the questions before it took more than {} s", MAX_TIME.as_secs());
+        if let Some(why) = spent(&probed, &candidate.allowance) {
             probed.not_asked.extend(open.drain(..).map(|question| (question.id.clone(), why.clone())));
             break;
         }
-        // What other stages take does not count here, so that the order of the stages decides nothing.
-        let most_idle = candidate.allowance.most_idle();
-        if probed.idle >= most_idle {
-            let why =
-                format!("not asked: the program was idle for {} s at the questions before it", most_idle.as_secs());
-            probed.not_asked.extend(open.drain(..).map(|question| (question.id.clone(), why.clone())));
-            break;
-        }
-        let batch = batch(&open, start);
-        let (finished, behind) = ask(candidate, &batch, limits, &mut probed, start);
+        let batch = batch(&open, start, &functions);
+        let Asked { finished, behind, failure } = ask(candidate, &batch, limits, &mut probed, start);
         let answers_nothing = behind == 0 && probed.got.is_empty();
         let is_through = finished.outcome == Outcome::Exited(0) && (answers_nothing || behind == batch.len());
         sends_off |= behind > 0 && finished.outcome != Outcome::Exited(0);
         let suspect = batch.get(behind).or(batch.first()).copied();
         let is_sure = behind > 0 || batch.len() == 1 || sends_off;
-        open.retain(|question| !probed.got.contains_key(&question.id));
+        take_answers(&mut open, &probed, &mut functions);
         if is_through || cannot_go_on(&finished) {
             let is_over = cannot_go_on(&finished);
             let ended = Ended { finished, limits };
@@ -97,16 +103,26 @@ pub fn probe(candidate: &Candidate, questions: &[Question], start: &mut Start) -
         let Some(suspect) = suspect.filter(|suspect| open.iter().any(|question| question.id == suspect.id)) else {
             continue;
         };
-        let finished = if is_sure { finished } else { ask(candidate, &[suspect], limits, &mut probed, start).0 };
-        open.retain(|question| question.id != suspect.id);
+        let Asked { finished, failure, .. } = match is_sure {
+            true => Asked { finished, behind, failure },
+            false => ask(candidate, &[suspect], limits, &mut probed, start),
+        };
+        take_answers(&mut open, &probed, &mut functions);
         if probed.got.contains_key(&suspect.id) {
             continue;
         }
+        open.retain(|question| question.id != suspect.id);
+        let function = suspect.ask.function();
+        functions.end(function, failure);
         if !matches!(finished.outcome, Outcome::Exited(_) | Outcome::Signalled(_)) {
-            *hangs.entry(suspect.ask.function()).or_default() += 1;
+            *hangs.entry(function).or_default() += 1;
         }
         n_timeouts += usize::from(matches!(finished.outcome, Outcome::TimedOut(_)));
-        probed.ended.insert(suspect.id.clone(), Ended { finished, limits });
+        let ended = Ended { finished, limits };
+        if let Some(n_failures) = functions.n_failures(function) {
+            leave_out(&mut open, function, &ended, n_failures, &mut probed);
+        }
+        probed.ended.insert(suspect.id.clone(), ended);
         if n_timeouts >= N_TIMEOUTS {
             limits = reduced(candidate.allowance.questions);
         }
@@ -115,28 +131,42 @@ pub fn probe(candidate: &Candidate, questions: &[Question], start: &mut Start) -
     probed
 }
 
-/// Returns the questions for the next process: all that are open, or a single one where it is still
-/// to be found out whether the program fails whatever it is given.
-fn batch<'a>(open: &[&'a Question], start: &Start) -> Vec<&'a Question> {
-    match start.n_failures() as usize {
-        0 | 1 => open.to_vec(),
-        2 => vec![open[open.len() - 1]],
-        n => vec![open[(n - 2) * open.len() / N_SILENT as usize]],
+/// Returns why no process is started any more, where those before took too long.
+///
+/// What other stages take does not count, so that the order of the stages decides nothing.
+fn spent(probed: &Probed, allowance: &Allowance) -> Option<String> {
+    let most_idle = allowance.most_idle();
+    if probed.cpu + probed.idle >= MAX_TIME {
+        return Some(format!("not asked: the questions before it took more than {} s", MAX_TIME.as_secs()));
     }
+    let seconds = most_idle.as_secs();
+    (probed.idle >= most_idle)
+        .then(|| format!("not asked: the program was idle for {seconds} s at the questions before it"))
 }
 
-/// Puts the questions to one process, and takes in its answers. Returns how it ended, and the place
-/// behind the last question that was answered.
-fn ask(
-    candidate: &Candidate,
-    open: &[&Question],
-    limits: Limits,
-    probed: &mut Probed,
-    start: &mut Start,
-) -> (Finished, usize) {
+/// Returns the questions for the next process: all that are open, or a single one where it is still
+/// to be found out whether the program, or one of its functions, fails whatever it is given.
+fn batch<'a>(open: &[&'a Question], start: &Start, functions: &Functions) -> Vec<&'a Question> {
+    let telling = match start.n_failures() {
+        0 | 1 => functions.telling(open),
+        n => spread(n, open.len()).map(|place| open[place]),
+    };
+    telling.map_or_else(|| open.to_vec(), |question| vec![question])
+}
+
+/// The result of putting questions to one process.
+struct Asked {
+    finished: Finished,
+    /// Place behind the last question that was answered.
+    behind: usize,
+    /// The failure of the program, or `None` where its end says nothing against it.
+    failure: Option<Failure>,
+}
+
+/// Puts the questions to one process, and takes in its answers.
+fn ask(candidate: &Candidate, open: &[&Question], limits: Limits, probed: &mut Probed, start: &mut Start) -> Asked {
     let Attempt { output: replies, finished, failure } = run(candidate, open, limits);
-    let failure = failure.filter(|_| replies.got.is_empty());
-    start.see(failure.as_ref(), || run(candidate, &[], limits).failure);
+    start.see(failure.as_ref().filter(|_| replies.got.is_empty()), || run(candidate, &[], limits).failure);
     probed.time += finished.wall;
     probed.cpu += finished.cpu;
     probed.idle += finished.idle;
@@ -144,7 +174,14 @@ fn ask(
     remark(&replies, probed);
     let behind = open.iter().rposition(|question| replies.got.contains_key(&question.id)).map_or(0, |last| last + 1);
     probed.got.extend(replies.got);
-    (finished.without_streams(), behind)
+    Asked { finished: finished.without_streams(), behind, failure }
+}
+
+/// Removes the questions that have been answered.
+fn take_answers<'a>(open: &mut Vec<&'a Question>, probed: &Probed, functions: &mut Functions<'a>) {
+    for question in open.extract_if(.., |question| probed.got.contains_key(&question.id)) {
+        functions.answer(question.ask.function());
+    }
 }
 
 /// Runs one process with the questions on its standard input.
@@ -174,6 +211,14 @@ fn remark(replies: &Replies, probed: &mut Probed) {
 
 fn cannot_go_on(finished: &Finished) -> bool {
     matches!(finished.outcome, Outcome::Machine(_) | Outcome::NoProgram(_) | Outcome::Interrupted)
+}
+
+/// Puts no more questions to `function`, which fails at all of them.
+fn leave_out(open: &mut Vec<&Question>, function: &str, ended: &Ended, n_failures: u32, probed: &mut Probed) {
+    let ids: Vec<String> =
+        open.extract_if(.., |question| question.ask.function() == function).map(|it| it.id.clone()).collect();
+    let left_out = LeftOut { ended: ended.clone(), n_failures, n: ids.len() };
+    probed.left_out.extend(ids.into_iter().map(|id| (id, left_out.clone())));
 }
 
 /// Puts no more questions to a function that had to be stopped again and again.

@@ -234,8 +234,49 @@ fn a_few_processes_tell_that_a_program_answers_nothing() {
     let silent = format!("{note}; n=0; {at_q0}; [ $n = 1 ] || exit 1");
     let probed = check_probe(&silent, &["q1", "q2", "q3", "q4"], &["q0"]);
     assert!(probed.skipped.is_empty(), "{probed:?}");
-    // One that fails at the questions alone is asked them all.
+    // One that fails at the questions alone is run with nothing to do, and is not broken.
     let picky = format!("{note}; read -r line || exit 0; echo no answers >&2; exit 1");
-    let probed = check_probe(&picky, &[], &["q0", "q1", "q2", "q3", "q4"]);
-    assert!(count() > 8 && probed.skipped.is_empty(), "{probed:?}");
+    let probed = check_probe(&picky, &[], &["q0", "q1", "q3", "q4"]);
+    assert!(probed.skipped.is_empty(), "{probed:?}");
+}
+
+/// Probes with a script that knows only the function `indices`, with 50 questions to each of two;
+/// how many processes were started, and what came of it.
+fn probe_two_functions(script: &str) -> (usize, Probed) {
+    let home = tempfile::tempdir().unwrap();
+    let log = home.path().join("log");
+    let (program, _folder) = program(&format!("echo started >> {}\n{}", log.display(), answering(script)));
+    let indices = |n: u32| Question { id: format!("i{n}"), ask: Ask::Indices { inside: n == 0, index: 1.5 } };
+    let reflect = |n: u32| {
+        let ask = Ask::Reflect { direction: -DVec3::Z, normal: DVec3::new(f64::from(n), 0.0, 1.0) };
+        Question { id: format!("r{n}"), ask }
+    };
+    let questions: Vec<Question> = (0..50).flat_map(|n| [indices(n), reflect(n)]).collect();
+    let probed = probe(&candidate(&program), &questions, &mut Start::default());
+    (std::fs::read_to_string(&log).unwrap().lines().count(), probed)
+}
+
+#[test]
+fn a_function_that_fails_at_all_questions_costs_a_few_processes_and_nothing_else() {
+    let answered = |probed: &Probed, letter| probed.got.keys().filter(|id| id.starts_with(letter)).count();
+    let (n_starts, probed) = probe_two_functions("case $id in r*) echo no reflection >&2; exit 1;; esac;");
+    assert_eq!((answered(&probed, 'i'), probed.ended.len(), probed.left_out.len()), (50, 4, 46), "{probed:?}");
+    assert!(n_starts <= 6, "{n_starts} processes");
+    let left_out = &probed.left_out["r30"];
+    assert_eq!((left_out.n_failures, left_out.n), (4, 46));
+    let (_, probed) = probe_two_functions("case $id in r*) exit 1;; esac;");
+    assert_eq!((answered(&probed, 'i'), probed.ended.len(), probed.left_out.len()), (50, 9, 41), "{probed:?}");
+}
+
+#[test]
+fn a_function_that_fails_at_some_questions_loses_those_alone() {
+    for (script, lost) in [
+        ("case $id in r?) echo no reflection >&2; exit 1;; esac;", 10),
+        ("case $id in r[0-3]*) exit 1;; esac;", 34),
+        ("case $id in r*) echo no reflection $id >&2; exit 1;; esac;", 50),
+    ] {
+        let (_, probed) = probe_two_functions(script);
+        assert_eq!((probed.got.len(), probed.ended.len()), (100 - lost, lost), "{script}: {probed:?}");
+        assert!(probed.left_out.is_empty(), "{script}: {probed:?}");
+    }
 }

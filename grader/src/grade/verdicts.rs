@@ -5,7 +5,7 @@ use cases::probe::{Answer, Question};
 use cases::stage::Case;
 
 use crate::exam::Questions;
-use crate::exercise::{Ended, Failure, Got, NoPicture, Probed, Shot};
+use crate::exercise::{Ended, Failure, Got, LeftOut, NoPicture, Probed, Shot};
 use crate::judge::{self, Judgement};
 use crate::record::{Finding, FindingKind};
 use crate::sandbox::{Clock, Finished, Limits, Outcome};
@@ -77,14 +77,16 @@ pub(super) fn of_answer(question: &Question, probed: &Probed, questions: &Questi
         return Judgement::ours("there is no stored answer");
     };
     let wrong = |kind, message: String| Judgement::fail(Finding::new(kind, message));
+    let function = question.ask.function();
     let mut judgement = match (probed.got.get(&question.id), probed.ended.get(&question.id)) {
-        (Some(Got::Answer(answer)), _) => judge::unit(answer, right, question.ask.function()),
+        (Some(Got::Answer(answer)), _) => judge::unit(answer, right, function),
         (Some(Got::Malformed(why)), _) => wrong(FindingKind::Unreadable, format!("its answer cannot be read: {why}")),
         (Some(Got::Twice), _) => wrong(FindingKind::Wrong, "it gave more than one answer".to_owned()),
         (None, Some(Ended { finished, .. })) if finished.outcome == Outcome::Exited(0) => {
             wrong(FindingKind::Missing, "it gave no answer to this question".to_owned())
         }
         (None, Some(Ended { finished, limits })) => judge::ending(finished, limits),
+        (None, None) if let Some(left_out) = probed.left_out.get(&question.id) => not_asked(function, left_out),
         (None, None) => {
             let why = probed.not_asked.get(&question.id).map_or("not asked", String::as_str);
             wrong(FindingKind::Timeout, why.to_owned())
@@ -96,6 +98,24 @@ pub(super) fn of_answer(question: &Question, probed: &Probed, questions: &Questi
     judgement
 }
 
+/// Returns the judgement on a question that was left out because `function` fails at all of them.
+fn not_asked(function: &str, LeftOut { ended, n_failures, n }: &LeftOut) -> Judgement {
+    let mut judgement = judge::ending(&ended.finished, &ended.limits);
+    if let Some(finding) = &mut judgement.finding {
+        finding.message = format!(
+            "not asked, because the program fails at `{function}` whatever the question is: {}. {n_failures} processes \
+             ended in this way, so {} left out",
+            finding.message,
+            were(*n, "question")
+        );
+    }
+    judgement
+}
+
+fn were(n: usize, one: &str) -> String {
+    if n == 1 { format!("1 {one} was") } else { format!("{n} {one}s were") }
+}
+
 /// Returns the judgement on one of `n` checks that were left out because the program fails whatever
 /// it is given, as `n_same` processes have shown.
 pub(super) fn skipped(failure: &Failure, n_same: u32, limits: &Limits, (what, n): (Skipped, usize)) -> Judgement {
@@ -105,11 +125,11 @@ pub(super) fn skipped(failure: &Failure, n_same: u32, limits: &Limits, (what, n)
             Skipped::Pictures => ("with an empty scene", "picture"),
             Skipped::Questions => ("without a question", "question"),
         };
-        let left_out = if n == 1 { format!("1 {one} was") } else { format!("{n} {one}s were") };
         finding.message = format!(
             "not run, because the program fails whatever it is given: {}. {n_same} processes ended in this way, the \
-             last of them {given}, so {left_out} left out",
-            finding.message
+             last of them {given}, so {} left out",
+            finding.message,
+            were(n, one)
         );
     }
     judgement
