@@ -14,7 +14,7 @@ pub(super) struct Functions<'a>(BTreeMap<&'a str, State>);
 #[derive(Debug)]
 enum State {
     /// All questions so far ended the process in this way; and how many there were.
-    Failing(Failure, u32),
+    Failing(Box<Failure>, u32),
     /// One was answered, or ended the process otherwise. From now on all questions are put.
     Fine,
 }
@@ -30,7 +30,7 @@ impl<'a> Functions<'a> {
     pub(super) fn end(&mut self, function: &'a str, failure: Option<Failure>) {
         let before = self.0.remove(function);
         let state = match (before, failure) {
-            (None, Some(failure)) => State::Failing(failure, 1),
+            (None, Some(failure)) => State::Failing(Box::new(failure), 1),
             (Some(State::Failing(first, n)), Some(failure)) if failure.is_like(&first) => State::Failing(first, n + 1),
             _ => State::Fine,
         };
