@@ -22,11 +22,11 @@ pub struct Ray {
     pub direction: DVec3,
     /// Open lower end of the interval.
     #[serde(with = "crate::probe::number")]
-    #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
+    #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
     pub t_min: f64,
     /// Open upper end of the interval; may be infinite.
     #[serde(with = "crate::probe::number")]
-    #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
+    #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
     pub t_max: f64,
 }
 
@@ -59,7 +59,7 @@ impl Ray {
 pub struct SurfaceHit {
     /// Parameter along the ray as given, its direction not normalised. [rule 20]
     #[serde(with = "crate::probe::number")]
-    #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
+    #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
     pub t: f64,
     /// Unit vector; points outwards, from inside as well. [rule 11]
     #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]

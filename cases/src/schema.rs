@@ -1,20 +1,19 @@
 //! The forms of files and messages, said by the types that read them: JSON Schema (draft 07, which editors understand), and
 //! the reference of the scene format for people.
 
-use std::borrow::Cow;
 use std::fmt::Write;
 
 use schemars::generate::SchemaSettings;
 use schemars::transform::{RecursiveTransform, Transform, transform_subschemas};
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::{JsonSchema, Schema, json_schema};
 use serde_json::{Map, Value, json};
 
 use crate::course::RawCourse;
 use crate::probe::{Question, Reply};
 use crate::scene::Scene;
-use crate::scene::raw::{RawCase, RawSceneFile};
+use crate::scene::raw::RawSceneFile;
 use crate::stage::ask;
-use crate::stage::raw::RawStage;
+use crate::stage::raw::{RawCase, RawStage};
 
 /// The JSON Schema of a case file.
 pub fn case_schema() -> Value {
@@ -48,23 +47,6 @@ pub fn probe_schema() -> Value {
     let mut schema = json_schema!({ "$schema": "http://json-schema.org/draft-07/schema#", "anyOf": lines });
     schema.insert("definitions".to_owned(), Value::Object(generator.take_definitions(true)));
     titled(schema, "A line of the probe protocol")
-}
-
-/// A number that may be infinite or undefined: JSON has no word for those, so they are strings.
-pub(crate) struct Number;
-
-impl JsonSchema for Number {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "Number".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "anyOf": [{ "type": "number" }, { "enum": ["inf", "-inf", "nan"] }] })
-    }
 }
 
 /// The schema of a file that people write: no key is ever null, and one with a default is not required.

@@ -28,7 +28,7 @@ fn a_bad_folder_of_stages_is_refused_for_all_its_files_at_once() {
 }
 
 fn check(folder: &Path, name: &str) -> Result<(), String> {
-    match cases::scene::load(&folder.join(name), &cases::Course::default()) {
+    match cases::stage::load_scene(&folder.join(name), &cases::Course::default()) {
         Ok(_) => Err(format!("{name} was accepted")),
         Err(problems) => compare(folder, name, &problems),
     }
@@ -57,7 +57,7 @@ fn what_is_no_file_of_sensible_size_is_refused_unread() {
         (PathBuf::from("/dev/zero"), "it is not a regular file"),
     ];
     for (path, why) in table {
-        let problems = cases::scene::load(&path, &cases::Course::default()).expect_err("accepted");
+        let problems = cases::stage::load_scene(&path, &cases::Course::default()).expect_err("accepted");
         assert_eq!(problems.iter().count(), 1);
         assert!(problems.to_string().contains(why), "{problems}");
     }

@@ -3,10 +3,11 @@
 use std::path::Path;
 
 use cases::scene::{self, Scene};
+use cases::stage;
 
 fn good(name: &str) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/good").join(name);
-    scene::load(&path, &cases::Course::default()).unwrap_or_else(|problems| panic!("{problems}"))
+    stage::load_scene(&path, &cases::Course::default()).unwrap_or_else(|problems| panic!("{problems}"))
 }
 
 #[test]

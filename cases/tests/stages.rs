@@ -32,7 +32,7 @@ fn a_case_has_the_effects_that_it_calls_for_and_its_stage_allows() {
     assert_eq!(stages()[0].cases[0].scene.effects, only_shadows);
     let path = here("stages/01_first/mirror.toml");
     assert_eq!(stage::load_case(&path, &cases::Course::default()).unwrap().scene.effects, only_shadows);
-    assert_eq!(cases::scene::load(&path, &cases::Course::default()).unwrap().effects, only_shadows);
+    assert_eq!(cases::stage::load_scene(&path, &cases::Course::default()).unwrap().effects, only_shadows);
     let free = std::fs::read_to_string(&path).unwrap();
     let free = cases::scene::parse("mirror", &free, Path::new(""), &cases::Course::default()).unwrap();
     assert_eq!(free.effects, only_shadows.with(Effect::Reflection));

@@ -2,7 +2,7 @@
 
 mod shared;
 
-use cases::{Effect, Scene, scene};
+use cases::{Effect, Scene, stage};
 use reference::cost::bench::Bench;
 use reference::cost::error::Error;
 use reference::cost::measure::{Outside, measure, work};
@@ -20,7 +20,7 @@ fn scene(text: &str) -> Scene {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");
     std::fs::write(&path, text).unwrap();
-    scene::load(&path, &cases::Course::default()).unwrap()
+    stage::load_scene(&path, &cases::Course::default()).unwrap()
 }
 
 /// Every picture takes as many seconds as it has rays a side of a pixel; the measurement is stopped before picture number `stops_before`.

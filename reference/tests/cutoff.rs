@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cases::glam::DVec3;
-use cases::{Effect, Effects, Scene, scene};
+use cases::{Effect, Effects, Scene, stage};
 use reference::cutoff::Limits;
 use reference::rules::{Lecture, Rules};
 use reference::trace::Kernel;
@@ -24,7 +24,7 @@ fn load(text: &str) -> Scene {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");
     std::fs::write(&path, text).unwrap();
-    scene::load(&path, &cases::Course::default()).unwrap()
+    stage::load_scene(&path, &cases::Course::default()).unwrap()
 }
 
 /// Light and weight left out of every pixel, and all rays of the picture.
@@ -134,7 +134,12 @@ fn no_pixel_of_a_public_case_is_darker_than_the_bound_allows() {
         ("04_refraction/crystal_ball", 100, 0.05),
         ("06_smooth_normals/curved_mirror", 40, 0.05),
     ] {
-        check(id, &scene::load(&stages.join(format!("{id}.toml")), &cases::Course::default()).unwrap(), deepest, share);
+        check(
+            id,
+            &stage::load_scene(&stages.join(format!("{id}.toml")), &cases::Course::default()).unwrap(),
+            deepest,
+            share,
+        );
     }
 }
 

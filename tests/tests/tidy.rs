@@ -84,7 +84,7 @@ const BANS: &[Ban] = &[
             "cases/src/files",
             "cases/src/program.rs",
             "cases/src/scene/raw/objects.rs",
-            "cases/src/stage/load.rs",
+            "cases/src/stage/folder.rs",
         ],
         because: "files are read and written in the modules that exist for it",
     },

@@ -15,18 +15,18 @@ pub enum Answer {
     Hit {
         /// Along the ray as given.
         #[serde(with = "number")]
-        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
+        #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
         t: f64,
         /// Outward unit normal.
         #[serde(with = "numbers")]
-        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
+        #[cfg_attr(feature = "authoring", schemars(with = "[crate::probe::number::Number; 3]"))]
         normal: DVec3,
     },
     /// A hit in a scene.
     Found {
         /// Along the ray as given.
         #[serde(with = "number")]
-        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
+        #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
         t: f64,
         /// Index of the object.
         object: usize,
@@ -37,36 +37,36 @@ pub enum Answer {
     Ray {
         /// Where it starts.
         #[serde(with = "numbers")]
-        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
+        #[cfg_attr(feature = "authoring", schemars(with = "[crate::probe::number::Number; 3]"))]
         origin: DVec3,
         /// Where it goes.
         #[serde(with = "numbers")]
-        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
+        #[cfg_attr(feature = "authoring", schemars(with = "[crate::probe::number::Number; 3]"))]
         direction: DVec3,
     },
     /// A number.
     Value(
         #[serde(with = "number")]
-        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
+        #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
         f64,
     ),
     /// A direction, a normal, or three weights.
     Vector(
         #[serde(with = "numbers")]
-        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
+        #[cfg_attr(feature = "authoring", schemars(with = "[crate::probe::number::Number; 3]"))]
         DVec3,
     ),
     /// Linear RGB.
     Colour(
         #[serde(with = "numbers")]
-        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
+        #[cfg_attr(feature = "authoring", schemars(with = "[crate::probe::number::Number; 3]"))]
         DVec3,
     ),
     /// The normal turned against a ray.
     Facing {
         /// That normal.
         #[serde(with = "numbers")]
-        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
+        #[cfg_attr(feature = "authoring", schemars(with = "[crate::probe::number::Number; 3]"))]
         normal: DVec3,
         /// Whether the ray is inside the object.
         inside: bool,
@@ -75,22 +75,22 @@ pub enum Answer {
     ToLight {
         /// L_j.
         #[serde(with = "numbers")]
-        #[cfg_attr(feature = "authoring", schemars(with = "[crate::schema::Number; 3]"))]
+        #[cfg_attr(feature = "authoring", schemars(with = "[crate::probe::number::Number; 3]"))]
         direction: DVec3,
         /// t_light; "inf" for a directional light.
         #[serde(with = "number")]
-        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
+        #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
         t: f64,
     },
     /// Indices on both sides.
     Indices {
         /// On the side of the ray.
         #[serde(with = "number")]
-        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
+        #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
         eta_i: f64,
         /// On the other side.
         #[serde(with = "number")]
-        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
+        #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
         eta_t: f64,
     },
     /// Whether the ray spawns more.

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::number;
 use crate::ray::Ray;
-use crate::scene::{Camera, Light, Material, Scene, json::affine};
+use crate::scene::{Camera, Light, Material, Scene, affine};
 
 /// A question to one function; the variant's name in snake case is the key `fn`.
 ///
@@ -88,7 +88,7 @@ pub enum Ask {
         light: Light,
         /// Distance to it; infinite for a directional light.
         #[serde(with = "number")]
-        #[cfg_attr(feature = "authoring", schemars(with = "crate::schema::Number"))]
+        #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
         r: f64,
     },
     /// The normal turned against the ray, and whether the ray is inside. Answer: `facing`. [rule 11]

@@ -1,5 +1,7 @@
 //! A number in JSON, where infinities and NaN are the strings "inf", "-inf", "nan".
 
+#[cfg(feature = "authoring")]
+pub(crate) use schema::Number;
 use serde::{Deserialize, Deserializer, Serializer, de::Error};
 
 #[derive(Deserialize)]
@@ -49,4 +51,29 @@ pub(crate) fn serialize<S: Serializer>(number: &f64, out: S) -> Result<S::Ok, S:
 /// Anything else.
 pub(crate) fn deserialize<'de, D: Deserializer<'de>>(input: D) -> Result<f64, D::Error> {
     Wire::deserialize(input)?.number()
+}
+
+/// The JSON Schema of such a number.
+#[cfg(feature = "authoring")]
+mod schema {
+    use std::borrow::Cow;
+
+    use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+
+    /// A number that may be infinite or undefined: JSON has no word for those, so they are strings.
+    pub(crate) struct Number;
+
+    impl JsonSchema for Number {
+        fn inline_schema() -> bool {
+            true
+        }
+
+        fn schema_name() -> Cow<'static, str> {
+            "Number".into()
+        }
+
+        fn json_schema(_: &mut SchemaGenerator) -> Schema {
+            json_schema!({ "anyOf": [{ "type": "number" }, { "enum": ["inf", "-inf", "nan"] }] })
+        }
+    }
 }

@@ -21,19 +21,8 @@ const MAX_RECOVERED_BYTES: usize = 256 << 10;
 /// Bytes of a scene or case file.
 pub const MAX_SCENE_BYTES: u64 = 16 << 20;
 
-/// Returns the scene of the file at `path`: a scene or a case in TOML, or a resolved scene in JSON
-/// where the name ends in `.json`.
-///
-/// A resolved scene lists its effects. Any other scene requests those that it calls for under
-/// `course`; a case whose folder holds a `stage.toml`, those of them that its stage allows. Paths of
-/// meshes are relative to the folder of the file.
-///
-/// # Errors
-/// Everything that is wrong with the file.
-pub fn load(path: &Path, course: &Course) -> Result<Scene, Problems> {
-    if crate::stage::is_case(path) {
-        return crate::stage::load_case(path, course).map(|case| case.scene);
-    }
+/// Returns the scene of the file at `path` outside any stage, in TOML or in JSON.
+pub(crate) fn load(path: &Path, course: &Course) -> Result<Scene, Problems> {
     let (name, text) = (path.display().to_string(), read(path)?);
     if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("json")) {
         return parse_json(&name, &text);

@@ -4,9 +4,12 @@
 //! points at something; every matrix has an inverse, stored beside it; nothing is relative to anything else. Code below
 //! this line never asks "is it there?".
 
+pub(crate) mod affine;
 #[cfg(feature = "authoring")]
 mod file;
 pub mod json;
+#[cfg(feature = "authoring")]
+mod limits;
 #[cfg(feature = "authoring")]
 mod mesh;
 mod model;
@@ -22,7 +25,7 @@ pub(crate) mod transform;
 mod validate;
 
 #[cfg(feature = "authoring")]
-pub use file::{MAX_SCENE_BYTES, load, parse, parse_json};
+pub use file::{MAX_SCENE_BYTES, parse, parse_json};
 #[cfg(feature = "authoring")]
-pub(crate) use file::{body, document, read, root};
+pub(crate) use file::{body, document, load, read, root};
 pub use model::*;

@@ -182,11 +182,11 @@ pub struct Object {
     /// Index into [`Scene::materials`].
     pub material: usize,
     /// M: object space to world space. [rule 20]
-    #[serde(with = "super::json::affine")]
+    #[serde(with = "super::affine")]
     #[cfg_attr(feature = "authoring", schemars(with = "[[f64; 4]; 4]"))]
     pub world_from_object: DAffine3,
     /// M⁻¹.
-    #[serde(with = "super::json::affine")]
+    #[serde(with = "super::affine")]
     #[cfg_attr(feature = "authoring", schemars(with = "[[f64; 4]; 4]"))]
     pub object_from_world: DAffine3,
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use glam::{DAffine3, DVec3};
 
+use super::limits::{MAX_NESTING, MAX_OBJECTS, MAX_PIXELS, MAX_TRIANGLES};
 use super::model::{Attenuation, Camera, Light, Material, Mesh, Object, Render, Scene, Shape};
 use super::raw::numbers::{Index, unit};
 use super::raw::objects::{RawMesh, RawMeshInline, RawObject, RawTransform};
@@ -14,15 +15,6 @@ use super::{mesh, transform};
 use crate::course::Course;
 use crate::effects::{self, Effects};
 use crate::problem::{did_you_mean, quoted};
-
-/// Pixels of a picture: 4096 × 2048.
-pub(crate) const MAX_PIXELS: u64 = 1 << 23;
-/// Objects of a scene once its groups are dissolved.
-pub(crate) const MAX_OBJECTS: usize = 100_000;
-/// Triangles of a scene, and likewise vertices.
-pub(crate) const MAX_TRIANGLES: usize = 2_000_000;
-/// Groups within groups.
-pub(crate) const MAX_NESTING: usize = 16;
 
 /// The index of refraction of air. [rule 9]
 const AIR: f64 = 1.0003;

@@ -4,9 +4,10 @@ use std::fmt::Display;
 
 use glam::{DAffine3, DVec3};
 
+use super::limits;
 use super::model::{Camera, Light, Material, Mesh, Object, Scene, Shape};
 use super::raw::numbers::MAX_NUMBER;
-use super::{resolve, transform};
+use super::transform;
 
 /// How far the length of a unit vector may be from 1, and M M⁻¹ from the identity (relative to the size of its terms).
 const ROUNDING: f64 = 1e-6;
@@ -17,7 +18,7 @@ pub(crate) fn broken(scene: &Scene) -> Vec<String> {
     let mut found = Found(vec![]);
     let render = &scene.render;
     let pixels = u64::from(render.width) * u64::from(render.height);
-    found.unless(pixels > 0 && pixels <= resolve::MAX_PIXELS, "render", "the size is 0 or too large");
+    found.unless(pixels > 0 && pixels <= limits::MAX_PIXELS, "render", "the size is 0 or too large");
     found.unless(
         render.threshold >= 0.0 && render.threshold <= MAX_NUMBER,
         "render.threshold",
@@ -34,7 +35,7 @@ pub(crate) fn broken(scene: &Scene) -> Vec<String> {
     for (i, mesh) in scene.meshes.iter().enumerate() {
         found.mesh(&format!("meshes[{i}]"), mesh);
     }
-    found.unless(scene.objects.len() <= resolve::MAX_OBJECTS, "objects", "they are too many");
+    found.unless(scene.objects.len() <= limits::MAX_OBJECTS, "objects", "they are too many");
     for (i, object) in scene.objects.iter().enumerate() {
         found.object(&format!("objects[{i}]"), object, scene);
     }
@@ -104,7 +105,7 @@ impl Found {
 
     fn mesh(&mut self, place: &str, mesh: &Mesh) {
         let n = mesh.vertices.len();
-        self.unless(mesh.triangles.len().max(n) <= resolve::MAX_TRIANGLES, place, "it is too large");
+        self.unless(mesh.triangles.len().max(n) <= limits::MAX_TRIANGLES, place, "it is too large");
         for vertex in &mesh.vertices {
             self.finite(format_args!("{place}.vertices"), *vertex);
         }

@@ -6,7 +6,7 @@ use glam::{DAffine3, DVec3};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use toml::de::DeValue;
 
-use super::ask::{Named, by_name, scene_of};
+use super::named::{Named, by_name, scene_of};
 use crate::problem::quoted;
 use crate::ray::Ray;
 use crate::scene::raw::numbers::{Colour, Depth, Direction, Index, NonNegative, Number, Point, Side, Size, Travel};

@@ -1,21 +1,11 @@
 //! Questions of the unit checks as they are written: the arguments of [`Ask`], with names in place of scenes, materials and
 //! objects, and a list of transforms in place of matrices.
 
-use std::collections::BTreeMap;
-
-use toml::Spanned;
-
 use super::args::{self, Arg};
+use super::named::Named;
 use crate::probe::Ask;
 use crate::problem::{did_you_mean, quoted};
 use crate::scene::raw::read::{At, Notes, Read, Table, Value};
-use crate::scene::{Material, Scene};
-
-/// What the file defines for its questions to refer to; `None` stands for what is there but wrong.
-pub(super) struct Named {
-    pub(super) scenes: BTreeMap<String, Option<Scene>>,
-    pub(super) materials: BTreeMap<String, Option<Material>>,
-}
 
 /// Declares how each function is asked: its name, its [`Ask`], and what gives each argument.
 macro_rules! asks {
@@ -101,30 +91,4 @@ fn function(value: &Value<'_>, notes: &mut Notes) -> Option<At<String>> {
         None => format!("the functions are {}", quoted(functions())),
     });
     None
-}
-
-/// The entry of `of` that the key's value names.
-pub(super) fn by_name<'n, T>(
-    of: &'n BTreeMap<String, Option<T>>,
-    section: &str,
-    name: &At<String>,
-    notes: &mut Notes,
-) -> Option<&'n T> {
-    let Some(found) = of.get(name.as_str()) else {
-        let problem =
-            notes.add(name.span.clone(), format!("`{}` is not defined", name.value), format!("not in [{section}]"));
-        let defined = format!("defined here: {}", quoted(of.keys().map(String::as_str)));
-        problem.help(match did_you_mean(name, of.keys().map(String::as_str)) {
-            Some(meant) => format!("did you mean `{meant}`? {defined}"),
-            None => defined,
-        });
-        return None;
-    };
-    found.as_ref()
-}
-
-/// The scene that a question names, for the arguments that depend on it; says nothing where there is none.
-pub(super) fn scene_of<'n>(table: &Table<'_>, named: &'n Named) -> Option<&'n Scene> {
-    let name = table.entry("scene").map(Spanned::get_ref)?.as_str()?;
-    named.scenes.get(name)?.as_ref()
 }

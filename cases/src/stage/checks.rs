@@ -8,8 +8,10 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::Check;
-use super::ask::{self, Named};
-use super::load::{limit, stem};
+use super::allows::limit;
+use super::ask;
+use super::folder::stem;
+use super::named::Named;
 use crate::course::{Condition, Course};
 use crate::effects::Effects;
 use crate::probe::Answer;

@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use super::raw::RawStage;
-use super::{Base, Case, Check, Stage, checks};
+use super::allows::{allowed, limit, raw_stage};
+use super::folder::{entries, file_name, is_case, is_toml, stem};
+use super::raw::RawCase;
+use super::{Base, Bounds, Case, Check, Stage, checks};
 use crate::course::Course;
-use crate::effects::{self, Effect, Effects};
-use crate::problem::{Problems, quoted};
-use crate::scene::raw::read::Notes;
-use crate::scene::raw::{RawCase, vary};
+use crate::effects::Effects;
+use crate::problem::Problems;
 use crate::scene::{self, Scene};
 
 /// Returns the stages below `stages_dir` under `course`, ordered by name, each with its cases and unit
@@ -35,9 +35,17 @@ pub fn load_all(stages_dir: &Path, course: &Course) -> Result<Vec<Stage>, Proble
     Ok(stages)
 }
 
-/// Whether `path` is an image case of a stage: a TOML file whose folder holds a `stage.toml`.
-pub fn is_case(path: &Path) -> bool {
-    is_toml(path) && file_name(path) != "stage.toml" && path.with_file_name("stage.toml").is_file()
+/// Returns the scene of the file at `path`: a case, any other scene in TOML, or a resolved scene in
+/// JSON where the name ends in `.json`.
+///
+/// A resolved scene lists its effects. Any other scene requests those that it calls for under
+/// `course`; a case whose folder holds a `stage.toml`, those of them that its stage allows. Paths of
+/// meshes are relative to the folder of the file.
+///
+/// # Errors
+/// Everything that is wrong with the file.
+pub fn load_scene(path: &Path, course: &Course) -> Result<Scene, Problems> {
+    if is_case(path) { load_case(path, course).map(|case| case.scene) } else { scene::load(path, course) }
 }
 
 /// Returns the image case at `path`. Its scene requests the effects that it calls for under `course`
@@ -53,14 +61,6 @@ pub fn load_case(path: &Path, course: &Course) -> Result<Case, Problems> {
     let allows = raw.as_ref().map_or_else(|_| Effects::all(), allowed);
     let case = case(path, &file_name(&folder), allows, course);
     both(raw, case).map(|(_, case)| case)
-}
-
-/// The effects that the stage around the file at `path` allows; all of them for a file outside any stage.
-///
-/// # Errors
-/// Everything that is wrong with the `stage.toml`.
-pub fn allowed_at(path: &Path) -> Result<Effects, Problems> {
-    if is_case(path) { Ok(allowed(&raw_stage(&path.with_file_name("stage.toml"), None)?)) } else { Ok(Effects::all()) }
 }
 
 /// Both values, or the problems of both.
@@ -113,22 +113,6 @@ fn checks(folder: &Path, stage: &str, allows: Effects, course: &Course) -> Resul
     all(files.map(|path| checks::load(path, stage, allows, course)).collect()).map(|lists| lists.concat())
 }
 
-fn raw_stage(path: &Path, before: Option<&[String]>) -> Result<RawStage, Problems> {
-    let (raw, mut notes) = scene::document::<RawStage>(&path.display().to_string(), &scene::read(path)?);
-    if let (Some(raw), Some(before)) = (&raw, before) {
-        for name in raw.needs.iter().filter(|name| !before.contains(name)) {
-            let message = format!("no earlier stage is called `{}`", name.value);
-            let problem = notes.add(name.span.clone(), message, "a stage can only need an earlier one");
-            problem.help(format!("earlier stages: {}", quoted(before.iter().map(String::as_str))));
-        }
-    }
-    notes.finish(raw)
-}
-
-fn allowed(raw: &RawStage) -> Effects {
-    raw.allows.iter().map(|name| name.0).collect()
-}
-
 /// Returns the case at `path` in the stage of that id.
 fn case(path: &Path, stage: &str, allows: Effects, course: &Course) -> Result<Case, Problems> {
     parse_case(path, &scene::read(path)?, stage, allows, course)
@@ -143,7 +127,7 @@ pub fn parse_case(path: &Path, text: &str, stage: &str, allows: Effects, course:
     let (raw, mut notes) = scene::document::<RawCase>(&path.display().to_string(), text);
     let found = raw.and_then(|raw| {
         let base = path.parent().unwrap_or(Path::new(""));
-        let bounds = raw.vary.as_ref().map(|vary| vary::bounds(vary, raw.scene.0.as_ref(), &mut notes));
+        let bounds = raw.vary.as_ref().map(|vary| Bounds::read(vary, raw.scene.0.as_ref(), &mut notes));
         let mut scene = scene::body(&raw.render.0, &raw.scene.0, base, course, &mut notes)?;
         limit(&mut scene, allows, course, &mut notes);
         Some(Case {
@@ -157,38 +141,4 @@ pub fn parse_case(path: &Path, text: &str, stage: &str, allows: Effects, course:
         })
     });
     notes.finish(found)
-}
-
-/// Removes the effects from `scene` that neither the stage allows nor the programs of the course always
-/// simulate. An effect that no tracer can leave out of the picture is a problem instead.
-pub(super) fn limit(scene: &mut Scene, allows: Effects, course: &Course, notes: &mut Notes) {
-    let allows = allows.union(course.always_simulated);
-    for reason in effects::reasons(scene, course).iter().filter(|reason| scene.effects.has(reason.effect)) {
-        let must_be_allowed = matches!(reason.effect, Effect::Transforms | Effect::Attenuation);
-        if must_be_allowed && !allows.has(reason.effect) {
-            let message = format!("this stage does not allow {}: {}", reason.effect, reason.because);
-            notes.add(0..0, message, "").help("change the scene, or add the effect to `allows` in stage.toml");
-        }
-    }
-    scene.effects = scene.effects.intersection(allows);
-}
-
-/// What is in `folder`, ordered by name.
-pub(super) fn entries(folder: &Path) -> Result<Vec<PathBuf>, Problems> {
-    let list = || std::fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<std::io::Result<Vec<_>>>();
-    let mut paths = list().map_err(|why| Problems::of_listing(folder, &why))?;
-    paths.sort();
-    Ok(paths)
-}
-
-pub(super) fn is_toml(path: &Path) -> bool {
-    path.extension().is_some_and(|end| end == "toml") && path.is_file()
-}
-
-pub(super) fn file_name(path: &Path) -> String {
-    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
-}
-
-pub(super) fn stem(path: &Path) -> String {
-    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }

@@ -1,14 +1,19 @@
 //! What the folder `cases/stages` holds, resolved: stages, their image cases and their unit checks.
 
+mod allows;
 mod args;
 pub(crate) mod ask;
 mod bounds;
 mod checks;
+mod folder;
 mod load;
+mod named;
 pub(crate) mod raw;
 
+pub use allows::allowed_at;
 pub use bounds::Bounds;
-pub use load::{allowed_at, is_case, load_all, load_case, parse_case};
+pub use folder::is_case;
+pub use load::{load_all, load_case, load_scene, parse_case};
 
 use serde::Serialize;
 

@@ -1,8 +1,10 @@
-//! `stage.toml` as it is written.
+//! `stage.toml` and case files as they are written.
 
 use crate::scene::raw::effect::EffectName;
-use crate::scene::raw::numbers::Points;
-use crate::scene::raw::read::{At, table};
+use crate::scene::raw::numbers::{Points, Rule};
+use crate::scene::raw::read::{At, Maybe, table};
+use crate::scene::raw::vary::RawVary;
+use crate::scene::raw::{RawRender, RawScene};
 
 table! {
     /// What a stage is about, in `stages/NN_name/stage.toml`.
@@ -17,5 +19,25 @@ table! {
         needs: Vec<At<String>> = "[]",
         /// What all unit checks together earn, with at most three decimals.
         unit_points: Points,
+    }
+}
+
+table! {
+    /// An image case of a stage: what to render, and what it is worth.
+    "a case" RawCase {
+        /// One line for people: what the case shows.
+        title: String,
+        /// What the case tests, and what a wrong answer looks like.
+        about: String,
+        /// The numbers of the rules of light that the case tests, each from 1 to 25.
+        rules: Vec<Rule>,
+        /// What a right picture earns, with at most three decimals.
+        points: Points,
+        /// Size of the picture and depth of the recursion.
+        render: Maybe<RawRender>,
+        /// Camera, lights, materials and objects.
+        scene: Maybe<RawScene>,
+        /// How far `reference vary` may move its numbers. Left out: the case cannot be varied.
+        vary: Option<RawVary>,
     }
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use cases::course::{self, Course};
 use cases::problem::did_you_mean;
-use cases::scene::{self, MAX_SCENE_BYTES, parse, parse_json};
+use cases::scene::{MAX_SCENE_BYTES, parse, parse_json};
 use cases::{Effects, Scene, stage};
 
 use super::Stop;
@@ -41,7 +41,7 @@ pub(super) fn found(named: &str, arg: &CourseArg) -> Result<Found, Stop> {
     }
     let path = path(named)?;
     let course = given.map_or_else(|| course::course_at(&path), Ok)?;
-    let scene = scene::load(&path, &course)?;
+    let scene = stage::load_scene(&path, &course)?;
     let is_resolved = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("json"));
     let allowed = if is_resolved { scene.effects } else { stage::allowed_at(&path)?.union(course.always_simulated) };
     Ok(Found { scene, allowed, course })

@@ -144,7 +144,7 @@ fn tar_gz(bytes: &[u8], folder: &Path) -> Read {
 }
 
 fn scene_json(bytes: &[u8], folder: &Path) -> Read {
-    let loaded = scene::load(&put(folder, "scene.json", bytes), &Course::default());
+    let loaded = stage::load_scene(&put(folder, "scene.json", bytes), &Course::default());
     if let Ok(scene) = &loaded {
         is_kept(scene);
     }

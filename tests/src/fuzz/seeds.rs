@@ -58,7 +58,7 @@ pub fn manifests() -> Vec<Vec<u8>> {
 /// Resolved scenes.
 pub fn scenes() -> Vec<Vec<u8>> {
     let paths = files("cases/stages", "toml").into_iter().filter(|path| stage::is_case(path));
-    let scenes = paths.filter_map(|path| scene::load(&path, &Course::default()).ok());
+    let scenes = paths.filter_map(|path| stage::load_scene(&path, &Course::default()).ok());
     scenes.map(|scene| scene::json::to_string(&scene).into_bytes()).filter(|json| json.len() < 16 << 10).collect()
 }
 

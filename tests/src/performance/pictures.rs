@@ -61,7 +61,7 @@ pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
     let mut rows = vec![];
     for name in SCENES {
         let path = bench.scenes.join(format!("{name}.toml"));
-        let scene = cases::scene::load(&path, &cases::Course::default()).map_err(|why| why.to_string())?;
+        let scene = cases::stage::load_scene(&path, &cases::Course::default()).map_err(|why| why.to_string())?;
         let mut rounds: BTreeMap<Renderer, Rounds> = BTreeMap::new();
         let asked: Vec<Renderer> = Renderer::ALL.into_iter().filter(|renderer| renderer.is_asked(&scene)).collect();
         asked.iter().try_for_each(|renderer| put(bench, name, *renderer, &scene))?;

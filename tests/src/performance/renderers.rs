@@ -120,7 +120,8 @@ impl Renderer {
         match self {
             Self::Ours => command.args(["--worker", "render"]).arg(scene).arg(n),
             Self::Pov => {
-                let size = cases::scene::load(scene, &cases::Course::default()).map_err(|why| why.to_string())?.render;
+                let size =
+                    cases::stage::load_scene(scene, &cases::Course::default()).map_err(|why| why.to_string())?.render;
                 let (width, height) = (format!("+W{}", size.width), format!("+H{}", size.height));
                 command.args([
                     "+Iscene.pov",

@@ -171,8 +171,9 @@ mod tests {
     fn every_scene_can_be_read_and_is_what_its_name_says() {
         let folder = tempfile::tempdir().expect("a folder");
         write(folder.path()).expect("it is written");
-        let read =
-            |name: &str| cases::scene::load(&folder.path().join(name), &cases::Course::default()).expect("it is valid");
+        let read = |name: &str| {
+            cases::stage::load_scene(&folder.path().join(name), &cases::Course::default()).expect("it is valid")
+        };
         let whitted = read("whitted.toml");
         assert_eq!((whitted.objects.len(), whitted.lights.len(), whitted.render.max_depth), (5, 1, 5));
         assert_eq!(whitted.meshes.iter().map(|mesh| mesh.triangles.len()).sum::<usize>(), 512);

@@ -133,8 +133,9 @@ pub struct Row {
 pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
     let mut rows = vec![];
     for (n_divisions, mesh) in scenes::STONES {
-        let scene = cases::scene::load(&bench.scenes.join(format!("mesh_{mesh}.toml")), &cases::Course::default())
-            .map_err(|why| why.to_string())?;
+        let scene =
+            cases::stage::load_scene(&bench.scenes.join(format!("mesh_{mesh}.toml")), &cases::Course::default())
+                .map_err(|why| why.to_string())?;
         let sets = rays::sets(&scene);
         let folder = bench.folder(mesh, "search");
         let file = made(&folder)?.join("rays");

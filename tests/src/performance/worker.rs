@@ -67,7 +67,7 @@ fn render(path: &Path, threads: usize) -> Result<Value, String> {
 }
 
 fn load(path: &Path) -> Result<Scene, String> {
-    cases::scene::load(path, &cases::Course::default()).map_err(|why| why.to_string())
+    cases::stage::load_scene(path, &cases::Course::default()).map_err(|why| why.to_string())
 }
 
 /// The mesh of that file alone, in its own space.

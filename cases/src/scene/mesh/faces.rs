@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::fault::{Fault, Place};
 use super::polygon;
-use crate::scene::resolve::MAX_TRIANGLES;
+use crate::scene::limits::MAX_TRIANGLES;
 
 /// Faces as lists of vertices. Triangles, of which most files have no others, take 12 bytes each.
 #[derive(Debug, Default)]

@@ -1,5 +1,6 @@
 //! Meshes from Wavefront `.obj` and `.ply` files.
 
+mod checks;
 mod faces;
 mod fault;
 mod obj;
@@ -9,10 +10,7 @@ mod text;
 
 use std::path::Path;
 
-use glam::DVec3;
-
 use super::model::Mesh;
-use super::raw::numbers::{MAX_NUMBER, unit};
 use super::raw::objects::RawMeshFile;
 use super::raw::read::Notes;
 use crate::files;
@@ -61,20 +59,4 @@ fn usable(mesh: Mesh, needs_normals: bool) -> Result<Mesh, Fault> {
         return Err(Fault::of_file("it has no vertex normals, which `smooth = true` needs", help));
     }
     Ok(mesh)
-}
-
-/// Returns the position, if its coordinates can be used.
-fn checked_position(position: DVec3) -> Result<DVec3, Fault> {
-    if position.is_finite() && position.abs().max_element() <= MAX_NUMBER {
-        return Ok(position);
-    }
-    let what = format!("this vertex has a coordinate that is not a number of at most {MAX_NUMBER:e}");
-    Err(Fault::of_file(what, "correct the coordinate, or scale the mesh"))
-}
-
-/// Returns the unit vector along a normal of any length above 0.
-fn checked_normal(normal: DVec3) -> Result<DVec3, Fault> {
-    let direction = if normal.is_finite() { unit(normal) } else { None };
-    let help = "correct the normal, or leave all normals out with `smooth = false`";
-    direction.ok_or_else(|| Fault::of_file("this normal has no direction", help))
 }

@@ -15,26 +15,6 @@ use read::{At, Each, Maybe, choice, table};
 use vary::RawVary;
 
 table! {
-    /// An image case of a stage: what to render, and what it is worth.
-    "a case" RawCase {
-        /// One line for people: what the case shows.
-        title: String,
-        /// What the case tests, and what a wrong answer looks like.
-        about: String,
-        /// The numbers of the rules of light that the case tests, each from 1 to 25.
-        rules: Vec<Rule>,
-        /// What a right picture earns, with at most three decimals.
-        points: Points,
-        /// Size of the picture and depth of the recursion.
-        render: Maybe<RawRender>,
-        /// Camera, lights, materials and objects.
-        scene: Maybe<RawScene>,
-        /// How far `reference vary` may move its numbers. Left out: the case cannot be varied.
-        vary: Option<RawVary>,
-    }
-}
-
-table! {
     /// A scene outside any stage; it may have the keys of a case, but needs only `render` and `scene`.
     #[expect(dead_code, reason = "what makes it a case is only checked")]
     "a scene file" RawSceneFile {

@@ -1,14 +1,9 @@
 //! How far the numbers of a case may be moved, as it is written: the `[vary]` table.
 
-use glam::DVec3;
 use schemars::JsonSchema;
 
-use super::RawScene;
 use super::numbers::{Reaches, Share, Size};
-use super::objects::RawObject;
-use super::read::{At, Each, Notes, Read, Value, table};
-use crate::problem::{did_you_mean, quoted};
-use crate::stage::Bounds;
+use super::read::{At, Notes, Read, Value, table};
 
 table! {
     /// How far `reference vary` may move the numbers of this case, up or down. A kind of number that is left out here is not moved.
@@ -60,50 +55,5 @@ impl Read for Reach {
             Some(_) => Reaches::read(value, notes).map(Self::Axes),
             None => Size::read(value, notes).map(Self::Alike),
         }
-    }
-}
-
-/// The bounds as plain numbers, 0 where nothing moves; names that the scene does not have are noted.
-pub(crate) fn bounds(raw: &RawVary, scene: Option<&RawScene>, notes: &mut Notes) -> Bounds {
-    if let Some(scene) = scene {
-        let mut known: Vec<&str> = scene.materials.keys().map(String::as_str).collect();
-        names(&scene.objects, &mut known);
-        for name in raw.keep.iter().filter(|name| !known.contains(&name.value.as_str())) {
-            let message = format!("no material and no object is called `{}`", name.value);
-            let problem = notes.add(name.span.clone(), message, "there is nothing to keep");
-            problem.help(match did_you_mean(name, known.iter().copied()) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("there are {}", quoted(known.iter().copied())),
-            });
-        }
-    }
-    let reach = |raw: &Option<Reach>| match raw {
-        Some(Reach::Alike(all)) => DVec3::splat(all.get()),
-        Some(Reach::Axes(each)) => each.get(),
-        None => DVec3::ZERO,
-    };
-    let size = |raw: Option<Size>| raw.map_or(0.0, Size::get);
-    let share = |raw: Option<Share>| raw.map_or(0.0, Share::get);
-    Bounds {
-        eye: reach(&raw.eye),
-        look_at: reach(&raw.look_at),
-        fov_y_deg: size(raw.fov_y_deg),
-        lights: reach(&raw.lights),
-        directions: share(raw.directions),
-        objects: reach(&raw.objects),
-        radii: share(raw.radii),
-        translate: reach(&raw.translate),
-        angle_deg: size(raw.angle_deg),
-        scale: share(raw.scale),
-        colours: size(raw.colours),
-        indices: size(raw.indices),
-        keep: raw.keep.iter().map(|name| name.value.clone()).collect(),
-    }
-}
-
-fn names<'a>(objects: &'a Each<At<RawObject>>, known: &mut Vec<&'a str>) {
-    for object in objects.0.iter().flatten() {
-        known.extend(object.name.as_ref().map(|name| name.value.as_str()));
-        object.group.iter().for_each(|group| names(group, known));
     }
 }

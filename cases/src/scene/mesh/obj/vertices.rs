@@ -4,9 +4,9 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::{Corner, INDICES, NONE, Obj};
+use super::statements::{Corner, INDICES, NONE, Obj};
+use crate::scene::mesh::checks::{checked_normal, checked_position};
 use crate::scene::mesh::fault::Fault;
-use crate::scene::mesh::{checked_normal, checked_position};
 
 /// The vertices of a mesh: the pairs of position and normal that corners have.
 pub(super) struct Vertices<'a> {

@@ -11,9 +11,9 @@ mod values;
 
 use glam::DVec3;
 
+use super::checks::{checked_normal, checked_position};
 use super::faces::Faces;
 use super::fault::Fault;
-use super::{checked_normal, checked_position};
 use crate::scene::model::Mesh;
 use header::{Element, Encoding, Header, Kind, Property};
 use records::{check_count, n_entries, pass, skip, within};
