@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::path::Path;
 
-use super::{AnswerError, Exam};
+use cases::answer::AnswerError;
+
 use crate::blame::{self, Blame};
 
 /// Where `reference expect` looks for stages by itself.
@@ -78,14 +79,15 @@ pub struct Untrusted<'a> {
 }
 
 impl<'a> Untrusted<'a> {
-    /// Returns the faults of `exam` that concern one of `ids`; `None` where there are none.
-    pub(super) fn among(exam: &'a Exam, ids: impl IntoIterator<Item = &'a str>) -> Option<Self> {
-        if exam.faults.is_empty() {
+    /// Returns those of `faults`, found in the stages in `folder`, that concern one of `ids`, or
+    /// `None` where there are none.
+    pub(super) fn among(folder: &'a Path, faults: &'a [Fault], ids: impl IntoIterator<Item = &'a str>) -> Option<Self> {
+        if faults.is_empty() {
             return None;
         }
         let ids: BTreeSet<&str> = ids.into_iter().collect();
-        let faults: Vec<&Fault> = exam.faults.iter().filter(|fault| fault.subject.concerns(&ids)).collect();
-        (!faults.is_empty()).then_some(Self { folder: &exam.folder, faults })
+        let faults: Vec<&Fault> = faults.iter().filter(|fault| fault.subject.concerns(&ids)).collect();
+        (!faults.is_empty()).then_some(Self { folder, faults })
     }
 
     /// Returns whose fault it is: the machine's if it fails to read one of the answers.
@@ -186,13 +188,6 @@ pub(super) fn command(folder: &Path, subjects: &[&Subject]) -> String {
         _ => format!(" {}", folder.display()),
     };
     format!("reference expect{words}")
-}
-
-impl Exam {
-    /// Returns the command that renews the answer to `subject`.
-    pub fn renewal(&self, subject: &Subject) -> String {
-        command(&self.folder, &[subject])
-    }
 }
 
 #[cfg(test)]

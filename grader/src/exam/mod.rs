@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use cases::answer::{
-    AnswerError, CheckAnswer, Digest, ImageAnswer, Mistake, check_answers_path, image_answer_path, load, mistakes_path,
+    CheckAnswer, Digest, ImageAnswer, Mistake, check_answers_path, image_answer_path, load, mistakes_path,
 };
 use cases::course::{self, Course};
 use cases::files::{self, ReadError};
@@ -80,7 +80,12 @@ impl Exam {
     /// # Errors
     /// [`Untrusted`] names those that have none, and the command that renews them.
     pub fn trust<'a>(&'a self, ids: impl IntoIterator<Item = &'a str>) -> Result<(), Untrusted<'a>> {
-        Untrusted::among(self, ids).map_or(Ok(()), Err)
+        Untrusted::among(&self.folder, &self.faults, ids).map_or(Ok(()), Err)
+    }
+
+    /// Returns the command that renews the answer to `subject`.
+    pub fn renewal(&self, subject: &Subject) -> String {
+        faults::command(&self.folder, &[subject])
     }
 }
 
