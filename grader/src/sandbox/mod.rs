@@ -5,6 +5,8 @@
 //! Whoever may write files can still read those of the user who grades: keep answers elsewhere, or
 //! grade as another user.
 
+mod call;
+mod finish;
 mod folder;
 mod group;
 mod limits;
@@ -13,21 +15,22 @@ mod outcome;
 mod place;
 mod pump;
 mod room;
+mod shortage;
 mod sys;
 mod turns;
 mod watch;
 
+pub use call::Call;
 pub use folder::{Folder, FolderError, clear_leftovers};
 pub use limits::{Granted, Limits, Resource};
-pub use machine::{Shortage, blame, memory_left};
+pub use machine::{blame, memory_left};
 pub use outcome::{Clock, Finished, Outcome, Stream};
 pub use place::place_program;
 pub use room::Room;
+pub use shortage::Shortage;
 pub use sys::{catch_signals, interrupted};
 pub use turns::Turn;
 
-use std::ffi::OsString;
-use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -37,25 +40,6 @@ use watch::Watch;
 
 /// The layers of protection that are in force, for the record.
 pub const LEVEL: &str = "timeouts+rlimits+own process group";
-
-/// What to run.
-#[derive(Clone, Debug)]
-pub struct Call {
-    /// The program.
-    pub program: PathBuf,
-    /// Arguments.
-    pub args: Vec<OsString>,
-    /// The folder where the program starts; meant to be fresh and its own.
-    pub folder: PathBuf,
-    /// Its whole environment.
-    pub environment: Vec<(OsString, OsString)>,
-    /// What it reads on standard input.
-    pub stdin: Vec<u8>,
-    /// What it may use.
-    pub limits: Limits,
-    /// Bytes that a right program may have to write to its folder.
-    pub needed: u64,
-}
 
 /// Runs `call` to its end, natural or not. Afterwards no process of its group is left.
 ///
@@ -86,7 +70,7 @@ pub fn run(call: &Call, turn: Turn) -> Finished {
     sys::kill_group(group);
     let reaped = sys::reap(group);
     pump.drain();
-    outcome::finish(call, reaped, stopped, pump, &watch, start.elapsed(), left_behind)
+    finish::finish(call, reaped, stopped, pump, &watch, start.elapsed(), left_behind)
 }
 
 /// Returns whether this system shows what processes do, so that idle time is known.

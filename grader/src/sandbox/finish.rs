@@ -1,0 +1,90 @@
+//! Puts the end of a run together from what the kernel, the streams and the watch report.
+
+use std::io;
+use std::time::Duration;
+
+use super::call::Call;
+use super::limits::Resource;
+use super::outcome::{Clock, Finished, Outcome, Stream};
+use super::pump::Pump;
+use super::room;
+use super::sys::Reaped;
+use super::watch::Watch;
+
+/// Puts together what the kernel, the streams and the watch report on `call`.
+pub(super) fn finish(
+    call: &Call,
+    reaped: io::Result<Reaped>,
+    stopped: Option<Outcome>,
+    pump: Pump,
+    watch: &Watch,
+    wall: Duration,
+    left_behind: u32,
+) -> Finished {
+    let reaped = match reaped {
+        Ok(reaped) => reaped,
+        Err(why) => return Finished::not_started(&why),
+    };
+    let peak_bytes = if watch.peak == 0 { reaped.max_resident } else { watch.peak };
+    let cpu = reaped.cpu.max(watch.cpu);
+    let outcome = match stopped.unwrap_or_else(|| classify(call, &reaped, &pump.stderr)) {
+        // What a process of its own used, or a second in which it was not looked at, counts as
+        // well.
+        Outcome::Exited(_) | Outcome::Signalled(_) if cpu > call.limits.cpu => Outcome::TimedOut(Clock::Cpu),
+        Outcome::Exited(code) if code != 0 && holds_full_file(call) => Outcome::TooMuchOutput(Stream::File),
+        outcome => outcome,
+    };
+    Finished {
+        outcome,
+        stdout: pump.stdout,
+        stderr: pump.stderr,
+        wall,
+        cpu,
+        idle: watch.idle,
+        peak_bytes,
+        left_behind,
+        is_disturbed: watch.is_disturbed(),
+        least: watch.least.min(room::left(&call.folder)),
+        n_killed: watch.n_killed(),
+    }
+}
+
+/// Returns the outcome of a process that ended before the grader ended it; the kernel may have done
+/// so for the grader.
+fn classify(call: &Call, reaped: &Reaped, stderr: &[u8]) -> Outcome {
+    match reaped.end {
+        Ok(0) => Outcome::Exited(0),
+        _ if says_out_of_memory(stderr) => Outcome::OutOfMemory,
+        Ok(code) => Outcome::Exited(code),
+        Err(libc::SIGXCPU) => Outcome::TimedOut(Clock::Cpu),
+        // The kernel kills at the hard limit, which it compares with a clock of its own.
+        Err(libc::SIGKILL) if reaped.cpu.as_millis() + 100 >= u128::from(allowed(call, Resource::Cpu)) * 1000 => {
+            Outcome::TimedOut(Clock::Cpu)
+        }
+        Err(libc::SIGXFSZ) => Outcome::TooMuchOutput(Stream::File),
+        Err(signal) => Outcome::Signalled(signal),
+    }
+}
+
+/// Returns how much of `resource` the system gave to the program.
+fn allowed(call: &Call, resource: Resource) -> u64 {
+    let granted = call.limits.granted().into_iter().find(|granted| granted.resource == resource);
+    granted.map_or(u64::MAX, |granted| granted.allowed)
+}
+
+/// Returns whether a file in the folder has grown to its limit: some runtimes turn the kernel's
+/// signal into an error of their own.
+fn holds_full_file(call: &Call) -> bool {
+    let limit = allowed(call, Resource::FileSize);
+    let entries = std::fs::read_dir(&call.folder).into_iter().flatten().flatten();
+    entries.filter_map(|entry| entry.metadata().ok()).any(|found| found.is_file() && found.len() >= limit)
+}
+
+/// Returns whether the allocator of a known language gave up, which is how the limit on address
+/// space shows from outside.
+fn says_out_of_memory(stderr: &[u8]) -> bool {
+    let text = String::from_utf8_lossy(stderr);
+    ["memory allocation of ", "std::bad_alloc", "MemoryError", "OutOfMemoryError", "out of memory"]
+        .iter()
+        .any(|sign| text.contains(sign))
+}
