@@ -206,7 +206,7 @@ const WRITERS: &[(&str, &str)] = &[
     ("grader/src/exercise/pictures.rs", "fills a folder of one run"),
     ("grader/src/leftovers.rs", "marks a temporary folder"),
     ("grader/src/sandbox/place.rs", "fills a folder of one run"),
-    ("grader/src/submission/archive/mod.rs", "unpacks into a fresh folder"),
+    ("grader/src/submission/archive/unpacking.rs", "unpacks into a fresh folder"),
 ];
 
 #[test]

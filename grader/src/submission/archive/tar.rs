@@ -6,7 +6,8 @@ use std::io::{self, Read};
 use ::tar::EntryType;
 use flate2::read::MultiGzDecoder;
 
-use super::{ArchiveError, Kind, Unpacking, broken};
+use super::error::{ArchiveError, broken};
+use super::unpacking::{Kind, Unpacking};
 use crate::submission::limits::size;
 
 /// Bytes of the headers of one entry, which are read into memory: long names, extended headers and

@@ -8,7 +8,8 @@ use ::zip::System;
 use ::zip::read::{Config, ZipFileEntry};
 use ::zip::unstable::read::ZipIterable;
 
-use super::{ArchiveError, Kind, Unpacking, broken};
+use super::error::{ArchiveError, broken};
+use super::unpacking::{Kind, Unpacking};
 use crate::submission::aside::Why;
 
 /// Takes the entries of the archive `bytes`.

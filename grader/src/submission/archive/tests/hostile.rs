@@ -1,5 +1,6 @@
 //! Headers that lie, names in old encodings, and bytes that are no archive.
 
+use std::io;
 use std::sync::LazyLock;
 
 use proptest::prelude::*;
