@@ -4,8 +4,8 @@ use std::fs::DirEntry;
 use std::io;
 use std::path::Path;
 
-use super::SubmissionError;
 use super::aside::{Aside, Why, names};
+use super::error::SubmissionError;
 use super::limits::{Limits, SKIPPED, is_of_system};
 use crate::blame::{self, Blame};
 

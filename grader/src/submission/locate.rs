@@ -7,8 +7,11 @@ use super::aside::Why;
 use super::limits::NESTED;
 use super::listing::Listing;
 use super::nature::{self, Nature};
-use super::{Template, own};
+use super::template::Template;
 use crate::plain;
+
+/// The file that makes a folder a submission that says how it is built and run.
+pub(super) const MANIFEST: &str = "submission.toml";
 
 /// How a submission lies in its folder. If several apply to one folder, the first counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -72,7 +75,7 @@ fn sign<'a>(path: &'a str, is_link: bool, template: &Template) -> Option<(&'a st
     let (above, last) = split(folder);
     let is_students = |name: &str| template.student.contains_key(&format!("src/{name}"));
     match name {
-        own::MANIFEST => Some((folder, Layout::Own)),
+        MANIFEST => Some((folder, Layout::Own)),
         "src" if is_link => Some((folder, Layout::Template)),
         name if !is_students(name) => None,
         _ if last == "src" => Some((above, Layout::Template)),
@@ -142,7 +145,7 @@ fn nothing(listing: &Listing, template: &Template) -> String {
         (true, false) => format!(
             "there is neither a folder `src` with files of the template nor a `{}` in it, nor in folders up to {NESTED} \
              deep; it holds {}: hand in the folder of the template, with its `src`",
-            own::MANIFEST,
+            MANIFEST,
             few(listing.files.iter()),
         ),
         (true, true) => {

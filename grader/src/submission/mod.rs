@@ -2,6 +2,8 @@
 
 pub mod archive;
 mod aside;
+mod contents;
+mod error;
 pub mod limits;
 mod listing;
 mod locate;
@@ -14,104 +16,20 @@ mod template;
 use std::io;
 use std::path::{Path, PathBuf};
 
+pub use contents::{Kind, Own, Rust, Submission};
+pub use error::SubmissionError;
 pub use nature::without_ending;
-pub use own::Own;
 pub use reading::{ReadError, open_regular};
-pub use rust::Rust;
 pub use template::Template;
 
-use crate::blame::{self, Blame};
 use crate::plain;
-use crate::sandbox::{Folder, FolderError};
+use crate::sandbox::Folder;
 use archive::ArchiveError;
 use aside::{Aside, Why};
 use limits::LIMITS;
 use listing::Listing;
 use locate::{Layout, Located};
 use nature::Nature;
-
-/// A submission whose files have been read or listed.
-#[derive(Debug)]
-pub struct Submission {
-    /// How it is to be built.
-    pub kind: Kind,
-    /// blake3 over the names and contents of the files that count.
-    pub digest: String,
-    /// Remarks on what was left aside, and on where the submission lies, if not at the top.
-    pub ignored: Vec<String>,
-    /// Folders into which archives were unpacked. They are removed with the submission.
-    _unpacked: Vec<Folder>,
-}
-
-/// The two kinds of submission.
-#[derive(Debug)]
-pub enum Kind {
-    /// The template, filled in.
-    Rust(Rust),
-    /// Anything else, with a `submission.toml`.
-    Own(Own),
-}
-
-/// Why there is nothing to grade.
-#[derive(Debug, thiserror::Error)]
-pub enum SubmissionError {
-    /// The path leads nowhere, or the user may not read it. The caller of the grader is to blame.
-    #[error("{}: {source}", path.display())]
-    Unreadable {
-        /// The file or folder.
-        path: PathBuf,
-        /// The error of the system.
-        source: io::Error,
-    },
-    /// The machine failed. Neither the student nor the caller is to blame, and another try may
-    /// succeed.
-    #[error("{what}: {source}")]
-    Machine {
-        /// The action that failed.
-        what: String,
-        /// The error of the system.
-        source: io::Error,
-    },
-    /// There is no submission. The text says why and what to do.
-    #[error("{0}")]
-    Refused(String),
-    /// There is no temporary folder to unpack an archive in.
-    #[error(transparent)]
-    Folder(#[from] FolderError),
-}
-
-impl SubmissionError {
-    /// Returns the error of a failed call about `path`, a file or folder that was handed in.
-    fn of_path(path: &Path, source: io::Error) -> Self {
-        match blame::of(&source) {
-            Blame::Machine => Self::Machine { what: format!("cannot read {}", path.display()), source },
-            Blame::File => Self::Unreadable { path: path.to_owned(), source },
-        }
-    }
-
-    /// Returns the error of a file of the hand-in that counts, and is called `name` in messages.
-    fn of_file(path: &Path, name: &str, why: ReadError) -> Self {
-        match why {
-            ReadError::Io(source) => Self::of_path(path, source),
-            why => refuse(name, &why.to_string()),
-        }
-    }
-
-    /// Returns the error of a file that counts, in the hand-in at `top`, and was left aside.
-    fn of_aside(top: &Path, aside: Aside) -> Self {
-        match aside.why {
-            Why::Unreadable(why) => Self::of_path(&top.join(&aside.path), why),
-            _ => Self::Refused(aside.to_string()),
-        }
-    }
-
-    /// Returns the error of a failed call in a temporary folder of the grader's own.
-    fn of_temporary(source: io::Error) -> Self {
-        let folder = tempfile::env::temp_dir();
-        let what = format!("cannot unpack the archive below {}, the folder that TMPDIR names", folder.display());
-        Self::Machine { what, source }
-    }
-}
 
 /// Reads the submission at `path`, a folder or an archive.
 ///
@@ -229,11 +147,6 @@ pub fn looks_handed_in(path: &Path) -> bool {
         None if !name.contains(&b'.') => matches!(by_bytes(), Some(Nature::Archive(_) | Nature::Packed(_))),
         by_name => by_name.is_some(),
     }
-}
-
-/// Returns the refusal for what is wrong with one file.
-fn refuse(file: &str, why: &str) -> SubmissionError {
-    SubmissionError::Refused(format!("{}: {why}", plain::name(file.as_bytes())))
 }
 
 #[cfg(test)]

@@ -9,32 +9,19 @@
 //! A word that begins with `./` is a path in the submission: the program starts in another, empty
 //! folder. A first word without a `/` is looked up in PATH.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde::Deserialize;
 
 use super::aside::{Aside, Why, abridged};
+use super::contents::{Kind, Own, Submission};
+use super::error::{SubmissionError, refuse};
 use super::limits::{LIMITS, MANIFEST_BYTES, size};
 use super::listing::Listing;
+use super::locate::MANIFEST;
 use super::reading::{read_bytes, read_text};
-use super::{Kind, Submission, SubmissionError, refuse, rust};
+use super::rust;
 use crate::plain;
-
-/// The file that makes a folder a submission of this kind.
-pub(super) const MANIFEST: &str = "submission.toml";
-
-/// How to build and run it.
-#[derive(Debug)]
-pub struct Own {
-    /// The folder of the submission.
-    pub folder: PathBuf,
-    /// The files below the folder, relative to it. A private copy holds all of them.
-    pub files: Vec<String>,
-    /// The build command, if there is one; not empty.
-    pub build: Option<Vec<String>>,
-    /// The run command; not empty.
-    pub run: Vec<String>,
-}
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -1,30 +1,22 @@
 //! A submission written in the template: only the student's files are taken; the grader adds the
 //! rest.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use super::aside::{Aside, abridged};
+use super::contents::{Kind, Rust, Submission};
+use super::error::SubmissionError;
 use super::limits::SOURCE_BYTES;
 use super::listing::Listing;
 use super::locate::Layout;
 use super::reading::{ReadError, read_bytes, read_text};
-use super::{Kind, Submission, SubmissionError, Template};
+use super::template::Template;
 use crate::blame::{self, Blame};
 use crate::plain;
 
 /// Files that no build looks at, and that nobody needs to hear of.
 const SILENT: [&str; 3] = ["README.md", "Cargo.lock", ".gitignore"];
-
-/// Sources that are ready to be compiled.
-#[derive(Debug)]
-pub struct Rust {
-    /// Text by path, such as `src/sphere.rs`; `src/main.rs` is among them.
-    pub sources: BTreeMap<String, String>,
-    /// Sources and manifests of the submission that are not used, each with the reason. They may be
-    /// the cause of a compiler error.
-    pub unused: Vec<String>,
-}
 
 /// Takes the files that the student writes from `folder` of the hand-in at `top`, and reports the
 /// rest.

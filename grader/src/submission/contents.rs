@@ -1,0 +1,51 @@
+//! What is read of a hand-in: the submission, with all that a build of its kind takes.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use crate::sandbox::Folder;
+
+/// A submission whose files have been read or listed.
+#[derive(Debug)]
+pub struct Submission {
+    /// The kind, which says how it is to be built.
+    pub kind: Kind,
+    /// blake3 over the names and contents of the files that count.
+    pub digest: String,
+    /// Remarks on what was left aside, and on where the submission lies, if not at the top.
+    pub ignored: Vec<String>,
+    /// Folders into which archives were unpacked. They are removed with the submission.
+    pub(super) _unpacked: Vec<Folder>,
+}
+
+/// The two kinds of submission.
+#[derive(Debug)]
+pub enum Kind {
+    /// The template, filled in.
+    Rust(Rust),
+    /// Anything else, with a `submission.toml`.
+    Own(Own),
+}
+
+/// Sources that are ready to be compiled.
+#[derive(Debug)]
+pub struct Rust {
+    /// Text by path, such as `src/sphere.rs`; `src/main.rs` is among them.
+    pub sources: BTreeMap<String, String>,
+    /// Sources and manifests of the submission that are not used, each with the reason. They may be
+    /// the cause of a compiler error.
+    pub unused: Vec<String>,
+}
+
+/// A folder with the commands that build and run it.
+#[derive(Debug)]
+pub struct Own {
+    /// The folder of the submission.
+    pub folder: PathBuf,
+    /// The files below the folder, relative to it. A private copy holds all of them.
+    pub files: Vec<String>,
+    /// The build command, if there is one; not empty.
+    pub build: Option<Vec<String>>,
+    /// The run command; not empty.
+    pub run: Vec<String>,
+}
