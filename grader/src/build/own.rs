@@ -4,7 +4,9 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::{BuildError, Built, Fault, LIMITS, Program, stopped};
+use super::error::{BuildError, Fault};
+use super::limits::{LIMITS, stopped};
+use super::program::{Built, Program};
 use crate::sandbox::{self, Call, Folder, Outcome, Turn};
 use crate::submission::Own;
 

@@ -5,9 +5,10 @@ use std::io;
 use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
 
-use super::Fault;
 use super::entry::Entry;
+use super::error::Fault;
 use crate::sandbox::{self, Folder};
 
 /// The program's file in its entry of the store.
@@ -15,6 +16,17 @@ pub(super) const PROGRAM: &str = "program";
 
 /// A program in the store, described by the compiler's warnings.
 pub(super) type Stored = Entry<Vec<String>>;
+
+/// A program, and what there is to say of its making.
+#[derive(Debug)]
+pub struct Built {
+    /// The program.
+    pub program: Program,
+    /// The compiler's warnings.
+    pub warnings: Vec<String>,
+    /// The wall time of the build, which is zero where a stored build was taken.
+    pub time: Duration,
+}
 
 /// The program of a submission.
 ///

@@ -5,9 +5,12 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::entry;
-use super::program::{PROGRAM, Stored};
-use super::{BuildError, Built, Fault, LIMITS, Program, Sdk, Workshop, diagnostics, stopped};
+use super::error::{BuildError, Fault};
+use super::limits::{LIMITS, stopped};
+use super::program::{Built, PROGRAM, Program, Stored};
+use super::sdk::Sdk;
+use super::workshop::Workshop;
+use super::{diagnostics, entry};
 use crate::files;
 use crate::sandbox::{self, Call, Finished, Folder, Limits, Outcome, Turn};
 

@@ -12,7 +12,7 @@ use std::process::{Command, Output};
 use serde::Deserialize;
 
 use super::entry::{self, Entry, StoreError};
-use super::{Toolchain, Workshop};
+use super::toolchain::Toolchain;
 use crate::files;
 use crate::leftovers::Held;
 
@@ -44,23 +44,29 @@ const ARGS: [&str; 6] =
     ["build", "--release", "-p", "cases", "--no-default-features", "--message-format=json-render-diagnostics"];
 
 impl Sdk {
-    /// Takes the stored one, or makes it.
-    pub(super) fn prepare(toolchain: &Toolchain, workshop: &Workshop, tell: &dyn Fn(&str)) -> Result<Self, SdkError> {
-        let root = &workshop.root;
-        let key = key(toolchain, workshop)
+    /// Takes the crates that lie in `store`, or makes them from the workspace at `root`. Student
+    /// code may name those of `dependencies`.
+    pub(super) fn prepare(
+        toolchain: &Toolchain,
+        root: &Path,
+        store: &Path,
+        dependencies: &[String],
+        tell: &dyn Fn(&str),
+    ) -> Result<Self, SdkError> {
+        let key = key(toolchain, root, dependencies)
             .map_err(|why| SdkError::Cases(format!("the sources of `cases` cannot be used: {why}")))?;
-        let folder = workshop.store().join(format!("sdk-{key}"));
+        let folder = store.join(format!("sdk-{key}"));
         // What a killed run left is in nobody's way, so a store that cannot be cleared is no reason
         // to stop.
-        let _ = files::clear_parts(&workshop.store());
+        let _ = files::clear_parts(store);
         if let Some(entry) = Entry::take(&folder)? {
             return Ok(Self { entry, key });
         }
         tell("compiling the crates that submissions use (once, a minute or so)");
-        let alone = alone(root, &workshop.store())
+        let alone = alone(root, store)
             .map_err(|why| SdkError::Cases(format!("`cases` cannot be made ready to be built: {why}")))?;
         let artifacts = compile(toolchain, root, alone.path()).map_err(SdkError::Cases)?;
-        publish(&artifacts, &workshop.template.dependencies, &folder)?;
+        publish(&artifacts, dependencies, &folder)?;
         let missing = || SdkError::Cases(format!("{} is not there after it was stored", folder.display()));
         Ok(Self { entry: Entry::take(&folder)?.ok_or_else(missing)?, key })
     }
@@ -89,11 +95,10 @@ impl Sdk {
     }
 }
 
-fn key(toolchain: &Toolchain, workshop: &Workshop) -> io::Result<String> {
-    let root = &workshop.root;
+fn key(toolchain: &Toolchain, root: &Path, dependencies: &[String]) -> io::Result<String> {
     let mut hasher = blake3::Hasher::new();
     hasher.update(&entry::VERSION.to_le_bytes()).update(toolchain.version.as_bytes());
-    hasher.update(format!("{ARGS:?}{:?}", workshop.template.dependencies).as_bytes());
+    hasher.update(format!("{ARGS:?}{dependencies:?}").as_bytes());
     hasher.update(manifest(root)?.as_bytes());
     for file in ["Cargo.lock", "cases/Cargo.toml"] {
         hasher.update(&std::fs::read(root.join(file))?);
