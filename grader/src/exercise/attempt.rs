@@ -8,7 +8,7 @@
 use std::ffi::OsString;
 use std::path::Path;
 
-use super::Candidate;
+use super::allowance::Candidate;
 use super::failure::Failure;
 use crate::sandbox::{self, Call, Clock, Finished, Folder, Limits, Outcome, Room, Shortage, Turn};
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use cases::scene::{self, Scene};
 
-use super::Candidate;
+use super::allowance::Candidate;
 use super::attempt::{Attempt, NEEDED, Task, attempt};
 use crate::judge;
 use crate::plain::shown;

@@ -2,6 +2,7 @@
 
 use std::os::unix::fs::PermissionsExt;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 use cases::glam::DVec3;
 use cases::probe::{Answer, Ask, Question};
@@ -9,7 +10,8 @@ use cases::scene::{Camera, Render, Scene};
 use cases::{Effects, film};
 
 use super::*;
-use crate::sandbox::{Clock, Outcome};
+use crate::build::Program;
+use crate::sandbox::{Clock, Limits, Outcome};
 use crate::workers::side_by_side;
 
 /// A program whose text is a shell script; it lives as long as the folder.
