@@ -9,6 +9,7 @@ pub mod exercise;
 pub mod files;
 pub mod functions;
 pub mod grade;
+pub mod graded;
 pub mod input;
 pub mod judge;
 pub mod leftovers;

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use super::{Grader, Submission};
-use crate::grade::{self, Bench, GradeError, Graded, Options, Silent};
+use crate::grade::{self, Bench, GradeError, Options, Silent};
+use crate::graded::Graded;
 use crate::{sandbox, submission};
 
 /// The real grader of a class.

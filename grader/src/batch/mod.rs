@@ -14,7 +14,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::files;
-use crate::grade::{GradeError, Graded};
+use crate::grade::GradeError;
+use crate::graded::Graded;
 use crate::plain;
 use crate::record::{FindingKind, Record, Verdict};
 use crate::report::class::{self, Entry};

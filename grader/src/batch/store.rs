@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::files;
-use crate::grade::Graded;
+use crate::graded::Graded;
 use crate::leftovers::{self, Held, Left};
 use crate::record::{Record, SCHEMA};
 use crate::report::html;

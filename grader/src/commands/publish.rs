@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use cases::files::{self, Place, is_stdout};
-use grader::grade::{GradeError, Graded};
+use grader::grade::GradeError;
+use grader::graded::Graded;
 use grader::record::{FindingKind, Record, Verdict};
 use grader::report::{html, junit, terminal};
 use pages::lines;

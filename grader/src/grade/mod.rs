@@ -8,13 +8,11 @@ mod verdicts;
 mod words;
 mod write_up;
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use cases::answer::ImageAnswer;
 use cases::files::WriteError;
-use cases::film::Image;
-use cases::front::FrontPoint;
+
+pub use crate::graded::{Front, Graded, Pictures};
 
 use plan::Plan;
 
@@ -22,7 +20,7 @@ use crate::blame::{self, Blame};
 use crate::build::{BuildError, Built, Workshop, build};
 use crate::exam::Exam;
 use crate::exercise::{self, Allowance, Candidate};
-use crate::record::{Build, Finding, FindingKind, Record, Submission, Verdict};
+use crate::record::{Build, Finding, FindingKind, Submission, Verdict};
 use crate::submission::{self, SubmissionError};
 use crate::workers::guarded;
 
@@ -100,35 +98,6 @@ impl Options {
         let jobs = std::thread::available_parallelism().map_or(1, usize::from);
         Self { submission, name, stages: vec![], cases: vec![], jobs }
     }
-}
-
-/// What came of it.
-#[derive(Clone, Debug)]
-pub struct Graded {
-    /// All there is to say, for reports.
-    pub record: Record,
-    /// The pictures behind the image cases that have an answer, by id of the case.
-    pub pictures: BTreeMap<String, Pictures>,
-}
-
-/// Both pictures of an image case.
-#[derive(Clone, Debug)]
-pub struct Pictures {
-    /// The right one, and how far from it a right one may be.
-    pub answer: ImageAnswer,
-    /// The program's; `None` where it wrote none that can be read. NaN and infinity may stand in it.
-    pub actual: Option<Image>,
-    /// What the reference measured of its own settings; `None` where nothing was.
-    pub front: Option<Front>,
-}
-
-/// What accuracy costs in one case.
-#[derive(Clone, Debug)]
-pub struct Front {
-    /// On which machine it was measured.
-    pub machine: String,
-    /// A setting of the reference each.
-    pub points: Vec<FrontPoint>,
 }
 
 /// Hears how far the work has come. Called from several threads.

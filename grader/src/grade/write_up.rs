@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use cases::front::FrontPoint;
 
+use super::VERSION;
 use super::perform::{Answers, Done};
 use super::plan::{Part, Plan};
-use super::{Front, Pictures, VERSION};
 use crate::exam::Exam;
 use crate::functions;
+use crate::graded::{Front, Pictures};
 use crate::judge::Judgement;
 use crate::record::{
     Build, CheckKind, CheckRecord, Diagnosis, FindingKind, Record, SCHEMA, Score, StageRecord, Submission, Verdict,

@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 
 use super::class::{self, Entry};
 use super::{html, junit, sample, terminal};
-use crate::grade::Graded;
+use crate::graded::Graded;
 use crate::plain::is_hidden;
 use crate::record::{self, Record};
 

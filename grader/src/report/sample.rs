@@ -5,7 +5,7 @@ use cases::film::Image;
 use cases::front::FrontPoint;
 use cases::glam::DVec3;
 
-use crate::grade::{Front, Graded, Pictures};
+use crate::graded::{Front, Graded, Pictures};
 use crate::record::*;
 
 /// Runs a script wherever it is not escaped, hides what follows and turns the reading direction.

@@ -5,7 +5,7 @@ use cases::maths;
 use serde::Serialize;
 
 use super::view::seconds;
-use crate::grade::Pictures;
+use crate::graded::Pictures;
 use crate::plain::shown;
 
 /// Inner size of the plot; `submission.html` draws margins around it.

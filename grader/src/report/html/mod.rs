@@ -16,7 +16,7 @@ use std::io;
 use std::path::Path;
 
 use crate::files;
-use crate::grade::Graded;
+use crate::graded::Graded;
 
 mod diff;
 mod front;

@@ -4,7 +4,7 @@ use cases::answer::Mistake;
 use serde::Serialize;
 
 use super::{diff, front, picture};
-use crate::grade::{Graded, Pictures};
+use crate::graded::{Graded, Pictures};
 use crate::plain::shown;
 use crate::record::{
     Build, CheckKind, CheckRecord, Diagnosis, Finding, FindingKind, Record, Score, StageRecord, Verdict,
