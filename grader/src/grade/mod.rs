@@ -3,6 +3,7 @@
 mod diagnosis;
 mod perform;
 mod plan;
+mod progress;
 mod thrift;
 mod verdicts;
 mod words;
@@ -13,6 +14,8 @@ use std::path::{Path, PathBuf};
 use cases::files::WriteError;
 
 pub use crate::graded::{Front, Graded, Pictures};
+pub use progress::{Progress, Silent};
+pub use write_up::VERSION;
 
 use plan::Plan;
 
@@ -72,9 +75,6 @@ impl Bench {
     }
 }
 
-/// Version of the grader.
-pub const VERSION: &str = env!("CARGO_PKG_VERSION");
-
 /// What to grade, and which part of the exam.
 #[derive(Clone, Debug)]
 pub struct Options {
@@ -98,25 +98,6 @@ impl Options {
         let jobs = std::thread::available_parallelism().map_or(1, usize::from);
         Self { submission, name, stages: vec![], cases: vec![], jobs }
     }
-}
-
-/// Hears how far the work has come. Called from several threads.
-pub trait Progress: Sync {
-    /// Something that takes a while begins, such as `compiling`.
-    fn phase(&self, what: &str);
-    /// `n_checks` programs are about to be run.
-    fn begin(&self, n_checks: u64);
-    /// One of them has ended.
-    fn step(&self);
-}
-
-/// Hears nothing.
-pub struct Silent;
-
-impl Progress for Silent {
-    fn phase(&self, _what: &str) {}
-    fn begin(&self, _n_checks: u64) {}
-    fn step(&self) {}
 }
 
 /// Why there is no record: nothing of this is the student's fault.

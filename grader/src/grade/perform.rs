@@ -10,8 +10,8 @@ use cases::film::Image;
 use cases::probe::{Answer, Question};
 use cases::stage::{Case, Check};
 
-use super::Progress;
 use super::plan::{Part, Plan};
+use super::progress::Progress;
 use super::thrift::{self, Share, Taken};
 use super::verdicts::{self, Skipped};
 use crate::exercise::{self, Candidate, Start, reduced};

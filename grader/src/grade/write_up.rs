@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use cases::front::FrontPoint;
 
-use super::VERSION;
 use super::perform::{Answers, Done};
 use super::plan::{Part, Plan};
 use crate::exam::Exam;
@@ -16,6 +15,9 @@ use crate::record::{
 };
 use crate::sandbox::LEVEL;
 use crate::score;
+
+/// Version of the grader.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// The whole record.
 pub(super) fn record(
