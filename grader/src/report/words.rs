@@ -1,4 +1,4 @@
-//! Verdicts, findings and points in plain words.
+//! Verdicts, findings, points and times in plain words.
 
 use crate::record::{FindingKind, Verdict};
 
@@ -18,6 +18,11 @@ pub fn share(earned: u64, possible: u64) -> String {
 pub fn points(thousandths: u64) -> String {
     let text = format!("{}.{:03}", thousandths / 1000, thousandths % 1000);
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// Returns a time in the unit that suits it: `40 ms`, `2.5 s`.
+pub fn seconds(time_s: f64) -> String {
+    if time_s < 0.0995 { format!("{:.0} ms", time_s * 1e3) } else { format!("{time_s:.1} s") }
 }
 
 /// A verdict as it stands in a report.

@@ -4,9 +4,9 @@ use cases::front::{FrontPoint, on_front, rmse_levels};
 use cases::maths;
 use serde::Serialize;
 
-use super::view::seconds;
 use crate::graded::Pictures;
 use crate::plain::shown;
+use crate::report::words::seconds;
 
 /// Inner size of the plot; `submission.html` draws margins around it.
 const WIDTH: f64 = 300.0;

@@ -183,7 +183,7 @@ fn build(build: &Build) -> BuildView {
     BuildView {
         verdict: class(build.verdict),
         words: if build.verdict == Verdict::Pass { "worked" } else { words::verdict(build.verdict) },
-        seconds: seconds(build.time_s),
+        seconds: words::seconds(build.time_s),
         finding: build.finding.as_ref().map(|one| finding(None, one)),
         warnings: build.warnings.iter().map(|text| shown(text)).collect(),
         ignored: build.ignored.iter().map(|text| shown(text)).collect(),
@@ -221,7 +221,7 @@ fn check(record: &Record, check: &CheckRecord, pictures: Option<&Pictures>) -> C
         is_right: check.verdict == Verdict::Pass,
         is_flagged: check.finding.as_ref().is_some_and(|finding| finding.kind == FindingKind::Contested),
         score: points(Score { earned: check.earned, possible: check.possible }),
-        seconds: seconds(check.time_s),
+        seconds: words::seconds(check.time_s),
         megabytes: (check.peak_bytes > 0).then(|| format!("{:.0} MB", check.peak_bytes as f64 / 1e6)),
         finding: check.finding.as_ref().map(|one| finding(Some(record), one)),
         pictures: pictures.map(|pictures| both(pictures, check.finding.is_some())),
@@ -285,8 +285,4 @@ fn class(verdict: Verdict) -> &'static str {
         Verdict::NotRun => "not-run",
         Verdict::Ours => "ours",
     }
-}
-
-pub(super) fn seconds(time_s: f64) -> String {
-    if time_s < 0.0995 { format!("{:.0} ms", time_s * 1e3) } else { format!("{time_s:.1} s") }
 }
