@@ -4,7 +4,7 @@ use pages::lines::count;
 use similar::{ChangeTag, TextDiff};
 
 use super::groups::{self, Cause, Group};
-use super::{BAD, GOOD, Look, ODD, indented, line};
+use super::look::{BAD, GOOD, Look, ODD, indented, line};
 use crate::functions;
 use crate::plain::shown;
 use crate::record::{CheckKind, CheckRecord, Finding, FindingKind, Record, Verdict};

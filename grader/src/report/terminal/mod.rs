@@ -5,8 +5,8 @@
 //! | `groups.rs` | the checks that did not pass, put together by what is wrong with them |
 //! | `checks.rs` | lines on them |
 //! | `table.rs` | the table, and the next step |
+//! | `look.rs` | detail, width, colours, and how a line is added |
 
-use anstyle::{AnsiColor, Style};
 use pages::lines::{count, folded};
 
 use super::{mistakes, words};
@@ -15,27 +15,17 @@ use crate::record::{Diagnosis, Record};
 
 mod checks;
 mod groups;
+mod look;
 mod table;
 #[cfg(test)]
 mod tests;
 
-const GOOD: Style = AnsiColor::Green.on_default();
-const BAD: Style = AnsiColor::Red.on_default();
-const ODD: Style = AnsiColor::Yellow.on_default();
-const BOLD: Style = Style::new().bold();
+pub use look::Look;
+
+use look::{BAD, BOLD, ODD, indented, line};
 
 /// Lines of the compiler's errors that are shown; the first ones matter.
 const MOST_ERRORS: usize = 60;
-
-/// How much is shown, and in what width.
-#[derive(Clone, Copy, Debug)]
-pub struct Look {
-    /// Adds warnings, the protection that was in force, what programs wrote on their error streams, what each
-    /// check is about, and every check that did not pass.
-    pub is_verbose: bool,
-    /// Columns of a line.
-    pub columns: usize,
-}
 
 /// Returns the report as text with colours; whoever prints it strips them where they do not belong.
 pub fn render(record: &Record, look: Look) -> String {
@@ -66,15 +56,6 @@ fn diagnosis(record: &Record, diagnosis: &Diagnosis, text: &mut String) {
         lead = format!("{BOLD}or{BOLD:#}");
     }
     line(text, &format!("    It explains {}.", mistakes::extent(record, diagnosis)));
-}
-
-fn line(text: &mut String, line: &str) {
-    text.push_str(line);
-    text.push('\n');
-}
-
-fn indented(text: &mut String, block: &str) {
-    block.lines().for_each(|one| line(text, &format!("    {one}")));
 }
 
 /// What was left aside, the compiler's warnings, and why there is no program.

@@ -1,6 +1,7 @@
 //! The table of stages with the points, and the next step.
 
-use super::{BAD, BOLD, GOOD, Look, ODD, groups, line};
+use super::groups;
+use super::look::{BAD, BOLD, GOOD, Look, ODD, line};
 use crate::functions;
 use crate::plain::shown;
 use crate::record::{CheckKind, CheckRecord, FindingKind, Record, StageRecord, Verdict};
