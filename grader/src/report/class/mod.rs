@@ -2,28 +2,18 @@
 //!
 //! Nothing in it depends on time, machine or order of work: the same records give the same bytes.
 
-use std::collections::BTreeMap;
-
 use crate::plain::shown;
-use crate::record::{FindingKind, Record};
+use crate::record::FindingKind;
 use crate::report::{html, words};
 
+mod entry;
 mod histogram;
 mod rows;
 #[cfg(test)]
 mod tests;
 mod view;
 
-/// A submission of the class.
-#[derive(Clone, Debug)]
-pub struct Entry {
-    /// Names its files; of letters, digits, `.`, `_`, `-` and `~` alone.
-    pub id: String,
-    /// How it was handed in.
-    pub name: String,
-    /// `None` where the grader or the machine failed, so that there is no score yet.
-    pub record: Option<Record>,
-}
+pub use entry::Entry;
 
 /// All kinds of finding that a row counts.
 const KINDS: [FindingKind; 15] = [
@@ -84,6 +74,3 @@ pub fn page(entries: &[Entry]) -> String {
     let (style, script) = (include_str!("../style.css"), include_str!("class.js"));
     html::page::render(include_str!("class.html"), style, script, &view::class(entries))
 }
-
-/// Counts by kind of finding.
-type Counts = BTreeMap<FindingKind, usize>;

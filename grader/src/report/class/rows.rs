@@ -2,9 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use super::{Counts, Entry};
-use crate::record::{Record, Verdict};
+use super::entry::Entry;
+use crate::record::{FindingKind, Record, Verdict};
 use crate::report::words;
+
+/// Counts by kind of finding.
+type Counts = BTreeMap<FindingKind, usize>;
 
 /// A column of the table.
 pub(super) struct Stage<'a> {
