@@ -4,9 +4,9 @@ use glam::DAffine3;
 
 use crate::bounds::Bounds;
 use crate::ray::{Ray, Spot};
-use crate::real::Real;
+use crate::real::{Real, exponent, scaled};
 use crate::rules::{ObjectRay, Robustness, RuleSource, WorldNormal};
-use crate::two::{Two, Two3, exponent, scaled};
+use crate::two::{Two, Two3};
 use crate::vec3::{Affine, Vec3};
 
 /// Four roundings of a sum of four terms, twice: γ(4) = 4 u / (1 − 4 u) with room to spare.

@@ -1,7 +1,7 @@
 //! T by Snell's law without assuming unit vectors, certain of total reflection. [rule 8] [rule 10]
 
-use crate::real::Real;
-use crate::two::{Two, Two3, exponent, scaled};
+use crate::real::{Real, exponent, scaled};
+use crate::two::{Two, Two3};
 use crate::vec3::Vec3;
 
 /// The unit vector T for a ray along `d` through a surface with the normal `n`, of any length; `None` beyond the critical angle, or without

@@ -234,24 +234,6 @@ impl Mul<Two> for Two3 {
     }
 }
 
-/// The exponent e of the power of two with 2^e ≤ |x| < 2^(e + 1); −1023 for 0 and numbers too small for full precision, 1024 for ∞ and NaN.
-pub fn exponent(x: f64) -> i32 {
-    (x.to_bits() >> 52 & 0x7ff) as i32 - 1023
-}
-
-/// x 2^e; rounded only where the result is too small for full precision, ∞ where it is too great.
-pub fn scaled(x: f64, e: i32) -> f64 {
-    let power = |e: i32| f64::from_bits(((e + 1023) as u64) << 52);
-    let mut rest = e.clamp(-2200, 2200);
-    let mut x = x;
-    while rest != 0 {
-        let step = rest.clamp(-1022, 1023);
-        x *= power(step);
-        rest -= step;
-    }
-    x
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -275,15 +257,5 @@ mod tests {
         assert!((root * root - Two::of(2.0)).abs().f64() < DOUBT);
         assert_eq!(Two::product(3.0, 3.0).sqrt(), Two::of(3.0));
         assert!(Two::of(-1.0).sqrt().f64().is_nan());
-    }
-
-    #[test]
-    fn scaling_takes_the_exponent_along() {
-        for (x, e) in [(1.5, 0), (-3.0, 1), (0.75, -1), (1e-200, -665), (0.0, -1023), (f64::INFINITY, 1024)] {
-            assert_eq!(exponent(x), e, "{x}");
-        }
-        assert_eq!(scaled(3.0, -1074), f64::from_bits(3));
-        assert_eq!(scaled(f64::from_bits(3), 1074), 3.0);
-        assert_eq!(scaled(1.0, 2000), f64::INFINITY);
     }
 }

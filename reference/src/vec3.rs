@@ -4,8 +4,7 @@ use std::ops::{Add, AddAssign, Index, Mul, Neg, Sub};
 
 use glam::{DAffine3, DVec3};
 
-use crate::real::Real;
-use crate::two::{exponent, scaled};
+use crate::real::{Real, exponent, scaled};
 
 /// x, y, z, or red, green, blue.
 #[derive(Clone, Copy, Debug, PartialEq)]

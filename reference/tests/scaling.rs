@@ -5,9 +5,9 @@ mod common;
 use common::Random;
 use glam::DVec3;
 use reference::ray::Ray;
+use reference::real::scaled;
 use reference::rules::Lecture;
 use reference::shapes::{Cuboid, Plane, Round, Shear, Solid, Sphere, Triangle};
-use reference::two::scaled;
 use reference::vec3::Vec3;
 
 const N_DRAWS: usize = 300;

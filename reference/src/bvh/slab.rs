@@ -19,8 +19,7 @@ use std::ops::Range;
 
 use crate::bounds::Bounds;
 use crate::ray::Ray;
-use crate::real::Real;
-use crate::two::{exponent, scaled};
+use crate::real::{Real, exponent, scaled};
 use crate::vec3::Vec3;
 
 /// By how much boxes grow: 32 roundings of 1.

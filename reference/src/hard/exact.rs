@@ -82,13 +82,13 @@ impl Exact {
     /// The number to one part in 2⁵², 0 where that underflows, infinite where it overflows.
     pub fn f64(&self) -> f64 {
         let (mantissa, exponent) = self.leading();
-        crate::two::scaled(mantissa, exponent.clamp(-10_000, 10_000) as i32)
+        crate::real::scaled(mantissa, exponent.clamp(-10_000, 10_000) as i32)
     }
 
     /// self / other to one part in 2⁵⁰, also where both are far out of the range of f64; ±∞ or NaN where `other` is 0.
     pub fn ratio(&self, other: &Self) -> f64 {
         let ((a, a_exponent), (b, b_exponent)) = (self.leading(), other.leading());
-        crate::two::scaled(a / b, (a_exponent - b_exponent).clamp(-10_000, 10_000) as i32)
+        crate::real::scaled(a / b, (a_exponent - b_exponent).clamp(-10_000, 10_000) as i32)
     }
 
     /// A float and a power of two whose product is the number to one part in 2⁵².

@@ -126,7 +126,7 @@ fn hexadecimal(text: &str) -> f64 {
     let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
     let mantissa = u64::from_str_radix(&format!("{whole}{fraction}"), 16).expect("hex digits");
     let exponent: i32 = exponent.parse().expect("a power of two");
-    reference::two::scaled(mantissa as f64, exponent - 4 * fraction.len() as i32)
+    reference::real::scaled(mantissa as f64, exponent - 4 * fraction.len() as i32)
 }
 
 /// Three numbers.

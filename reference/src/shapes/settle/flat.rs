@@ -2,9 +2,9 @@
 
 use super::{Line, coordinates, double, times};
 use crate::ray::Ray;
-use crate::real::Real;
+use crate::real::{Real, exponent, scaled};
 use crate::shapes::{Cuboid, Plane};
-use crate::two::{Two, Two3, exponent, scaled};
+use crate::two::{Two, Two3};
 use crate::vec3::Vec3;
 
 /// Where coordinates begin: a product of two of them stays within what Dekker's product can take.

@@ -15,8 +15,8 @@ pub(super) use sphere::Ball;
 pub(super) use triangle::{barycentric, outwards, triangle};
 
 use crate::ray::Ray;
-use crate::real::Real;
-use crate::two::{Two, exponent, scaled};
+use crate::real::{Real, exponent, scaled};
+use crate::two::Two;
 use crate::vec3::Vec3;
 
 /// A ray in units of its own.

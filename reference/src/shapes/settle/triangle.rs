@@ -2,9 +2,9 @@
 
 use super::{Line, coordinates, double, times};
 use crate::ray::Ray;
-use crate::real::Real;
+use crate::real::{Real, exponent};
 use crate::shapes::Triangle;
-use crate::two::{Two, Two3, exponent};
+use crate::two::{Two, Two3};
 use crate::vec3::Vec3;
 
 /// Where coordinates begin: products of three stay within what Dekker's product can take, and so do corners 2^1000 times nearer to the ray.
