@@ -8,14 +8,13 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use crate::bounds::Bounds;
-use crate::bvh::{Across, Bvh, Lanes, Tally, Test, Visit};
+use crate::bvh::{Across, Bvh, Lanes, Search, Tally, Test, Visit};
 use crate::ray::{Ray, Spot};
 use crate::real::Real;
 use crate::rules::{Interpolation, RuleSource, Weights};
 use crate::shapes::{self, Meeting, Shear, Triangle, on_triangle};
 use crate::triangles::Triangles;
 use crate::vec3::Vec3;
-use crate::world::Search;
 
 /// A mesh in object space.
 #[derive(Clone, Debug)]

@@ -4,6 +4,7 @@ mod together;
 
 use cases::{Effects, Scene};
 
+pub use crate::bvh::Search;
 use crate::bvh::{Bvh, Lanes};
 pub use crate::frame::Frame;
 use crate::lights::Light;
@@ -19,16 +20,6 @@ use crate::work::{Tally, Work};
 
 /// A tree finds the nearest of objects that would cost more than this to ask, one after another, in units of `Object::cost`: measured on the public cases.
 const FEW: usize = 7;
-
-/// How the nearest hit is found; both ways give the same bits.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Search {
-    /// Through trees of boxes.
-    #[default]
-    Tree,
-    /// By asking everything: the obvious truth.
-    Scan,
-}
 
 /// A scene made ready for rays.
 #[derive(Clone, Debug)]

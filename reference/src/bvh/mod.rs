@@ -22,6 +22,16 @@ pub(crate) use lanes::{Across, Four, Test};
 use node::{Child, Node};
 use slab::{Slab, Space};
 
+/// What the nearest hit is sought in; both ways give the same bits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Search {
+    /// Trees of boxes.
+    #[default]
+    Tree,
+    /// Whole lists, one thing after another: the obvious truth.
+    Scan,
+}
+
 /// Is told of the work that a search does; `()` counts nothing.
 pub trait Tally {
     /// A node of a tree is visited.
