@@ -9,6 +9,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 use dashu_base::{BitTest, SquareRoot, UnsignedAbs};
 use dashu_int::{IBig, Sign};
 
+use super::question::Line;
+
 /// Bits of a quotient or a root; the last one is wrong by less than 1.
 pub const WIDE: i64 = 192;
 
@@ -212,6 +214,24 @@ pub fn cross(a: &Exact3, b: &Exact3) -> Exact3 {
 pub fn unit(v: &Exact3) -> Exact3 {
     let length = dot(v, v).sqrt();
     std::array::from_fn(|n| v[n].over(&length))
+}
+
+/// The line of a question in exact arithmetic.
+pub(super) struct ExactLine {
+    pub(super) origin: Exact3,
+    pub(super) direction: Exact3,
+}
+
+impl ExactLine {
+    /// Returns `line`, exactly.
+    pub(super) fn of(line: &Line) -> Self {
+        Self { origin: exact3(line.origin), direction: exact3(line.direction) }
+    }
+
+    /// Returns the point at `t`.
+    pub(super) fn at(&self, t: &Exact) -> Exact3 {
+        plus(&self.origin, &times(&self.direction, t))
+    }
 }
 
 /// The sign of p + q √d, d not negative.

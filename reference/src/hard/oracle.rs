@@ -4,26 +4,9 @@
 //! never met: a plane along the line, a triangle without area or edge on, the side of a cone by a line within it.
 
 use super::evaluate::Found;
-use super::exact::{Exact, Exact3, cross, dot, exact3, minus, plus, times, unit};
+use super::exact::{Exact, Exact3, ExactLine, cross, dot, exact3, minus, plus, times, unit};
 use super::oracle_round;
-use super::question::{Line, Question};
-
-/// A line and a number in exact arithmetic.
-pub(super) struct ExactLine {
-    pub(super) origin: Exact3,
-    pub(super) direction: Exact3,
-}
-
-impl ExactLine {
-    pub(super) fn of(line: &Line) -> Self {
-        Self { origin: exact3(line.origin), direction: exact3(line.direction) }
-    }
-
-    /// The point at `t`.
-    pub(super) fn at(&self, t: &Exact) -> Exact3 {
-        plus(&self.origin, &times(&self.direction, t))
-    }
-}
+use super::question::Question;
 
 /// The right answer; a miss, total internal reflection and a matrix without inverse are `None`. The normal at the centre of a sphere without
 /// radius is left open.
@@ -221,6 +204,7 @@ fn refract(direction: &Exact3, normal: &Exact3, eta_i: &Exact, eta_t: &Exact) ->
 
 #[cfg(test)]
 mod tests {
+    use super::super::question::Line;
     use super::*;
 
     fn check(question: Question, t: Option<f64>) {

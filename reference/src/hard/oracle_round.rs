@@ -1,8 +1,7 @@
 //! Where a line meets a cylinder or a cone, exactly: the ends are compared with roots that are never worked out.
 
 use super::evaluate::Found;
-use super::exact::{Exact, Exact3, sign_with_root, unit};
-use super::oracle::ExactLine;
+use super::exact::{Exact, Exact3, ExactLine, sign_with_root, unit};
 
 /// A parameter (p + q √d) / r, r > 0.
 struct Surd {
