@@ -8,8 +8,8 @@ use cases::answer::{self, CheckAnswer, Digest};
 use cases::probe::{Answer, Ask};
 use cases::stage::{Check, Stage};
 
-use super::Expected;
 use super::allowed::{self, Allowance};
+use super::expected::Expected;
 use crate::answers;
 use crate::misconceptions;
 use crate::rules::Rules;

@@ -5,7 +5,7 @@ use std::path::Path;
 use cases::Course;
 use cases::answer::{self, Digest, Mistake};
 
-use super::Expected;
+use super::expected::Expected;
 use crate::misconceptions::{self, Misconception};
 use crate::rules::Rules;
 

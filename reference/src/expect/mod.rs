@@ -3,11 +3,12 @@
 pub mod allowed;
 mod checks;
 mod envelope;
+mod expected;
 mod mistakes;
 mod set;
 mod weight;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use cases::answer::{self, Digest, ImageAnswer, Wrong};
 use cases::film;
@@ -15,29 +16,9 @@ use cases::stage::Case;
 use rayon::prelude::*;
 
 pub use checks::{of_check, of_checks, right_answer};
+pub use expected::Expected;
 pub use mistakes::mistakes;
 pub use set::{Set, picture};
-
-/// A file as it is to be stored.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Expected {
-    /// The path of the file.
-    pub path: PathBuf,
-    /// The bytes of the file.
-    pub bytes: Vec<u8>,
-}
-
-impl Expected {
-    /// Returns the file as [`cases::files::write_all`] takes it.
-    pub fn as_output(&self) -> (&Path, &[u8]) {
-        (&self.path, &self.bytes)
-    }
-
-    /// Whether exactly this is stored.
-    pub fn is_stored(&self) -> bool {
-        cases::files::read(&self.path, self.bytes.len() as u64).is_ok_and(|stored| stored == self.bytes)
-    }
-}
 
 /// All there is to store of an image case.
 #[derive(Clone, Debug)]
