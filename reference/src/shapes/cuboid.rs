@@ -1,6 +1,7 @@
 //! The box. [rule 15]
 
-use super::{Meeting, settle};
+use super::meeting::Meeting;
+use super::settle;
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::rules::{BoxRoots, Robustness, RuleSource};

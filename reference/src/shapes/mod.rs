@@ -1,6 +1,7 @@
 //! Bare shapes in object space: where a ray meets them, and the outward normal there. They know no materials.
 
 mod cuboid;
+mod meeting;
 mod place;
 mod plane;
 mod round;
@@ -11,6 +12,7 @@ mod triangle;
 mod triangle_formulas;
 
 pub use cuboid::Cuboid;
+pub use meeting::Meeting;
 pub(crate) use place::on_triangle;
 pub use plane::Plane;
 pub use round::Round;
@@ -24,25 +26,6 @@ use crate::ray::Ray;
 use crate::real::Real;
 use crate::rules::{Robustness, RuleSource};
 use crate::vec3::Vec3;
-
-/// Where a ray meets a shape: enough to tell which of two is nearer, and to work out the normal of the winner later.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Meeting<T> {
-    /// Along the ray as given.
-    pub t: T,
-    /// Which part of the shape: a face, a cap, the index of a triangle.
-    pub part: u32,
-    /// (α, β, γ) on a triangle, else 0. [rule 17]
-    pub weights: Vec3<T>,
-}
-
-impl<T: Real> Meeting<T> {
-    /// A meeting with that part of a shape without vertices.
-    #[inline(always)]
-    pub fn with(t: T, part: u32) -> Self {
-        Self { t, part, weights: Vec3::ZERO }
-    }
-}
 
 /// A shape that is no mesh.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,7 @@
 //! The plane. [rule 15]
 
-use super::{Meeting, settle};
+use super::meeting::Meeting;
+use super::settle;
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::rules::{PlaneFormula, PlaneSide, Robustness, RuleSource};

@@ -1,6 +1,6 @@
 //! Cylinder and cone: both are a radius that goes linearly along z.
 
-use super::Meeting;
+use super::meeting::Meeting;
 use super::settle::Coil;
 use crate::bounds::Bounds;
 use crate::ray::Ray;

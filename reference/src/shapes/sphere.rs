@@ -1,6 +1,6 @@
 //! The sphere. [rule 14]
 
-use super::Meeting;
+use super::meeting::Meeting;
 use super::settle::Ball;
 use crate::bounds::Bounds;
 use crate::ray::Ray;

@@ -1,6 +1,7 @@
 //! The unit square of z = 0. [rule 15]
 
-use super::{Meeting, settle};
+use super::meeting::Meeting;
+use super::settle;
 use crate::bounds::Bounds;
 use crate::ray::Ray;
 use crate::real::Real;

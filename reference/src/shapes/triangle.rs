@@ -1,6 +1,7 @@
 //! The triangle. [rule 16] [rule 17]
 
-use super::{Meeting, settle};
+use super::meeting::Meeting;
+use super::settle;
 use crate::bounds::Bounds;
 use crate::bvh::Across;
 use crate::ray::Ray;
