@@ -85,7 +85,7 @@ impl<T: Real> Cuboid<T> {
         };
         if is_certified && !is_certain() {
             // taken apart, so that what is certain stays in registers
-            let [(enter, first), (leave, last)] = settle::cuboid(self, ray)?;
+            let [(enter, first), (leave, last)] = settle::cuboid(&self.min, &self.max, ray)?;
             return Some([(enter, first), (leave, last)]);
         }
         Some([(enter, face(first, along[first] < T::ZERO)), (leave, face(last, along[last] > T::ZERO))])
@@ -114,7 +114,7 @@ impl<T: Real> Cuboid<T> {
         }
         let is_one_slab = enter.1 / 2 == leave.1 / 2;
         if is_certified && !(is_certain && (is_one_slab || apart(enter.0, leave.0))) {
-            return settle::cuboid(self, ray);
+            return settle::cuboid(&self.min, &self.max, ray);
         }
         (enter.0 <= leave.0).then_some([enter, leave])
     }

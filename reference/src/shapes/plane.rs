@@ -51,7 +51,7 @@ impl<T: Real> Plane<T> {
                 return Some(height / slope);
             }
         }
-        settle::plane(self, k, ray)
+        settle::plane(&self.normal, k, ray)
     }
 
     /// t as students compute it; `None` for a parallel ray.

@@ -100,7 +100,7 @@ impl<T: Real> Round<T> {
     #[cold]
     #[inline(never)]
     fn settled(&self, ray: &Ray<T>) -> Option<(T, u32)> {
-        let coil = Coil::new(self, ray)?;
+        let coil = Coil::new(&[self.bottom_radius, self.top_radius], &[self.z_min, self.z_max], ray)?;
         let counts = |t: &Two| ray.contains(coil.t(*t));
         let mut first = coil.side().into_iter().find(counts).map(|t| (t, SIDE));
         for (end, part) in [(0, BOTTOM), (1, TOP)].into_iter().filter(|_| self.is_capped) {

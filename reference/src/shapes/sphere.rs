@@ -89,7 +89,7 @@ impl<T: Real> Sphere<T> {
     /// Both roots in two words; taken apart, so that those which one word gives stay in registers.
     #[inline(always)]
     fn settled(&self, ray: &Ray<T>) -> Option<[T; 2]> {
-        let [near, far] = Ball::new(self, ray)?.ts()?;
+        let [near, far] = Ball::new(&self.center, &self.radius, ray)?.ts()?;
         Some([near, far])
     }
 
@@ -130,7 +130,9 @@ impl<T: Real> Sphere<T> {
         if ff.is_safe() && rr.is_safe() && ff < rr * T::of(4096.0) {
             return (from_center + ray.direction * t).normalised();
         }
-        let out = Ball::new(self, ray).and_then(|ball| ball.outwards(t)).filter(|out| *out != Vec3::ZERO);
+        let out = Ball::new(&self.center, &self.radius, ray)
+            .and_then(|ball| ball.outwards(t))
+            .filter(|out| *out != Vec3::ZERO);
         out.map_or_else(
             || -ray.direction.normalised(),
             |out| {

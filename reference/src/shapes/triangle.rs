@@ -158,7 +158,7 @@ impl<T: Real> Triangle<T> {
         if is_behind && ray.is_before(T::ZERO) {
             return None;
         }
-        settle::triangle(self, ray, shear.axes, tests_bc)
+        settle::triangle(&self.corners, ray, shear.axes, tests_bc)
     }
 
     /// Whether the ray certainly starts on one side of the plane and goes away from it, as most do that start at the triangle.
@@ -231,7 +231,7 @@ impl<T: Real> Triangle<T> {
         if square.is_safe() && of_terms.is_safe() && square * T::of(4096.0) > of_terms {
             return Some(n);
         }
-        settle::outwards(self)
+        settle::outwards(&self.corners)
     }
 
     /// Whether it has an area; without one it is never met. [rule 16]

@@ -1,21 +1,20 @@
 //! Plane, square and box in two words: comparisons of quotients, with the denominators multiplied out. [rule 15]
 
-use super::{Line, coordinates, double, times};
+use super::line::{Line, coordinates, double, times};
 use crate::ray::Ray;
 use crate::real::{Real, exponent, scaled};
-use crate::shapes::{Cuboid, Plane};
 use crate::two::{Two, Two3};
 use crate::vec3::Vec3;
 
 /// Where coordinates begin: a product of two of them stays within what Dekker's product can take.
 const ROOM: i32 = 300;
 
-/// t = (k − N·P) / N·d of the plane with that k; `None` for a parallel ray.
+/// Returns t = (k − N·P) / N·d of the plane with that N and k; `None` for a parallel ray.
 #[cold]
 #[inline(never)]
-pub(in crate::shapes) fn plane<T: Real>(plane: &Plane<T>, k: T, ray: &Ray<T>) -> Option<T> {
-    let of_normal = -exponent(coordinates([plane.normal])); // into units where N is some 1
-    let (n, k) = (times(double(plane.normal), of_normal), scaled(k.f64(), of_normal));
+pub(in crate::shapes) fn plane<T: Real>(normal: &Vec3<T>, k: T, ray: &Ray<T>) -> Option<T> {
+    let of_normal = -exponent(coordinates([*normal])); // into units where N is some 1
+    let (n, k) = (times(double(*normal), of_normal), scaled(k.f64(), of_normal));
     let line = Line::new(ray, k, ROOM)?;
     let dot = |v: Vec3<f64>| (Two3::of(n).dot(Two3::of(v)), n.abs().dot(v.abs()));
     let (slope, slopes) = dot(line.direction);
@@ -56,17 +55,18 @@ impl Passing {
     }
 }
 
-/// Where the ray's line enters the box and where it leaves it: t and the face.
+/// Returns where the ray's line enters the box between these corners, and where it leaves: t and
+/// the face.
 #[cold]
 #[inline(never)]
-pub(in crate::shapes) fn cuboid<T: Real>(cuboid: &Cuboid<T>, ray: &Ray<T>) -> Option<[(T, u32); 2]> {
-    let line = Line::new(ray, coordinates([cuboid.min, cuboid.max]), ROOM)?;
-    let (min, max) = (line.point(cuboid.min), line.point(cuboid.max));
+pub(in crate::shapes) fn cuboid<T: Real>(least: &Vec3<T>, most: &Vec3<T>, ray: &Ray<T>) -> Option<[(T, u32); 2]> {
+    let line = Line::new(ray, coordinates([*least, *most]), ROOM)?;
+    let (min, max) = (line.point(*least), line.point(*most));
     let (mut enter, mut leave): (Option<Passing>, Option<Passing>) = (None, None);
     for axis in 0..3 {
         let along = ray.direction[axis];
         if along == T::ZERO {
-            if ray.origin[axis] < cuboid.min[axis] || ray.origin[axis] > cuboid.max[axis] {
+            if ray.origin[axis] < least[axis] || ray.origin[axis] > most[axis] {
                 return None;
             }
             continue;

@@ -1,10 +1,9 @@
 //! Cylinder and cone in two words.
 
-use super::{Line, greatest};
+use super::line::{Line, greatest};
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::roots;
-use crate::shapes::Round;
 use crate::two::Two;
 
 /// Where coordinates begin: the discriminant has their fourth power.
@@ -18,11 +17,12 @@ pub(in crate::shapes) struct Coil {
 }
 
 impl Coil {
-    /// Both of them in units of their own; `None` where the ray has no direction, or something is not finite.
+    /// Returns the surface with these radii at these values of z, and the line of `ray`, in units
+    /// of their own; `None` where the ray has no direction, or something is not finite.
     #[cold]
     #[inline(never)]
-    pub(in crate::shapes) fn new<T: Real>(round: &Round<T>, ray: &Ray<T>) -> Option<Self> {
-        let lengths = [round.bottom_radius, round.top_radius, round.z_min, round.z_max].map(T::f64);
+    pub(in crate::shapes) fn new<T: Real>(radii: &[T; 2], ends: &[T; 2], ray: &Ray<T>) -> Option<Self> {
+        let lengths = [radii[0], radii[1], ends[0], ends[1]].map(T::f64);
         let line = Line::new(ray, greatest(&lengths), ROOM)?;
         let [bottom, top, z_min, z_max] = lengths.map(|x| line.length(x));
         Some(Self { line, radii: [bottom, top], ends: [z_min, z_max] })

@@ -1,10 +1,9 @@
 //! The sphere in two words. [rule 14]
 
-use super::{Line, coordinates, greatest};
+use super::line::{Line, coordinates, greatest};
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::roots;
-use crate::shapes::Sphere;
 use crate::two::{Two, Two3};
 use crate::vec3::Vec3;
 
@@ -20,16 +19,17 @@ pub(in crate::shapes) struct Ball {
 }
 
 impl Ball {
-    /// Both of them in units of their own; `None` where the ray has no direction, or something is not finite.
+    /// Returns the sphere and the line of `ray` in units of their own; `None` where the ray has no
+    /// direction, or something is not finite.
     #[cold]
     #[inline(never)]
-    pub(in crate::shapes) fn new<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>) -> Option<Self> {
-        let size = greatest(&[coordinates([sphere.center]), sphere.radius.f64()]);
+    pub(in crate::shapes) fn new<T: Real>(center: &Vec3<T>, radius: &T, ray: &Ray<T>) -> Option<Self> {
+        let size = greatest(&[coordinates([*center]), radius.f64()]);
         let line = Line::new(ray, size, ROOM)?;
         Some(Self {
-            from_center: Two3::difference(line.origin, line.point(sphere.center)),
+            from_center: Two3::difference(line.origin, line.point(*center)),
             direction: Two3::of(line.direction),
-            radius: line.length(sphere.radius),
+            radius: line.length(*radius),
             line,
         })
     }

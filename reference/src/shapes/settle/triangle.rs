@@ -1,9 +1,8 @@
 //! The triangle in two words. [rule 16] [rule 17]
 
-use super::{Line, coordinates, double, times};
+use super::line::{Line, coordinates, double, times};
 use crate::ray::Ray;
 use crate::real::{Real, exponent};
-use crate::shapes::Triangle;
 use crate::two::{Two, Two3};
 use crate::vec3::Vec3;
 
@@ -26,14 +25,14 @@ struct Corner {
 #[cold]
 #[inline(never)]
 pub(in crate::shapes) fn triangle<T: Real>(
-    triangle: &Triangle<T>,
+    corners: &[Vec3<T>; 3],
     ray: &Ray<T>,
     axes: [usize; 3],
     tests_bc: bool,
 ) -> Option<(T, Vec3<T>)> {
-    let line = Line::new(ray, coordinates(triangle.corners), ROOM)?;
+    let line = Line::new(ray, coordinates(*corners), ROOM)?;
     let [x, y, z] = axes.map(|axis| line.direction[axis]);
-    let [a, b, c] = triangle.corners.map(|corner| {
+    let [a, b, c] = corners.map(|corner| {
         let from = Two3::difference(line.point(corner), line.origin);
         let [fx, fy, fz] = axes.map(|axis| [from.x, from.y, from.z][axis]);
         let (to_x, to_y) = ((fx * Two::of(z), fz * Two::of(x)), (fy * Two::of(z), fz * Two::of(y)));
@@ -75,9 +74,9 @@ fn normal([a, b, c]: [Vec3<f64>; 3]) -> Two3 {
 /// The outward direction of a triangle, its greatest component some 1; `None` where it has no area.
 #[cold]
 #[inline(never)]
-pub(in crate::shapes) fn outwards<T: Real>(triangle: &Triangle<T>) -> Option<Vec3<T>> {
-    let unit = ROOM - exponent(coordinates(triangle.corners));
-    let n = normal(triangle.corners.map(|corner| times(double(corner), unit))).f64();
+pub(in crate::shapes) fn outwards<T: Real>(corners: &[Vec3<T>; 3]) -> Option<Vec3<T>> {
+    let unit = ROOM - exponent(coordinates(*corners));
+    let n = normal(corners.map(|corner| times(double(corner), unit))).f64();
     let greatest = coordinates([n]);
     let unit = times(n, -exponent(greatest));
     (greatest > 0.0).then(|| Vec3::new(T::of(unit.x), T::of(unit.y), T::of(unit.z)))
