@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::args::Form;
 use super::{Stop, print};
-use crate::cost::table::{figure, levels};
+use crate::cost::figures::{figure, levels};
 use crate::watch::{Counts, made_by};
 use crate::work::{Amounts, Work};
 

@@ -1,8 +1,8 @@
 //! What to pick, in sentences.
 
+use super::figures::{figure, levels, percent};
 use super::report::{Report, Row};
 use super::setting::{Formula, Setting};
-use super::table::{figure, levels, percent};
 use crate::variations::Precision;
 
 /// The cheapest setting that changes no 8-bit pixel, the next step below, and what more rays a pixel buy.

@@ -8,11 +8,11 @@ use serde::Serialize;
 
 use super::bench::Bench;
 use super::error::Error;
+use super::figures::{figure, percent};
 use super::functions_report::FunctionsReport;
 use super::report::Report;
 use super::scaled::scaled;
 use super::setting::{Formula, Setting};
-use super::table::{figure, percent};
 use crate::rules::{Epsilon, Rules};
 use crate::variations::Precision;
 

@@ -5,13 +5,13 @@ use std::fmt::Write;
 use minijinja::context;
 use serde::Serialize;
 
+use super::figures::figure;
 use super::forms::Forms;
 use super::front::{Times, front};
 use super::functions::Measured;
 use super::page;
 use super::plot::{self, Place, Plot, Point, Shape};
 use super::report::Machine;
-use super::table::figure;
 use crate::hard::Tally;
 use crate::variations::Precision;
 

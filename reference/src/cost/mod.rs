@@ -9,6 +9,7 @@
 //! | `functions.rs`, `functions_report.rs` | one function at a time: nanoseconds against errors and wrong decisions |
 //! | `uncalled.rs` | what an effect costs a scene that does not call for it |
 //! | `forms.rs`, `table.rs`, `csv.rs`, `plot.rs`, `page.rs` | reports as text, table, picture and page |
+//! | `figures.rs` | numbers as reports print them |
 //! | `scaled.rs`, `document.rs` | the same scene in another size; the page of the documentation |
 //!
 //! Nothing here reads a clock: [`measure::Outside`] is handed in.
@@ -18,6 +19,7 @@ pub mod bench;
 pub mod csv;
 pub mod document;
 pub mod error;
+pub mod figures;
 pub mod forms;
 pub mod front;
 pub mod functions;

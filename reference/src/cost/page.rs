@@ -7,10 +7,10 @@ use minijinja::{AutoEscape, Environment, context};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
+use super::figures::{figure, percent};
 use super::plot::{self, Place, Plot, Point, Shape};
 use super::report::{Report, Row};
 use super::setting::Formula;
-use super::table::{figure, percent};
 use crate::variations::Precision;
 
 const TEMPLATE: &str = include_str!("page.html");
