@@ -1,0 +1,111 @@
+//! What a sweep comes to: measurements made into the rows of a report.
+
+use cases::Scene;
+
+use super::advice;
+use super::front::{Times, front};
+use super::measure::Measured;
+use super::report::{EffectRow, Machine, Report, Row};
+use super::sweep::{About, Sweep};
+use crate::cutoff::Limits;
+use crate::rules::Rules;
+
+impl Report {
+    /// Returns what `measured` comes to, of `scene` by `rules`; `n_rounds` were wanted.
+    pub fn new(
+        name: &str,
+        scene: &Scene,
+        rules: &Rules,
+        machine: Machine,
+        sweep: &Sweep,
+        measured: &[Measured],
+        n_rounds: usize,
+    ) -> Self {
+        let rounds = measured.first().map_or(0, |row| row.times_s.len());
+        let mut report = Self {
+            schema: 1,
+            scene: shown(name),
+            width: scene.render.width,
+            height: scene.render.height,
+            machine,
+            rounds,
+            own: sweep.own,
+            truth: sweep.truth,
+            is_cut_short: rounds < n_rounds,
+            advice: Vec::new(),
+            rows: rows(sweep, measured, &Limits::of(scene, rules, sweep.own.effects)),
+            effects: effects(sweep, measured),
+        };
+        report.advice = advice::advice(&report);
+        report
+    }
+}
+
+/// Returns a row for each setting, the fronts marked.
+fn rows(sweep: &Sweep, measured: &[Measured], limits: &Limits) -> Vec<Row> {
+    let mut rows: Vec<Row> =
+        measured.iter().filter(|one| one.about == About::Accuracy).map(|one| row(one, limits)).collect();
+    let all: Vec<(f64, f64)> =
+        rows.iter().map(|row| (row.time_ms.median, three_digits(row.error.rms_levels))).collect();
+    let outside = (f64::NAN, f64::NAN);
+    let same = |row: &Row| (row.time_ms.median, three_digits(row.same_rays.rms_levels));
+    let same: Vec<_> =
+        rows.iter().map(|row| if row.setting.samples == sweep.own.samples { same(row) } else { outside }).collect();
+    for ((row, is_on), is_on_same) in rows.iter_mut().zip(front(&all)).zip(front(&same)) {
+        (row.is_on_front, row.is_on_same_rays_front) = (is_on, is_on_same);
+    }
+    rows
+}
+
+/// Rounds an error, so that of two that nobody would tell apart neither is the lesser.
+fn three_digits(error: f64) -> f64 {
+    format!("{error:.2e}").parse().unwrap_or(error)
+}
+
+/// Returns the row of a setting, on no front yet.
+fn row(one: &Measured, limits: &Limits) -> Row {
+    Row {
+        name: one.setting.to_string(),
+        setting: one.setting,
+        time_ms: milliseconds(one),
+        rays: one.stats.rays,
+        bytes: one.bytes,
+        left_out_at_most: Some(limits.of_weight(one.stats.left_out.into()).max_element())
+            .filter(|most| most.is_finite()),
+        error: one.error,
+        same_rays: one.same_rays,
+        rounding: one.rounding,
+        is_on_front: false,
+        is_on_same_rays_front: false,
+    }
+}
+
+/// Returns the rows of effects, against the scene as it stands.
+fn effects(sweep: &Sweep, measured: &[Measured]) -> Vec<EffectRow> {
+    let own = measured.iter().find(|one| one.about == About::Accuracy && one.setting == sweep.own);
+    let own_ms = own.map_or(f64::NAN, |own| milliseconds(own).median);
+    let row = |one: &Measured| {
+        let (name, without) = match one.about {
+            About::Accuracy => return None,
+            About::Without(effect) => (format!("without {effect}"), Some(effect)),
+            About::Everything => ("with every effect there is".to_owned(), None),
+        };
+        let time_ms = milliseconds(one);
+        let more_ms = time_ms.median - own_ms;
+        Some(EffectRow { name, without, time_ms, more_ms, rays: one.stats.rays, error: one.error })
+    };
+    measured.iter().filter_map(row).collect()
+}
+
+fn milliseconds(one: &Measured) -> Times {
+    Times::of(&one.times_s.iter().map(|seconds| 1e3 * seconds).collect::<Vec<_>>())
+}
+
+/// Returns a name from the command line without what could steer a terminal or hide.
+fn shown(name: &str) -> String {
+    let is_hidden = |c: char| {
+        c.is_control()
+            || matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fffe}'..='\u{ffff}')
+    };
+    name.chars().map(|c| if is_hidden(c) { c.escape_unicode().to_string() } else { c.to_string() }).collect()
+}
