@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand, ValueEnum};
 
 pub(super) use super::cost_args::CostArgs;
-use super::find::STAGES;
+use super::values::{CourseArg, STAGES, size, threshold};
 
 /// Renders and explains scenes by the numbered rules of light, and writes the answers that submissions are judged by.
 #[derive(Debug, Parser)]
@@ -79,14 +79,6 @@ Exit codes: 0 done, 2 no such command or folder, or a folder that cannot be writ
     },
 }
 
-/// The rules to follow where courses differ.
-#[derive(Debug, Parser)]
-pub(super) struct CourseArg {
-    /// What the course decides [default: for a case the course.toml in the folder of its stages or beside it; else the lecture]
-    #[arg(long, value_name = "FILE")]
-    pub course: Option<PathBuf>,
-}
-
 /// Answers the questions of the unit checks: JSON, a question a line in, an answer a line out
 #[derive(Debug, Parser)]
 #[command(after_help = "\
@@ -145,10 +137,10 @@ pub(super) struct RenderArgs {
     #[arg(long, value_name = "N")]
     pub max_depth: Option<u32>,
     /// Weight below which rays spawn no more, such as 0.001 or 1/256, in the place of the scene's; 0 for never
-    #[arg(long, value_name = "WEIGHT", value_parser = super::cost_args::threshold)]
+    #[arg(long, value_name = "WEIGHT", value_parser = threshold)]
     pub threshold: Option<f64>,
     /// Light, such as 0.001 or 1/512: a lamp that cannot bring as much to a point casts no shadow ray from there and adds nothing; 0 for never
-    #[arg(long, value_name = "LIGHT", default_value = "0", value_parser = super::cost_args::threshold)]
+    #[arg(long, value_name = "LIGHT", default_value = "0", value_parser = threshold)]
     pub light_cutoff: f64,
     /// Numbers to compute with
     #[arg(long, default_value = "f64")]
@@ -334,17 +326,6 @@ pub(super) enum Bits {
 pub(super) enum Form {
     Text,
     Json,
-}
-
-/// Largest side of a picture.
-const MAX_SIDE: u32 = 16384;
-
-pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
-    let sides = text.split_once(['x', '×']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
-    match sides {
-        Some((w, h)) if (1..=MAX_SIDE).contains(&w) && (1..=MAX_SIDE).contains(&h) => Ok((w, h)),
-        _ => Err(format!("a size is two numbers from 1 to {MAX_SIDE}, such as 640x480")),
-    }
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Parser;
 
-use super::args::CourseArg;
+use super::values::{CourseArg, size, threshold};
 use crate::cost::functions::Candidate;
 use crate::cost::setting::Formula;
 use crate::cost::sweep::{Axes, finer};
@@ -80,7 +80,7 @@ pub(super) struct CostArgs {
     #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: u16,
     /// Pixels, such as 640x480, in the place of the scene's
-    #[arg(long, conflicts_with = "functions", value_name = "WxH", value_parser = super::args::size)]
+    #[arg(long, conflicts_with = "functions", value_name = "WxH", value_parser = size)]
     pub size: Option<(u32, u32)>,
     /// All figures as JSON; `-` is the output stream, in the place of the table
     #[arg(long, value_name = "FILE")]
@@ -131,30 +131,4 @@ fn precision(text: &str) -> Result<Precision, String> {
 
 fn formula(text: &str) -> Result<Formula, String> {
     Formula::ALL.into_iter().find(|f| f.name() == text).ok_or_else(|| "plain, stable or robust".to_owned())
-}
-
-/// A weight, as a number or a fraction such as `1/256`.
-pub(super) fn threshold(text: &str) -> Result<f64, String> {
-    let number = |text: &str| text.trim().parse::<f64>().ok();
-    let value = match text.split_once('/') {
-        Some((above, below)) => number(above).zip(number(below)).map(|(above, below)| above / below),
-        None => number(text),
-    };
-    let wrong = || "this is a number from 0 to 1, such as 0.01 or 1/256".to_owned();
-    value.filter(|value| (0.0..=1.0).contains(value)).ok_or_else(wrong)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn thresholds_are_numbers_or_fractions_from_0_to_1() {
-        for (text, value) in [("0", 0.0), ("1", 1.0), ("1/256", 1.0 / 256.0), (" 3 / 4 ", 0.75), ("1e-3", 1e-3)] {
-            assert_eq!(threshold(text), Ok(value), "{text}");
-        }
-        for text in ["", "a", "-0.1", "1.5", "1/0", "0/0", "1/2/3", "nan", "inf"] {
-            assert!(threshold(text).is_err(), "{text}");
-        }
-    }
 }

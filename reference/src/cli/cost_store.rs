@@ -12,7 +12,8 @@ use pages::say;
 
 use super::args::CostArgs;
 use super::cost::{Session, put};
-use super::find::{self, STAGES};
+use super::find;
+use super::values::STAGES;
 use super::{Stop, Talk};
 use crate::cost::bench::Bench;
 use crate::cost::front::Times;

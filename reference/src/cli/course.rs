@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use cases::course::{self, Course, FILE};
 
-use super::args::{CourseArg, CourseArgs};
+use super::args::CourseArgs;
+use super::values::CourseArg;
 use super::{Stop, print};
 use crate::expect::Expected;
 

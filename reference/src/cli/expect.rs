@@ -8,11 +8,12 @@ use cases::answer::Limits;
 use cases::{course, files, stage};
 use pages::say;
 
-use super::args::{CourseArg, ExpectArgs};
+use super::args::ExpectArgs;
 use super::course::files as course_files;
-use super::find::{self, STAGES};
+use super::find;
 use super::interrupt::Interrupt;
 use super::progress::Bar;
+use super::values::{CourseArg, STAGES};
 use super::{Stop, Talk};
 use crate::expect::{self, Answers, CaseAnswer, ExpectError, Expected, Progress, Set};
 

@@ -10,10 +10,7 @@ use cases::scene::{MAX_SCENE_BYTES, parse, parse_json};
 use cases::{Effects, Scene, stage};
 
 use super::Stop;
-use super::args::CourseArg;
-
-/// Where stages are sought.
-pub(super) const STAGES: &str = "cases/stages";
+use super::values::{CourseArg, STAGES};
 
 /// A name that stands for standard input.
 const STANDARD_INPUT: &str = "-";

@@ -18,6 +18,7 @@ mod schema;
 mod shell;
 mod stats;
 mod survey;
+mod values;
 mod vary;
 
 use std::process::ExitCode;
