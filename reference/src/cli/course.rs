@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use cases::course::{self, Course, FILE};
 
 use super::args::CourseArgs;
+use super::output::print;
+use super::stop::Stop;
 use super::values::CourseArg;
-use super::{Stop, print};
 use crate::expect::Expected;
 
 /// Where the page for students lies, seen from the folder that holds the folder of `course.toml`.

@@ -5,7 +5,8 @@ use serde::Serialize;
 
 use super::args::EffectsArgs;
 use super::find::{self, Found};
-use super::{Stop, print_json, print_text};
+use super::output::{print_json, print_text};
+use super::stop::Stop;
 
 #[derive(Serialize)]
 struct Row {

@@ -12,9 +12,10 @@ use super::args::ExpectArgs;
 use super::course::files as course_files;
 use super::find;
 use super::interrupt::Interrupt;
+use super::output::Talk;
 use super::progress::Bar;
+use super::stop::Stop;
 use super::values::{CourseArg, STAGES};
-use super::{Stop, Talk};
 use crate::expect::{self, Answers, CaseAnswer, ExpectError, Expected, Progress, Set};
 
 /// What the arguments name: for each folder of stages the ids of its wanted parts; none for all.

@@ -4,7 +4,8 @@ use cases::ray_tree;
 
 use super::args::ExplainArgs;
 use super::find::{self, Found};
-use super::{Stop, print, print_json};
+use super::output::{print, print_json};
+use super::stop::Stop;
 use crate::rules::Rules;
 use crate::trace::Kernel;
 use crate::watch::Recorder;

@@ -9,7 +9,7 @@ use cases::problem::did_you_mean;
 use cases::scene::{MAX_SCENE_BYTES, parse, parse_json};
 use cases::{Effects, Scene, stage};
 
-use super::Stop;
+use super::stop::Stop;
 use super::values::{CourseArg, STAGES};
 
 /// A name that stands for standard input.

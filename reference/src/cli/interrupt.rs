@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use signal_hook::consts::{SIGINT, SIGTERM};
 
-use super::Stop;
+use super::stop::Stop;
 
 /// Remembers whether the user has interrupted the program.
 #[derive(Clone, Debug)]

@@ -11,12 +11,14 @@ mod expect;
 mod explain;
 mod find;
 mod interrupt;
+mod output;
 mod probe;
 mod progress;
 mod render;
 mod schema;
 mod shell;
 mod stats;
+mod stop;
 mod survey;
 mod values;
 mod vary;
@@ -24,49 +26,11 @@ mod vary;
 use std::process::ExitCode;
 
 use anstream::ColorChoice;
-use cases::files::WriteError;
-use cases::problem::Problems;
 use pages::say;
 
 use args::{Args, Colour, Command};
-
-/// Why a command ended early, and with it the exit code.
-#[derive(Debug)]
-enum Stop {
-    /// Done, but something did not pass: 1.
-    NotPassed(String),
-    /// A scene or case that cannot be read: 2.
-    Problems(Problems),
-    /// What was typed makes no sense, or an input cannot be read: 2.
-    Usage(String),
-    /// The machine failed: 3.
-    Machine(String),
-    /// The user has interrupted: 130.
-    Interrupted(String),
-}
-
-impl From<Problems> for Stop {
-    fn from(problems: Problems) -> Self {
-        Self::Problems(problems)
-    }
-}
-
-impl From<WriteError> for Stop {
-    fn from(why: WriteError) -> Self {
-        if why.is_usage() { Self::Usage(why.to_string()) } else { Self::Machine(why.to_string()) }
-    }
-}
-
-/// How much is said on the error stream.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Talk {
-    /// Errors alone.
-    Quiet,
-    /// What was written.
-    Normal,
-    /// Also what was done on the way.
-    Verbose,
-}
+use output::Talk;
+use stop::Stop;
 
 /// Carries out the command line; returns the exit code, of those that `--help` lists.
 pub fn run() -> ExitCode {
@@ -117,23 +81,4 @@ fn report(stop: Stop) -> ExitCode {
     };
     say::err(&text);
     ExitCode::from(code)
-}
-
-/// Writes bytes to the output stream as they are; a reader that has gone away is no error.
-fn print(bytes: &[u8]) -> Result<(), Stop> {
-    say::raw(bytes).map_err(|why| unprintable(&why))
-}
-
-/// Prints text for people to the output stream; a reader that has gone away is no error.
-fn print_text(text: &str) -> Result<(), Stop> {
-    say::out(text).map_err(|why| unprintable(&why))
-}
-
-fn unprintable(why: &std::io::Error) -> Stop {
-    Stop::Machine(format!("cannot write to the output stream: {why}"))
-}
-
-fn print_json<T: serde::Serialize>(value: &T) -> Result<(), Stop> {
-    let text = serde_json::to_string_pretty(value).map_err(|why| Stop::Machine(why.to_string()))?;
-    print(format!("{text}\n").as_bytes())
 }

@@ -5,7 +5,9 @@ use std::io::BufRead;
 use cases::probe::{Question, Reply};
 
 use super::args::ProbeArgs;
-use super::{Stop, find, print};
+use super::find;
+use super::output::print;
+use super::stop::Stop;
 use crate::answers::answer;
 use crate::rules::Rules;
 

@@ -4,7 +4,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget};
 use pages::bar::{self, Lines};
 use pages::say;
 
-use super::Talk;
+use super::output::Talk;
 
 /// Fewer rays than this are done before a bar could be read.
 const LONG: u64 = 500_000;

@@ -12,9 +12,10 @@ use pages::say;
 
 use super::args::{Bits, Precision, RenderArgs};
 use super::find::{self, Found};
+use super::output::Talk;
 use super::progress::Bar;
 use super::stats::{Report, Row};
-use super::{Stop, Talk};
+use super::stop::Stop;
 use crate::cutoff::Limits;
 use crate::real::Real;
 use crate::render::{self, Options, Stats};

@@ -3,7 +3,8 @@
 use cases::schema;
 
 use super::args::{SchemaArgs, SchemaKind};
-use super::{Stop, print, print_json};
+use super::output::{print, print_json};
+use super::stop::Stop;
 
 /// Carries out the command.
 pub(super) fn run(args: &SchemaArgs) -> Result<(), Stop> {

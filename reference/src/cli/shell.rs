@@ -8,7 +8,8 @@ use clap_complete::Shell;
 use pages::shell::{self, Man};
 
 use super::args::Args;
-use super::{Stop, print};
+use super::output::print;
+use super::stop::Stop;
 
 /// `reference completions SHELL`.
 pub(super) fn completions(shell: Shell) -> Result<(), Stop> {

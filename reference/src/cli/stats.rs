@@ -7,7 +7,8 @@ use cases::effects::Reason;
 use serde::Serialize;
 
 use super::args::Form;
-use super::{Stop, print};
+use super::output::print;
+use super::stop::Stop;
 use crate::cost::figures::{figure, levels};
 use crate::watch::{Counts, made_by};
 use crate::work::{Amounts, Work};

@@ -5,8 +5,9 @@ use std::fmt::Write;
 use rayon::prelude::*;
 
 use super::args::VaryArgs;
+use super::output::{Talk, print};
 use super::progress::Bar;
-use super::{Stop, Talk, print};
+use super::stop::Stop;
 use crate::expect::Set;
 use crate::vary::{Care, Original, Varied};
 

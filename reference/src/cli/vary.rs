@@ -10,8 +10,10 @@ use pages::say;
 
 use super::args::VaryArgs;
 use super::interrupt::Interrupt;
+use super::output::Talk;
 use super::progress::Bar;
-use super::{Stop, Talk, expect, survey};
+use super::stop::Stop;
+use super::{expect, survey};
 use crate::expect::{Expected, Set};
 use crate::vary::folder::{self, Draft, Originals, WriteSetError};
 
