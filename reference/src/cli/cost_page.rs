@@ -5,7 +5,7 @@ use std::path::Path;
 use pages::say;
 
 use super::args::CostArgs;
-use super::cost::{Session, of_functions, of_scene, put};
+use super::cost_session::{Session, of_functions, of_scene, put};
 use super::find::{self, Found};
 use super::output::Talk;
 use super::stop::Stop;

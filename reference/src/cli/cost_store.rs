@@ -11,7 +11,7 @@ use cases::stage;
 use pages::say;
 
 use super::args::CostArgs;
-use super::cost::{Session, put};
+use super::cost_session::{Session, put};
 use super::find;
 use super::output::Talk;
 use super::stop::Stop;

@@ -4,6 +4,7 @@ mod args;
 mod cost;
 mod cost_args;
 mod cost_page;
+mod cost_session;
 mod cost_store;
 mod course;
 mod effects;

@@ -1,0 +1,169 @@
+//! Measurements as `reference cost` makes them: under a clock, a bar and Ctrl-C.
+
+use std::path::Path;
+use std::time::Instant;
+
+use cases::Scene;
+use cases::files::{self, is_stream};
+use pages::say;
+
+use super::args::CostArgs;
+use super::find::{self, Found};
+use super::interrupt::Interrupt;
+use super::output::Talk;
+use super::progress::Bar;
+use super::stop::Stop;
+use crate::cost::bench::Bench;
+use crate::cost::functions;
+use crate::cost::functions_report::FunctionsReport;
+use crate::cost::measure::{self, Measured, Outside};
+use crate::cost::report::{Machine, Report};
+use crate::cost::sweep::{Axes, Sweep};
+use crate::rules::Rules;
+
+/// Measures the scene that `named` names.
+pub(super) fn of_scene(named: &str, args: &CostArgs, session: &Session) -> Result<Report, Stop> {
+    let Found { mut scene, course, .. } = find::found(named, &args.course)?;
+    let rules = Rules::of(&course);
+    if let Some((width, height)) = args.size {
+        (scene.render.width, scene.render.height) = (width, height);
+    }
+    let sweep = Sweep::of(&scene, &args.narrowed(Axes::of(&scene)));
+    let measured = session.sweep(&scene, &rules, &sweep, usize::from(args.rounds))?;
+    Ok(Report::new(named, &scene, &rules, session.machine(), &sweep, &measured, usize::from(args.rounds)))
+}
+
+/// Measures one function at a time.
+pub(super) fn of_functions(args: &CostArgs, session: &Session) -> Result<FunctionsReport, Stop> {
+    let (mut candidates, n_rounds) = (functions::candidates(), usize::from(args.rounds));
+    candidates.retain(|candidate| args.asks_for(candidate));
+    let mut run = session.run(Bar::steps(functions::work(&candidates, n_rounds), session.talk));
+    let measured = functions::measure(&candidates, args.draws, n_rounds, &mut run).ok_or_else(nothing)?;
+    Ok(FunctionsReport::new(session.machine(), &measured, args.draws))
+}
+
+fn nothing() -> Stop {
+    Stop::Interrupted("interrupted before the first round was done: nothing to report".to_owned())
+}
+
+/// Writes a file whole, or to a stream, and says so where that is wanted.
+pub(super) fn put(path: &Path, bytes: &[u8], talk: Talk) -> Result<(), Stop> {
+    files::write(path, bytes)?;
+    if talk >= Talk::Verbose && !is_stream(path) {
+        say::err(&format!("wrote {}", path.display()));
+    }
+    Ok(())
+}
+
+/// The clock of a measurement.
+#[derive(Clone, Copy, Debug)]
+enum Clock {
+    /// The time of this program on its processor: what others take there does not count.
+    Processor,
+    /// The time since that moment: of several threads the processor's time would be the sum.
+    Wall(Instant),
+}
+
+impl Clock {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Processor => "processor time",
+            Self::Wall(_) => "wall clock",
+        }
+    }
+
+    fn now_s(self) -> f64 {
+        match self {
+            Self::Processor => {
+                let now = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
+                now.tv_sec as f64 + 1e-9 * now.tv_nsec as f64
+            }
+            Self::Wall(start) => start.elapsed().as_secs_f64(),
+        }
+    }
+}
+
+/// One or more measurements that the user may stop.
+pub(super) struct Session {
+    clock: Clock,
+    interrupt: Interrupt,
+    pool: rayon::ThreadPool,
+    pub(super) talk: Talk,
+}
+
+impl Session {
+    /// Prepares measurements with that many threads, which Ctrl-C ends from now on.
+    pub(super) fn start(threads: u16, talk: Talk) -> Result<Self, Stop> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build();
+        let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
+        let interrupt = Interrupt::catch()?;
+        let clock = if threads == 1 { Clock::Processor } else { Clock::Wall(Instant::now()) };
+        Ok(Self { clock, interrupt, pool, talk })
+    }
+
+    fn run(&self, bar: Bar) -> Run<'_> {
+        Run { session: self, bar }
+    }
+
+    /// Measures a sweep.
+    pub(super) fn sweep(
+        &self,
+        scene: &Scene,
+        rules: &Rules,
+        sweep: &Sweep,
+        n_rounds: usize,
+    ) -> Result<Vec<Measured>, Stop> {
+        if self.talk >= Talk::Verbose {
+            say::err(&format!("measuring {} settings in {n_rounds} rounds", sweep.subjects.len()));
+        }
+        let mut run = self.run(Bar::pictures(measure::work(sweep, n_rounds), self.talk));
+        let mut bench = Bench::new(scene, rules);
+        self.pool.install(|| measure::measure(&mut bench, sweep, n_rounds, &mut run)).ok_or_else(nothing)
+    }
+
+    /// Returns the processor, the threads and the clock of the measurements.
+    pub(super) fn machine(&self) -> Machine {
+        Machine {
+            processor: processor(),
+            threads: self.pool.current_num_threads(),
+            clock: self.clock.name(),
+            is_optimised: !cfg!(debug_assertions),
+        }
+    }
+
+    /// Ends a command after that many of the rounds, early where the user has interrupted it.
+    pub(super) fn end(&self, rounds: usize, wanted: u16) -> Result<(), Stop> {
+        if self.interrupt.is_set() {
+            return Err(Stop::Interrupted(format!("interrupted after {rounds} of {wanted} rounds")));
+        }
+        Ok(())
+    }
+}
+
+/// A measurement while it runs.
+struct Run<'s> {
+    session: &'s Session,
+    bar: Bar,
+}
+
+impl Outside for Run<'_> {
+    fn now_s(&mut self) -> f64 {
+        self.session.clock.now_s()
+    }
+
+    fn goes_on(&mut self) -> bool {
+        !self.session.interrupt.is_set()
+    }
+
+    fn done(&mut self, work: u64) {
+        self.bar.add(work);
+    }
+}
+
+/// Returns the processor's model, where the system says it.
+fn processor() -> String {
+    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let line = text.lines().find(|line| line.starts_with("model name"));
+    let name = line.and_then(|line| line.split_once(": ")).map(|(_, name)| name.trim().to_owned());
+    name.unwrap_or_else(|| "unknown processor".to_owned())
+}
