@@ -12,6 +12,7 @@ pub mod rules;
 pub mod variants;
 
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use grader::grade::{Bench, Graded, Options, Silent, grade};
 
@@ -42,6 +43,16 @@ fn collect(folder: &Path, ending: &str, found: &mut Vec<PathBuf>) {
             found.push(path);
         }
     }
+}
+
+/// Returns the paths of the files that git tracks, below the workspace.
+///
+/// # Panics
+/// Where git cannot list them.
+pub fn tracked() -> Vec<String> {
+    let listed = Command::new("git").args(["ls-files", "-z"]).current_dir(workspace()).output().expect("git");
+    assert!(listed.status.success(), "git cannot list the files");
+    String::from_utf8_lossy(&listed.stdout).split('\0').filter(|path| !path.is_empty()).map(str::to_owned).collect()
 }
 
 /// `path` below the workspace, with forward slashes.

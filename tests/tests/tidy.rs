@@ -1,9 +1,8 @@
 //! The rules of the house, as tests: ARCHITECTURE.md, "What never happens".
 
 use std::collections::BTreeSet;
-use std::process::Command;
 
-use tests::{code_lines, files, name, workspace};
+use tests::{code_lines, files, name, tracked, workspace};
 
 /// The names of our crates that `crate_folder/Cargo.toml` depends on, for builds and for tests.
 fn dependencies(crate_folder: &str) -> BTreeSet<String> {
@@ -320,13 +319,6 @@ fn answers_are_small_in_the_mean() {
     assert!(mean < MEAN_BYTES, "{} answers have {mean} bytes in the mean", sizes.len());
 }
 
-/// The files that git tracks.
-fn tracked() -> Vec<String> {
-    let listed = Command::new("git").args(["ls-files", "-z"]).current_dir(workspace()).output().expect("git");
-    assert!(listed.status.success(), "git cannot list the files");
-    String::from_utf8_lossy(&listed.stdout).split('\0').filter(|path| !path.is_empty()).map(str::to_owned).collect()
-}
-
 #[test]
 fn tracked_files_are_small_and_name_no_machine() {
     const MOST_BYTES: u64 = 450_000;
@@ -339,38 +331,6 @@ fn tracked_files_are_small_and_name_no_machine() {
         if path != "tests/tests/tidy.rs" {
             let found = places.iter().find(|place| text.contains(**place));
             assert_eq!(found, None, "{path} names a place on somebody's machine");
-        }
-    }
-}
-
-#[test]
-fn links_between_documents_lead_somewhere() {
-    for path in tracked().into_iter().filter(|path| path.ends_with(".md")) {
-        let full = workspace().join(&path);
-        let text = std::fs::read_to_string(&full).expect("a tracked file");
-        for target in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
-            let file = target.split('#').next().unwrap_or_default();
-            if !file.is_empty() && !file.contains("://") {
-                assert!(full.with_file_name("").join(file).exists(), "{path} links to {target}, which is not there");
-            }
-        }
-    }
-}
-
-/// A path in backticks that names a file of the workspace. Placeholders are in capitals.
-#[test]
-fn files_that_documents_name_exist() {
-    let is_path = |word: &str| {
-        let folder = word.split('/').next().unwrap_or_default();
-        ["cases", "docs", "grader", "reference", "student_template", "tests"].contains(&folder)
-            && word.contains('/')
-            && word.rsplit('/').next().is_some_and(|name| name.contains('.'))
-            && !word.contains(|c: char| c.is_uppercase() || " *{…".contains(c))
-    };
-    for path in tracked().into_iter().filter(|path| path.ends_with(".md") && path != "CHANGELOG.md") {
-        let text = std::fs::read_to_string(workspace().join(&path)).expect("a tracked file");
-        for word in text.split('`').skip(1).step_by(2).filter(|word| is_path(word)) {
-            assert!(workspace().join(word).exists(), "{path} names `{word}`, which is not there");
         }
     }
 }
