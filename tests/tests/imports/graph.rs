@@ -45,8 +45,8 @@ struct Module {
 pub(super) struct Graph(BTreeMap<Names, Module>);
 
 impl Graph {
-    /// Reads the sources in `folder` of the workspace. Programs in `bin` and `main.rs` are crates of
-    /// their own and are left out.
+    /// Reads the sources in `folder` of the workspace. Programs in `bin` and `main.rs` are crates
+    /// of their own and are left out.
     ///
     /// # Panics
     /// Where a file cannot be read or parsed.
@@ -223,6 +223,17 @@ impl Module {
 /// Collects the paths of more than one name, and those of one name that may be imported.
 struct Paths<'a>(&'a mut BTreeSet<Names>);
 
+impl Paths<'_> {
+    /// Takes in the paths of a text that is not parsed.
+    fn scan(&mut self, text: &str) {
+        let text = text.replace(" :: ", "::");
+        let is_part = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
+        for word in text.split(|c| !is_part(c)).filter(|word| word.contains("::")) {
+            self.0.insert(word.trim_matches(':').split("::").map(str::to_owned).collect());
+        }
+    }
+}
+
 impl<'ast> Visit<'ast> for Paths<'_> {
     fn visit_path(&mut self, path: &'ast syn::Path) {
         self.0.insert(path.segments.iter().map(|segment| segment.ident.to_string()).collect());
@@ -230,12 +241,20 @@ impl<'ast> Visit<'ast> for Paths<'_> {
     }
 
     fn visit_macro(&mut self, one: &'ast syn::Macro) {
-        let text = one.tokens.to_string().replace(" :: ", "::");
-        let is_part = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
-        for word in text.split(|c| !is_part(c)).filter(|word| word.contains("::")) {
-            self.0.insert(word.trim_matches(':').split("::").map(str::to_owned).collect());
-        }
+        self.scan(&one.tokens.to_string());
         visit::visit_macro(self, one);
+    }
+
+    /// Attributes such as `#[serde(with = "super::affine")]` name items in strings.
+    fn visit_meta_list(&mut self, one: &'ast syn::MetaList) {
+        self.scan(&one.tokens.to_string());
+    }
+
+    /// Takes in a `use` within a function.
+    fn visit_item_use(&mut self, one: &'ast ItemUse) {
+        let mut module = Module::default();
+        module.add_use(one);
+        self.0.extend(module.used.into_values());
     }
 
     fn visit_item_mod(&mut self, _: &'ast ItemMod) {}

@@ -46,6 +46,12 @@ fn an_import_leads_to_the_file_that_defines_the_item() {
     check(&[lib, ("a.rs", "pub struct A;"), ("b.rs", "use crate::a::A;")], &["b.rs a.rs crate::a::A"], 0);
     check(&[lib, ("a.rs", "pub fn a() {}"), ("b.rs", "use crate::a;\nfn b() { a::a() }")], &["b.rs a.rs a::a"], 0);
     check(&[lib, ("a.rs", "pub fn a() {}"), ("b.rs", "fn b() { super::a::a() }")], &["b.rs a.rs super::a::a"], 0);
+    let within = ("b.rs", "fn b() { use crate::a::a; a() }");
+    check(&[lib, ("a.rs", "pub fn a() {}"), within], &["b.rs a.rs crate::a::a"], 0);
+    let named = ("b.rs", "pub struct B { #[serde(with = \"super::a::a\")] b: f64 }");
+    check(&[lib, ("a.rs", "pub fn a() {}"), named], &["b.rs a.rs super::a::a"], 0);
+    let in_macro = ("b.rs", "fn b() { print!(\"{}\", crate::a::a()) }");
+    check(&[lib, ("a.rs", "pub fn a() {}"), in_macro], &["b.rs a.rs crate::a::a"], 0);
     let test = "#[cfg(test)]\nmod tests { use crate::b::B; }\npub struct A;";
     check(&[lib, ("a.rs", test), ("b.rs", "use crate::a::A;\npub struct B;")], &["b.rs a.rs crate::a::A"], 0);
     let both = [lib, ("a.rs", "use crate::b::B;\npub struct A;"), ("b.rs", "use crate::a::A;\npub struct B;")];
