@@ -131,9 +131,9 @@ impl Start {
 /// The first two come first, then the last one, then others from all over: what the first two share
 /// may be what the program fails at.
 pub fn order(n: usize) -> Vec<usize> {
-    let spread = (1..N_SILENT as usize).map(|k| k * n / N_SILENT as usize);
+    let far_apart = (2..N_SILENT + 2).filter_map(|n_failures| spread(n_failures, n));
     let mut order: Vec<usize> = vec![];
-    for place in [0, 1, n.saturating_sub(1)].into_iter().chain(spread).chain(0..n).filter(|place| *place < n) {
+    for place in [0, 1].into_iter().chain(far_apart).chain(0..n).filter(|place| *place < n) {
         if !order.contains(&place) {
             order.push(place);
         }
@@ -141,8 +141,8 @@ pub fn order(n: usize) -> Vec<usize> {
     order
 }
 
-/// Returns which of `n` things to try after `n_failures` of them failed: the last one, then others
-/// from all over.
+/// Returns which of `n` things to try after `n_failures`, at least two, of them failed: the last one,
+/// then others from all over; `None` where there are none.
 pub(super) fn spread(n_failures: u32, n: usize) -> Option<usize> {
     let last = n.checked_sub(1)?;
     let nth = (n_failures as usize).saturating_sub(2);

@@ -51,7 +51,7 @@ impl<'a> Functions<'a> {
     /// Returns the number of questions at which `function` failed, if it fails at all of them.
     pub(super) fn n_failures(&self, function: &str) -> Option<u32> {
         match self.0.get(function) {
-            // One more than shows that a whole program is broken, since nothing runs here without a question.
+            // One more than for a whole program, for which a run without a question decides.
             Some(State::Failing(failure, n)) if *n > failure.n_needed() => Some(*n),
             _ => None,
         }
@@ -70,8 +70,8 @@ mod tests {
         (0..n).map(|n| Question { id: format!("q{n}"), ask: ask(n) }).collect()
     }
 
-    /// What is known after questions to `indices` ended so: the place among 80 open ones of the next
-    /// one to put alone, and the number of failures where that is enough.
+    /// Checks what is known after questions to `indices` ended so: the place among 80 open ones of
+    /// the next one to put alone, and the number of failures where that is enough.
     fn check(ends: &[Option<&str>], telling: Option<usize>, n_failures: Option<u32>) {
         let questions = questions(80);
         let open: Vec<&Question> = questions.iter().collect();
@@ -99,6 +99,7 @@ mod tests {
         check(&[no_sphere, no_sphere, Some("answer")], None, None);
         check(&[Some("answer"), no_sphere, no_sphere, no_sphere, no_sphere], None, None);
         check(&[no_sphere, no_sphere, None, no_sphere, no_sphere], None, None);
+        check(&[None, no_sphere, no_sphere, no_sphere, no_sphere], None, None);
         check(&[Some(""); 8], Some(60), None);
         check(&[Some(""); 9], Some(70), Some(9));
     }

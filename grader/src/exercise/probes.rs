@@ -97,7 +97,10 @@ pub fn probe(candidate: &Candidate, questions: &[Question], start: &mut Start) -
             let is_over = cannot_go_on(&finished);
             let ended = Ended { finished, limits };
             let is_done = |question: &&Question| is_over || batch.iter().any(|one| one.id == question.id);
-            probed.ended.extend(open.extract_if(.., |it| is_done(it)).map(|it| (it.id.clone(), ended.clone())));
+            for question in open.extract_if(.., |question| is_done(question)) {
+                functions.end(question.ask.function(), None);
+                probed.ended.insert(question.id.clone(), ended.clone());
+            }
             continue;
         }
         let Some(suspect) = suspect.filter(|suspect| open.iter().any(|question| question.id == suspect.id)) else {

@@ -242,8 +242,9 @@ fn a_few_processes_tell_that_a_program_answers_nothing() {
     assert!(probed.skipped.is_empty(), "{probed:?}");
 }
 
-/// Probes with a script that knows only the function `indices`, with 50 questions to each of two;
-/// how many processes were started, and what came of it.
+/// Puts 50 questions to each of the functions `indices` (i0 to i49) and `reflect` (r0 to r49), in
+/// turn, to a program that answers unless `script` ends it. Returns the number of processes that
+/// were started, and the results.
 fn probe_two_functions(script: &str) -> (usize, Probed) {
     let home = tempfile::tempdir().unwrap();
     let log = home.path().join("log");
