@@ -10,7 +10,8 @@ use crate::problem::{Problems, quoted};
 use crate::scene::raw::read::Notes;
 use crate::scene::{self, Scene};
 
-/// Returns the effects that the stage around the file at `path` allows; all of them for a file outside any stage.
+/// Returns the effects that the stage around the file at `path` allows; all of them for a file
+/// outside any stage.
 ///
 /// # Errors
 /// Everything that is wrong with the `stage.toml`.
@@ -18,8 +19,8 @@ pub fn allowed_at(path: &Path) -> Result<Effects, Problems> {
     if is_case(path) { Ok(allowed(&raw_stage(&path.with_file_name("stage.toml"), None)?)) } else { Ok(Effects::all()) }
 }
 
-/// Returns the stage file at `path` as it is written. Where `before` names the earlier stages, the stage may
-/// need no others.
+/// Returns the stage file at `path` as it is written. Where `before` names the earlier stages, the
+/// stage may need no others.
 pub(super) fn raw_stage(path: &Path, before: Option<&[String]>) -> Result<RawStage, Problems> {
     let (raw, mut notes) = scene::document::<RawStage>(&path.display().to_string(), &scene::read(path)?);
     if let (Some(raw), Some(before)) = (&raw, before) {
@@ -37,8 +38,8 @@ pub(super) fn allowed(raw: &RawStage) -> Effects {
     raw.allows.iter().map(|name| name.0).collect()
 }
 
-/// Removes the effects from `scene` that neither the stage allows nor the programs of the course always
-/// simulate. An effect that no tracer can leave out of the picture is a problem instead.
+/// Removes the effects from `scene` that neither the stage allows nor the programs of the course
+/// always simulate. An effect that no tracer can leave out of the picture is a problem instead.
 pub(super) fn limit(scene: &mut Scene, allows: Effects, course: &Course, notes: &mut Notes) {
     let allows = allows.union(course.always_simulated);
     for reason in effects::reasons(scene, course).iter().filter(|reason| scene.effects.has(reason.effect)) {

@@ -41,7 +41,8 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// Returns the bounds as plain numbers, 0 where nothing moves. Names that the scene does not have are noted.
+    /// Returns the bounds as plain numbers, 0 where nothing moves. Names that the scene does not
+    /// have are noted.
     pub(super) fn read(raw: &RawVary, scene: Option<&RawScene>, notes: &mut Notes) -> Self {
         if let Some(scene) = scene {
             let mut known: Vec<&str> = scene.materials.keys().map(String::as_str).collect();

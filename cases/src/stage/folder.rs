@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use crate::problem::Problems;
 
-/// Returns whether `path` is an image case of a stage: a TOML file whose folder holds a `stage.toml`.
+/// Returns whether `path` is an image case of a stage: a TOML file whose folder holds a
+/// `stage.toml`.
 pub fn is_case(path: &Path) -> bool {
     is_toml(path) && file_name(path) != "stage.toml" && path.with_file_name("stage.toml").is_file()
 }

@@ -14,7 +14,7 @@ pub(super) struct Named {
     pub(super) materials: BTreeMap<String, Option<Material>>,
 }
 
-/// The entry of `of` that the key's value names.
+/// Returns the entry of `of` that the key's value names.
 pub(super) fn by_name<'n, T>(
     of: &'n BTreeMap<String, Option<T>>,
     section: &str,
@@ -34,7 +34,8 @@ pub(super) fn by_name<'n, T>(
     found.as_ref()
 }
 
-/// The scene that a question names, for the arguments that depend on it; says nothing where there is none.
+/// Returns the scene that a question names, for the arguments that depend on it. Where there is
+/// none, nothing is noted.
 pub(super) fn scene_of<'n>(table: &Table<'_>, named: &'n Named) -> Option<&'n Scene> {
     let name = table.entry("scene").map(Spanned::get_ref)?.as_str()?;
     named.scenes.get(name)?.as_ref()

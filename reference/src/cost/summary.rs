@@ -1,4 +1,4 @@
-//! What a sweep comes to: measurements made into the rows of a report.
+//! The rows of a report, made of the measurements of a sweep.
 
 use cases::Scene;
 
@@ -11,7 +11,7 @@ use crate::cutoff::Limits;
 use crate::rules::Rules;
 
 impl Report {
-    /// Returns what `measured` comes to, of `scene` by `rules`; `n_rounds` were wanted.
+    /// Returns the report of `measured`, for `scene` by `rules`; `n_rounds` were wanted.
     pub fn new(
         name: &str,
         scene: &Scene,

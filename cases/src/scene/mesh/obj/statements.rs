@@ -10,7 +10,8 @@ use crate::scene::mesh::text::{Word, beginning, real, whole};
 pub(super) const NONE: u32 = u32::MAX;
 
 const CORNERS: &str = "a corner is written v, v/vt, v//vn or v/vt/vn, each of them a whole number";
-/// As many numbers may follow the three of a vertex: a weight, or a colour with its opacity, or both.
+/// The most numbers that may follow the three of a vertex: a weight, or a colour with its opacity,
+/// or both.
 const MOST_BEHIND: usize = 5;
 pub(super) const INDICES: &str = "indices count from 1; negative ones count back from the latest";
 
