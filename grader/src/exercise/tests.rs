@@ -271,6 +271,15 @@ fn a_function_that_fails_at_all_questions_costs_a_few_processes_and_nothing_else
     assert_eq!((answered(&probed, 'i'), probed.ended.len(), probed.left_out.len()), (50, 9, 41), "{probed:?}");
 }
 
+/// Nothing is answered, and the last question to `reflect` ends its process well.
+#[test]
+fn an_end_without_an_answer_shows_that_a_function_does_not_fail_at_all_questions() {
+    let (_, probed) =
+        probe_two_functions("case $id in i*) echo no >&2; exit 1;; r49) exit 0;; esac; echo none >&2; exit 1;");
+    let left_out = |letter| probed.left_out.keys().filter(|id| id.starts_with(letter)).count();
+    assert_eq!((left_out('i'), left_out('r'), probed.ended.len()), (46, 0, 54), "{probed:?}");
+}
+
 #[test]
 fn a_function_that_fails_at_some_questions_loses_those_alone() {
     for (script, lost) in [
