@@ -2,7 +2,7 @@
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`scene`] | the resolved [`Scene`]: plain data, nothing missing, relative or invalid; its JSON form |
+//! | [`scene`] | the resolved [`Scene`]: plain data without defaults; its JSON form |
 //! | [`effects`] | which effects a scene calls for, and why |
 //! | [`files`] | what a file name stands for; the one way to write a file |
 //! | [`film`] | [`film::Image`], the one quantiser, image files |
@@ -11,12 +11,13 @@
 //! | [`program`] | `main` of a submission written in Rust |
 //! | [`ray_tree`] | the tree of rays behind a pixel, as text |
 //!
-//! Behind the feature `authoring`, which a student's build leaves off: reading case files, stages, checks and answers, [`course`], what a
-//! course decides, and [`front`], what accuracy costs.
+//! Behind the feature `authoring`, which a student's build leaves off: reading case files, stages,
+//! checks and answers, [`course`], what a course decides, and [`front`], what accuracy costs.
 //!
-//! Conventions, once: world space is right-handed; colours are linear RGB; pixel (0, 0) is the top left one; a normal is a
-//! unit vector and points outwards; a matrix named `target_from_source` takes source coordinates to target coordinates.
-//! Rules are cited as `[rule 7]`: see `docs/shading-model.md`.
+//! Conventions, once: world space is right-handed; colours are linear RGB; pixel (0, 0) is the top
+//! left one; a normal is a unit vector and points outwards; a matrix named `target_from_source`
+//! takes source coordinates to target coordinates. Rules are cited as `[rule 7]`: see
+//! `docs/shading-model.md`.
 
 pub use glam;
 

@@ -1,7 +1,9 @@
-//! The platform-dependent functions of mathematics, each from `libm`, so that every machine computes the same bits.
+//! The platform-dependent functions of mathematics, each from `libm`, so that every machine
+//! computes the same bits.
 //!
-//! The standard library hands these to the system's C library, whose last digit differs between machines; `clippy.toml`
-//! forbids them everywhere else. (`sqrt` is exact by IEEE 754 and needs no such care.)
+//! The standard library hands these to the system's C library, whose last digit differs between
+//! machines; `clippy.toml` forbids them everywhere else. (`sqrt` is exact by IEEE 754 and needs no
+//! such care.)
 
 /// `x` to the power `y`.
 pub fn pow(x: f64, y: f64) -> f64 {

@@ -1,4 +1,5 @@
-//! What is wrong with files that people write: every problem at once, each with its place, the reason and a way out.
+//! What is wrong with files that people write: every problem at once, each with its place, the
+//! reason and a way out.
 
 use std::fmt;
 use std::io;
@@ -47,7 +48,8 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// Line and column, both from 1, the column in characters; `None` where the file as a whole is wrong.
+    /// Line and column, both from 1, the column in characters; `None` where the file as a whole is
+    /// wrong.
     pub fn line_column(&self) -> Option<(usize, usize)> {
         let before = self.source.text.get(..self.span.as_ref()?.start)?;
         let line_start = before.rfind('\n').map_or(0, |at| at + 1);
@@ -71,8 +73,10 @@ impl Problem {
                 let label = (!self.label.is_empty()).then_some(self.label.as_str());
                 let Line { text, number, part } = line_of(&self.source.text, span);
                 let here = AnnotationKind::Primary.span(part).label(label);
-                // Only the line is handed over: the renderer indexes all lines of its source for each problem.
-                let snippet = Snippet::source(text).line_start(number).path(self.source.name.as_str());
+                // Only the line is handed over: the renderer indexes all lines of its source for
+                // each problem.
+                let snippet =
+                    Snippet::source(text).line_start(number).path(self.source.name.as_str());
                 title.element(snippet.annotation(here))
             }
             None => title.element(Origin::path(self.source.name.as_str())),
@@ -109,7 +113,8 @@ fn line_of<'a>(text: &'a str, span: &Range<usize>) -> Line<'a> {
 pub struct Problems(Vec<Problem>);
 
 impl Problems {
-    /// Returns the number of the system's error, if the system did not let one of the files be read.
+    /// Returns the number of the system's error, if the system did not let one of the files be
+    /// read.
     pub fn os_error(&self) -> Option<i32> {
         self.0.iter().find_map(|problem| problem.os_error)
     }
@@ -122,15 +127,30 @@ impl Problems {
     }
 
     /// A single problem with the file of that name as a whole.
-    pub fn of_file(name: impl Into<String>, message: impl Into<String>, help: Option<String>) -> Self {
+    pub fn of_file(
+        name: impl Into<String>,
+        message: impl Into<String>,
+        help: Option<String>,
+    ) -> Self {
         let source = Source::new(name, "");
         let label = String::new();
-        Self(vec![Problem { source, span: None, message: message.into(), label, help, os_error: None }])
+        Self(vec![Problem {
+            source,
+            span: None,
+            message: message.into(),
+            label,
+            help,
+            os_error: None,
+        }])
     }
 
     /// The problem of a file that is not read.
     pub(crate) fn of_reading(path: &Path, why: &ReadError) -> Self {
-        let mut problems = Self::of_file(path.display().to_string(), format!("the file cannot be used: {why}"), None);
+        let mut problems = Self::of_file(
+            path.display().to_string(),
+            format!("the file cannot be used: {why}"),
+            None,
+        );
         if let ReadError::Io(why) = why {
             problems.0[0].os_error = why.raw_os_error();
         }
@@ -163,7 +183,8 @@ impl Problems {
         self
     }
 
-    /// The text for people: each problem with its place underlined, then how many there are. Escape codes only if `colour`.
+    /// The text for people: each problem with its place underlined, then how many there are. Escape
+    /// codes only if `colour`.
     pub fn render(&self, colour: bool) -> String {
         let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
         let mut text = String::new();
@@ -171,7 +192,8 @@ impl Problems {
             text += &renderer.render(&[problem.group()]);
             text.push('\n');
         }
-        let mut files: Vec<&str> = self.0.iter().map(|problem| problem.source.name.as_str()).collect();
+        let mut files: Vec<&str> =
+            self.0.iter().map(|problem| problem.source.name.as_str()).collect();
         files.dedup();
         text + &format!("{} in {}", count(self.0.len(), "problem"), count(files.len(), "file"))
     }
@@ -192,14 +214,18 @@ fn count(n: usize, what: &str) -> String {
 /// The one of `known` that `word` most likely was meant to be, if one is near enough.
 pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let far = |candidate: &str| edits(&word.to_lowercase(), &candidate.to_lowercase());
-    let near_enough = |candidate: &str, n: usize| n * 3 <= candidate.chars().count().max(word.chars().count()) + 1;
-    let nearest = known.into_iter().map(|candidate| (far(candidate), candidate)).min_by_key(|(n, _)| *n);
+    let near_enough = |candidate: &str, n: usize| {
+        n * 3 <= candidate.chars().count().max(word.chars().count()) + 1
+    };
+    let nearest =
+        known.into_iter().map(|candidate| (far(candidate), candidate)).min_by_key(|(n, _)| *n);
     nearest.filter(|(n, candidate)| near_enough(candidate, *n)).map(|(_, candidate)| candidate)
 }
 
 /// Edit distance, a swap of neighbours counting once; words are cut at 64 characters.
 fn edits(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().take(64).collect(), b.chars().take(64).collect());
+    let (a, b): (Vec<char>, Vec<char>) =
+        (a.chars().take(64).collect(), b.chars().take(64).collect());
     let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
     for i in 0..=a.len() {
         for j in 0..=b.len() {
@@ -254,8 +280,14 @@ mod tests {
     fn counts_lines_and_characters() {
         let source = Source::new("a.toml", "é = 1\nñü = 2\n");
         let at = source.text.find('2').map(|at| at..at + 1);
-        let problem =
-            Problem { source, span: at, message: String::new(), label: String::new(), help: None, os_error: None };
+        let problem = Problem {
+            source,
+            span: at,
+            message: String::new(),
+            label: String::new(),
+            help: None,
+            os_error: None,
+        };
         assert_eq!(problem.line_column(), Some((2, 6)));
     }
 }

@@ -1,7 +1,9 @@
-//! `main` of a submission written in Rust: the three calls of `docs/protocol.md` around the student's functions.
+//! `main` of a submission written in Rust: the three calls of `docs/protocol.md` around the
+//! student's functions.
 //!
-//! The boundary is a trait object, so nothing heavy is compiled with the student's code. A function whose body is still
-//! `todo!()` answers a probe with `todo` and ends a render with [`EXIT_TODO`]; it never looks like a crash.
+//! The boundary is a trait object, so nothing heavy is compiled with the student's code. A function
+//! whose body is still `todo!()` answers a probe with `todo` and ends a render with [`EXIT_TODO`];
+//! it never looks like a crash.
 
 use std::cell::RefCell;
 use std::io::{BufRead, Write};
@@ -32,8 +34,8 @@ pub trait Tracer {
     fn answer(&self, ask: &Ask) -> Answer;
 }
 
-/// Carries out the call on the command line. Exit codes: 0 done, 1 the tracer panicked, 2 usage or unreadable input,
-/// [`EXIT_TODO`] a function is still to be written.
+/// Carries out the call on the command line. Exit codes: 0 done, 1 the tracer panicked, 2 usage or
+/// unreadable input, [`EXIT_TODO`] a function is still to be written.
 pub fn run(tracer: &dyn Tracer) -> ExitCode {
     remember_panics();
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -67,7 +69,12 @@ impl Stop {
 }
 
 /// The call that `args` describe; `input` and `out` are its standard streams.
-fn call(tracer: &dyn Tracer, args: &[&str], input: &mut dyn BufRead, out: &mut dyn Write) -> Result<(), Stop> {
+fn call(
+    tracer: &dyn Tracer,
+    args: &[&str],
+    input: &mut dyn BufRead,
+    out: &mut dyn Write,
+) -> Result<(), Stop> {
     match args {
         ["render", scene, picture] => render(tracer, Path::new(scene), Path::new(picture)),
         ["probe"] => probe(tracer, input, out),
@@ -78,11 +85,19 @@ fn call(tracer: &dyn Tracer, args: &[&str], input: &mut dyn BufRead, out: &mut d
 
 fn render(tracer: &dyn Tracer, scene: &Path, out: &Path) -> Result<(), Stop> {
     let scene = read(scene)?;
-    let image = guarded(|| Image::from_fn(scene.render.width, scene.render.height, |i, j| tracer.pixel(&scene, i, j)))?;
+    let image = guarded(|| {
+        Image::from_fn(scene.render.width, scene.render.height, |i, j| tracer.pixel(&scene, i, j))
+    })?;
     film::write(out, &image).map_err(|why| Stop::Input(why.to_string()))
 }
 
-fn explain(tracer: &dyn Tracer, scene: &Path, x: &str, y: &str, out: &mut dyn Write) -> Result<(), Stop> {
+fn explain(
+    tracer: &dyn Tracer,
+    scene: &Path,
+    x: &str,
+    y: &str,
+    out: &mut dyn Write,
+) -> Result<(), Stop> {
     let scene = read(scene)?;
     let inside = |text: &str, size: u32| text.parse().ok().filter(|n: &u32| *n < size);
     let (Some(i), Some(j)) = (inside(x, scene.render.width), inside(y, scene.render.height)) else {
@@ -98,7 +113,8 @@ fn explain(tracer: &dyn Tracer, scene: &Path, x: &str, y: &str, out: &mut dyn Wr
     write!(out, "{text}").map_err(|why| Stop::Input(format!("cannot write the ray tree: {why}")))
 }
 
-/// Answers are flushed one by one, so that a function that never returns costs no answer given before.
+/// Answers are flushed one by one, so that a function that never returns costs no answer given
+/// before.
 fn probe(tracer: &dyn Tracer, input: &mut dyn BufRead, out: &mut dyn Write) -> Result<(), Stop> {
     for line in input.lines() {
         let line = line.map_err(|why| Stop::Input(format!("cannot read a question: {why}")))?;
@@ -123,7 +139,8 @@ fn probe(tracer: &dyn Tracer, input: &mut dyn BufRead, out: &mut dyn Write) -> R
 fn read(path: &Path) -> Result<Scene, Stop> {
     let text = std::fs::read_to_string(path)
         .map_err(|why| Stop::Input(format!("cannot read the scene {}: {why}", path.display())))?;
-    scene::json::from_str(&text).map_err(|why| Stop::Input(format!("cannot understand {}: {why}", path.display())))
+    scene::json::from_str(&text)
+        .map_err(|why| Stop::Input(format!("cannot understand {}: {why}", path.display())))
 }
 
 thread_local! {
@@ -137,7 +154,8 @@ const TODO: &str = "not yet implemented";
 fn remember_panics() {
     std::panic::set_hook(Box::new(|info| {
         let message = info.payload_as_str().unwrap_or("panic without a message");
-        let place = info.location().map(|at| format!(" ({}:{})", at.file(), at.line())).unwrap_or_default();
+        let place =
+            info.location().map(|at| format!(" ({}:{})", at.file(), at.line())).unwrap_or_default();
         if !message.starts_with(TODO) {
             eprintln!("panic: {message}{place}");
         }
@@ -191,8 +209,13 @@ mod tests {
     }
 
     fn scene(red: f64) -> String {
-        let camera =
-            scene::Camera { eye: DVec3::ZERO, right: DVec3::X, up: DVec3::Y, forward: DVec3::NEG_Z, fov_y_deg: 45.0 };
+        let camera = scene::Camera {
+            eye: DVec3::ZERO,
+            right: DVec3::X,
+            up: DVec3::Y,
+            forward: DVec3::NEG_Z,
+            fov_y_deg: 45.0,
+        };
         scene::json::to_string(&Scene {
             render: scene::Render { width: 2, height: 1, max_depth: 0, threshold: 0.0 },
             effects: Effects::NONE,
@@ -215,8 +238,12 @@ mod tests {
         }
     }
 
-    /// The same for a scene with that much red, in a folder of its own; a picture goes to `out.pfm` there.
-    fn check_scene(red: f64, args: impl FnOnce(&str, &str) -> Vec<String>) -> (Result<String, u8>, Option<Vec<u8>>) {
+    /// The same for a scene with that much red, in a folder of its own; a picture goes to `out.pfm`
+    /// there.
+    fn check_scene(
+        red: f64,
+        args: impl FnOnce(&str, &str) -> Vec<String>,
+    ) -> (Result<String, u8>, Option<Vec<u8>>) {
         let folder = tempfile::tempdir().unwrap();
         let (file, picture) = (folder.path().join("scene.json"), folder.path().join("out.pfm"));
         std::fs::write(&file, scene(red)).unwrap();
@@ -241,9 +268,16 @@ mod tests {
 {"id":"c","fn":"reflect","direction":[0,-1,0],"normal":[0,1,0]}
 "#;
         let replies = check(&["probe"], questions).unwrap();
-        let replies: Vec<Reply> = replies.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
-        assert_eq!(replies.iter().map(|reply| reply.id.as_str()).collect::<Vec<_>>(), ["a", "b", "c"]);
-        assert!(matches!(&replies[0].answer, Answer::Panic(why) if why.starts_with("no such index (")), "{replies:?}");
+        let replies: Vec<Reply> =
+            replies.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        assert_eq!(
+            replies.iter().map(|reply| reply.id.as_str()).collect::<Vec<_>>(),
+            ["a", "b", "c"]
+        );
+        assert!(
+            matches!(&replies[0].answer, Answer::Panic(why) if why.starts_with("no such index (")),
+            "{replies:?}"
+        );
         assert_eq!(replies[1].answer, Answer::Todo(true));
         assert_eq!(replies[2].answer, Answer::Vector(DVec3::Y));
     }
@@ -267,7 +301,10 @@ mod tests {
     #[test]
     fn a_pixel_is_explained_if_there_is_one() {
         let tree = explain(2.0, "1", "0").unwrap();
-        assert!(tree.starts_with("eye ray, depth 0\n") && tree.contains("colour (1, 0, 0.5)"), "{tree}");
+        assert!(
+            tree.starts_with("eye ray, depth 0\n") && tree.contains("colour (1, 0, 0.5)"),
+            "{tree}"
+        );
         assert_eq!(explain(0.0, "0", "0"), Err(EXIT_TODO));
         for (x, y) in [("2", "0"), ("0", "1"), ("-1", "0"), ("a", "0")] {
             assert_eq!(explain(2.0, x, y), Err(2));
@@ -276,8 +313,12 @@ mod tests {
 
     #[test]
     fn other_calls_are_refused() {
-        for args in [&[][..], &["probe", "x"], &["render", "scene.json"], &["render", "no such scene.json", "out.png"]]
-        {
+        for args in [
+            &[][..],
+            &["probe", "x"],
+            &["render", "scene.json"],
+            &["render", "no such scene.json", "out.png"],
+        ] {
             assert_eq!(check(args, ""), Err(2), "{args:?}");
         }
     }

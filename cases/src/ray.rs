@@ -3,13 +3,14 @@
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-/// Below this parameter an intersection does not count: a new ray starts on a surface only up to rounding. [rule 2] [rule 21]
+/// Below this parameter an intersection does not count: a new ray starts on a surface only up to
+/// rounding. [rule 2] [rule 21]
 pub const RAY_EPSILON: f64 = 1e-6;
 
 /// r(t) = origin + t · direction, for t_min < t < t_max. [rule 2]
 ///
-/// The direction of an eye, shadow, reflected or refracted ray is a unit vector; after going to object space it has
-/// whatever length the matrix gives it. [rule 20]
+/// The direction of an eye, shadow, reflected or refracted ray is a unit vector; after going to
+/// object space it has whatever length the matrix gives it. [rule 20]
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -75,7 +76,8 @@ pub struct Hit {
     pub point: DVec3,
     /// Unit normal of the surface itself, outwards. [rule 19]
     pub n_geom: DVec3,
-    /// Unit normal to shade with: interpolated on a mesh that carries vertex normals, else `n_geom`. [rule 18]
+    /// Unit normal to shade with: interpolated on a mesh that carries vertex normals, else
+    /// `n_geom`. [rule 18]
     pub n_shading: DVec3,
     /// Index into [`Scene::objects`](crate::Scene).
     pub object: usize,

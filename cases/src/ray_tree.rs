@@ -1,8 +1,8 @@
 //! The tree of rays behind a pixel, recorded while it is traced, and its text.
 //!
-//! The template's `trace` opens a node with [`enter`], fills it with [`hit`], closes it with [`leave`]; where nobody records,
-//! each of these does nothing. The text shows six digits after the point: enough to compare by eye, and few enough that
-//! rounding seldom shows.
+//! The template's `trace` opens a node with [`enter`], fills it with [`hit`], closes it with
+//! [`leave`]; where nobody records, each of these does nothing. The text shows six digits after the
+//! point: enough to compare by eye, and few enough that rounding seldom shows.
 
 use std::cell::RefCell;
 use std::fmt;
@@ -77,7 +77,9 @@ pub fn record(trace: impl FnOnce()) -> Option<RayNode> {
     };
     OPEN.set(Some(vec![root]));
     trace();
-    OPEN.take().and_then(|open| open.into_iter().next()).and_then(|root| root.children.into_iter().next())
+    OPEN.take()
+        .and_then(|open| open.into_iter().next())
+        .and_then(|root| root.children.into_iter().next())
 }
 
 /// Opens a node for a ray that is about to be traced; [`leave`] closes it.
@@ -162,7 +164,8 @@ fn triple(v: DVec3) -> String {
 /// Six digits after the point, trailing zeros cut, no minus before zero.
 fn digits(x: f64) -> String {
     let text = format!("{x:.6}");
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    let text =
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 

@@ -1,5 +1,5 @@
-//! The forms of files and messages, said by the types that read them: JSON Schema (draft 07, which editors understand), and
-//! the reference of the scene format for people.
+//! The forms of files and messages, said by the types that read them: JSON Schema (draft 07, which
+//! editors understand), and the reference of the scene format for people.
 
 use std::fmt::Write;
 
@@ -37,21 +37,29 @@ pub fn course_schema() -> Value {
 
 /// The JSON Schema of the resolved scene, `SCENE.json`.
 pub fn scene_schema() -> Value {
-    titled(SchemaSettings::draft07().into_generator().into_root_schema_for::<Scene>(), "A resolved scene")
+    titled(
+        SchemaSettings::draft07().into_generator().into_root_schema_for::<Scene>(),
+        "A resolved scene",
+    )
 }
 
-/// The JSON Schema of a line of the probe protocol: a question (`definitions/Question`) or a reply (`definitions/Reply`).
+/// The JSON Schema of a line of the probe protocol: a question (`definitions/Question`) or a reply
+/// (`definitions/Reply`).
 pub fn probe_schema() -> Value {
     let mut generator = SchemaSettings::draft07().into_generator();
     let lines = [generator.subschema_for::<Question>(), generator.subschema_for::<Reply>()];
-    let mut schema = json_schema!({ "$schema": "http://json-schema.org/draft-07/schema#", "anyOf": lines });
+    let mut schema =
+        json_schema!({ "$schema": "http://json-schema.org/draft-07/schema#", "anyOf": lines });
     schema.insert("definitions".to_owned(), Value::Object(generator.take_definitions(true)));
     titled(schema, "A line of the probe protocol")
 }
 
-/// The schema of a file that people write: no key is ever null, and one with a default is not required.
+/// The schema of a file that people write: no key is ever null, and one with a default is not
+/// required.
 fn written<T: JsonSchema>(title: &str) -> Value {
-    let settings = SchemaSettings::draft07().with_transform(RecursiveTransform(without_null)).with_transform(Defaulted);
+    let settings = SchemaSettings::draft07()
+        .with_transform(RecursiveTransform(without_null))
+        .with_transform(Defaulted);
     titled(settings.into_generator().into_root_schema_for::<T>(), title)
 }
 
@@ -86,7 +94,9 @@ struct Defaulted;
 impl Transform for Defaulted {
     fn transform(&mut self, schema: &mut Schema) {
         let has_default = |key: &Value, all: &Map<String, Value>| {
-            key.as_str().and_then(|key| all.get(key)).is_some_and(|property| property.get("default").is_some())
+            key.as_str()
+                .and_then(|key| all.get(key))
+                .is_some_and(|property| property.get("default").is_some())
         };
         if let Some(all) = schema.get("properties").and_then(Value::as_object).cloned()
             && let Some(Value::Array(required)) = schema.get_mut("required")
@@ -110,7 +120,8 @@ pub fn scene_format_markdown() -> String {
     }
     text += include_str!("schema/scene-format.checks.md");
     for (function, keys) in ask::FUNCTIONS {
-        let mut said: Vec<String> = keys.iter().map(|(key, takes)| format!("`{key}`: {takes}")).collect();
+        let mut said: Vec<String> =
+            keys.iter().map(|(key, takes)| format!("`{key}`: {takes}")).collect();
         said.dedup();
         let _ = writeln!(text, "| `{function}` | {} |", said.join("; "));
     }
@@ -155,14 +166,19 @@ fn table(text: &mut String, heading: &str, schema: &Value) {
         let _ = writeln!(text, "{}\n", one_line(said));
     }
     let rows: Vec<String> = match (schema["properties"].as_object(), schema["oneOf"].as_array()) {
-        (Some(keys), _) => {
-            keys.iter().map(|(key, property)| row(key, property, default(key, property, schema))).collect()
-        }
+        (Some(keys), _) => keys
+            .iter()
+            .map(|(key, property)| row(key, property, default(key, property, schema)))
+            .collect(),
         (None, Some(choices)) => choices.iter().flat_map(choice).collect(),
         _ => vec![],
     };
     if !rows.is_empty() {
-        let _ = writeln!(text, "| key | takes | if left out | |\n|---|---|---|---|\n{}\n", rows.join("\n"));
+        let _ = writeln!(
+            text,
+            "| key | takes | if left out | |\n|---|---|---|---|\n{}\n",
+            rows.join("\n")
+        );
     }
 }
 
@@ -180,7 +196,8 @@ fn row(key: &str, property: &Value, default: String) -> String {
 }
 
 fn default(key: &str, property: &Value, schema: &Value) -> String {
-    let is_required = schema["required"].as_array().is_some_and(|keys| keys.iter().any(|name| name == key));
+    let is_required =
+        schema["required"].as_array().is_some_and(|keys| keys.iter().any(|name| name == key));
     match (&property["default"], is_required) {
         (Value::Null, true) => "needed".to_owned(),
         (Value::Null, false) => "–".to_owned(),
@@ -191,10 +208,13 @@ fn default(key: &str, property: &Value, schema: &Value) -> String {
 /// A default as it would stand in a file.
 fn toml(value: &Value) -> String {
     match value {
-        Value::Array(items) => format!("[{}]", items.iter().map(toml).collect::<Vec<_>>().join(", ")),
+        Value::Array(items) => {
+            format!("[{}]", items.iter().map(toml).collect::<Vec<_>>().join(", "))
+        }
         Value::Object(entries) if entries.is_empty() => "{}".to_owned(),
         Value::Object(entries) => {
-            let entries: Vec<String> = entries.iter().map(|(key, value)| format!("{key} = {}", toml(value))).collect();
+            let entries: Vec<String> =
+                entries.iter().map(|(key, value)| format!("{key} = {}", toml(value))).collect();
             format!("{{ {} }}", entries.join(", "))
         }
         other => other.to_string(),
@@ -224,7 +244,9 @@ fn takes(schema: &Value) -> String {
             None => "a table".to_owned(),
         },
         _ => match schema["enum"].as_array() {
-            Some(words) => words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", "),
+            Some(words) => {
+                words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")
+            }
             None => "a table".to_owned(),
         },
     }
@@ -257,7 +279,8 @@ mod tests {
     #[test]
     fn every_type_has_a_heading() {
         let case = case_schema();
-        let mut defined: Vec<&str> = case["definitions"].as_object().unwrap().keys().map(String::as_str).collect();
+        let mut defined: Vec<&str> =
+            case["definitions"].as_object().unwrap().keys().map(String::as_str).collect();
         let mut headed: Vec<&str> = HEADINGS.iter().map(|(name, _)| *name).collect();
         defined.sort_unstable();
         headed.sort_unstable();

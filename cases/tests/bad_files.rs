@@ -1,5 +1,6 @@
-//! Every file in `bad/` is refused with the text that stands beside it. With `UPDATE_EXPECTED=1` in the environment the
-//! texts are written anew, to be read before they are committed; the run then fails, so that it cannot pass for a test.
+//! Every file in `bad/` is refused with the text that stands beside it. With `UPDATE_EXPECTED=1` in
+//! the environment the texts are written anew, to be read before they are committed; the run then
+//! fails, so that it cannot pass for a test.
 
 use std::path::{Path, PathBuf};
 
@@ -22,8 +23,9 @@ fn bad_files_are_refused_with_these_words() {
 #[test]
 fn a_bad_folder_of_stages_is_refused_for_all_its_files_at_once() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_stages");
-    let found =
-        cases::stage::load_all(&folder, &cases::Course::default()).map(|_| ()).expect_err("bad stages were accepted");
+    let found = cases::stage::load_all(&folder, &cases::Course::default())
+        .map(|_| ())
+        .expect_err("bad stages were accepted");
     compare(&folder, "stages", &found).unwrap_or_else(|why| panic!("{why}"));
 }
 
@@ -41,8 +43,13 @@ fn compare(folder: &Path, name: &str, problems: &Problems) -> Result<(), String>
         std::fs::write(&beside, found).unwrap();
         return Err(format!("{name}: written; read it, then run without UPDATE_EXPECTED"));
     }
-    let expected = std::fs::read_to_string(&beside).map_err(|why| format!("{}: {why}", beside.display()))?;
-    if found == expected { Ok(()) } else { Err(format!("{name}: expected\n{expected}\nfound\n{found}")) }
+    let expected =
+        std::fs::read_to_string(&beside).map_err(|why| format!("{}: {why}", beside.display()))?;
+    if found == expected {
+        Ok(())
+    } else {
+        Err(format!("{name}: expected\n{expected}\nfound\n{found}"))
+    }
 }
 
 #[test]
@@ -57,7 +64,8 @@ fn what_is_no_file_of_sensible_size_is_refused_unread() {
         (PathBuf::from("/dev/zero"), "it is not a regular file"),
     ];
     for (path, why) in table {
-        let problems = cases::stage::load_scene(&path, &cases::Course::default()).expect_err("accepted");
+        let problems =
+            cases::stage::load_scene(&path, &cases::Course::default()).expect_err("accepted");
         assert_eq!(problems.iter().count(), 1);
         assert!(problems.to_string().contains(why), "{problems}");
     }
@@ -67,16 +75,19 @@ fn what_is_no_file_of_sensible_size_is_refused_unread() {
 fn a_file_with_very_many_problems_is_not_reported_to_its_end() {
     let text = (0..5000).map(|i| format!("key{i} = 1\n")).collect::<String>();
     let problems =
-        cases::scene::parse("many.toml", &text, Path::new(""), &cases::Course::default()).expect_err("accepted");
+        cases::scene::parse("many.toml", &text, Path::new(""), &cases::Course::default())
+            .expect_err("accepted");
     assert_eq!(problems.iter().count(), cases::problem::MAX_PROBLEMS);
 }
 
 #[test]
 fn a_word_of_any_length_makes_a_message_that_people_can_read() {
     let word = "x".repeat(100_000);
-    let texts = [format!("{word} = 1\n"), format!("[scene.materials]\na = {{ kd = \"{word}\" }}\n"), word];
+    let texts =
+        [format!("{word} = 1\n"), format!("[scene.materials]\na = {{ kd = \"{word}\" }}\n"), word];
     for text in texts {
-        let read = cases::scene::parse("long.toml", &text, Path::new(""), &cases::Course::default());
+        let read =
+            cases::scene::parse("long.toml", &text, Path::new(""), &cases::Course::default());
         let said = read.expect_err("accepted").render(false);
         assert!(said.len() < 5000, "{} bytes: {said:.300}", said.len());
     }
@@ -84,8 +95,8 @@ fn a_word_of_any_length_makes_a_message_that_people_can_read() {
 
 #[test]
 fn colour_comes_only_when_asked_for() {
-    let problems =
-        cases::scene::parse("x.toml", "a = 1", Path::new(""), &cases::Course::default()).expect_err("accepted");
+    let problems = cases::scene::parse("x.toml", "a = 1", Path::new(""), &cases::Course::default())
+        .expect_err("accepted");
     assert!(problems.render(true).contains('\u{1b}'));
     assert!(!problems.render(false).contains('\u{1b}'));
 }

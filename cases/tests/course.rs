@@ -15,7 +15,8 @@ fn the_committed_course_says_everything_and_is_the_lecture() {
     let text = std::fs::read_to_string(path).unwrap();
     assert_eq!(parse(&text), Course::default());
     let lines = text.lines().filter(|line| !line.starts_with('#') && !line.is_empty());
-    let expected = DECISIONS.iter().map(|decision| format!("{} = {}", decision.key, decision.legal.lecture()));
+    let expected =
+        DECISIONS.iter().map(|decision| format!("{} = {}", decision.key, decision.legal.lecture()));
     assert_eq!(lines.collect::<Vec<_>>(), expected.collect::<Vec<_>>());
 }
 
@@ -24,16 +25,29 @@ fn every_legal_value_is_read_and_said_as_it_is_written() {
     let mut n_values = 0;
     for (n, decision) in DECISIONS.iter().enumerate() {
         let values: Vec<String> = match decision.legal {
-            Legal::Effects => ["[]", "[\"shadows\"]", "[\"shadows\", \"reflection\"]"].map(str::to_owned).to_vec(),
+            Legal::Effects => {
+                ["[]", "[\"shadows\"]", "[\"shadows\", \"reflection\"]"].map(str::to_owned).to_vec()
+            }
             Legal::OneOf(values) => values.iter().map(|(value, _)| (*value).to_owned()).collect(),
-            Legal::Range { least, most, lecture } => [least, most, lecture].map(|value| format!("{value:e}")).to_vec(),
+            Legal::Range { least, most, lecture } => {
+                [least, most, lecture].map(|value| format!("{value:e}")).to_vec()
+            }
         };
         for value in values {
             let course = parse(&format!("{} = {value}", decision.key));
             assert_eq!(course.written()[n], value, "{}", decision.key);
-            let n_changed =
-                course.written().iter().zip(Course::default().written()).filter(|(new, old)| *new != old).count();
-            assert_eq!(n_changed, usize::from(value != decision.legal.lecture()), "{} = {value}", decision.key);
+            let n_changed = course
+                .written()
+                .iter()
+                .zip(Course::default().written())
+                .filter(|(new, old)| *new != old)
+                .count();
+            assert_eq!(
+                n_changed,
+                usize::from(value != decision.legal.lecture()),
+                "{} = {value}",
+                decision.key
+            );
             n_values += 1;
         }
     }
@@ -45,7 +59,11 @@ fn every_legal_value_is_read_and_said_as_it_is_written() {
 #[test]
 fn what_no_course_decides_is_refused_with_its_place_and_a_way_out() {
     let table = [
-        ("highlight = \"pong\"", (1, 13), "did you mean `\"phong\"`? legal values are `\"blinn\"` and `\"phong\"`"),
+        (
+            "highlight = \"pong\"",
+            (1, 13),
+            "did you mean `\"phong\"`? legal values are `\"blinn\"` and `\"phong\"`",
+        ),
         ("\ndepht = \"<=\"", (2, 1), "did you mean `depth`?"),
         ("gamma = 2.2", (1, 1), "its keys are `pixel`, `row_0`"),
         ("index_of_air = 1.3", (1, 16), "`index_of_air` cannot be 1.3"),
@@ -76,7 +94,9 @@ fn the_course_of_a_case_lies_in_the_folder_of_its_stages_or_beside_it() {
         std::fs::write(stage.join(name), "").unwrap();
     }
     let (stages, case) = (folder.path().join("mine/stages"), stage.join("card.toml"));
-    let depths = || [course::course_of(&stages), course::course_at(&case)].map(|course| course.unwrap().depth);
+    let depths = || {
+        [course::course_of(&stages), course::course_at(&case)].map(|course| course.unwrap().depth)
+    };
     assert_eq!(depths(), [DepthTest::Less; 2], "the lecture, where no file is");
     let file = folder.path().join("mine/course.toml");
     std::fs::write(&file, "depth = \"<=\"").unwrap();
@@ -88,7 +108,11 @@ fn the_course_of_a_case_lies_in_the_folder_of_its_stages_or_beside_it() {
     std::fs::remove_file(&inside).unwrap();
     let elsewhere = folder.path().join("mine/scene.toml");
     std::fs::write(&elsewhere, "").unwrap();
-    assert_eq!(course::course_at(&elsewhere).unwrap(), Course::default(), "a scene outside any stage");
+    assert_eq!(
+        course::course_at(&elsewhere).unwrap(),
+        Course::default(),
+        "a scene outside any stage"
+    );
     std::fs::write(&file, "depth = \"<<\"").unwrap();
     assert!(course::course_of(&stages).unwrap_err().to_string().contains("mine/course.toml:1:9"));
 }

@@ -1,4 +1,5 @@
-//! `docs/scene-format.md` says what the types say. `UPDATE_EXPECTED=1` writes it anew (and fails, as it then tests nothing).
+//! `docs/scene-format.md` says what the types say. `UPDATE_EXPECTED=1` writes it anew (and fails,
+//! as it then tests nothing).
 
 use std::path::Path;
 
@@ -13,13 +14,18 @@ fn the_scene_format_is_current() {
         std::fs::write(&path, made).unwrap();
         panic!("written; read it, then run without UPDATE_EXPECTED");
     }
-    assert_eq!(std::fs::read_to_string(path).unwrap(), made, "run with UPDATE_EXPECTED=1 to write it anew");
+    assert_eq!(
+        std::fs::read_to_string(path).unwrap(),
+        made,
+        "run with UPDATE_EXPECTED=1 to write it anew"
+    );
 }
 
 #[test]
 fn the_handout_is_that_of_the_committed_course() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let course = cases::course::load(&folder.join("course.toml")).unwrap_or_else(|problems| panic!("{problems}"));
+    let course = cases::course::load(&folder.join("course.toml"))
+        .unwrap_or_else(|problems| panic!("{problems}"));
     let page = std::fs::read_to_string(folder.join("../docs/course.md")).unwrap();
     assert_eq!(page, cases::course::markdown(&course), "run `reference course > docs/course.md`");
 }
@@ -37,10 +43,18 @@ fn the_example_of_the_scene_format_is_a_scene() {
 /// Every property of every table is described, and every required key is a property.
 #[test]
 fn schemas_are_whole() {
-    use cases::schema::{case_schema, course_schema, probe_schema, scene_file_schema, scene_schema, stage_schema};
+    use cases::schema::{
+        case_schema, course_schema, probe_schema, scene_file_schema, scene_schema, stage_schema,
+    };
     let (mut n_properties, draft) = (0, "http://json-schema.org/draft-07/schema#");
-    for schema in [case_schema(), course_schema(), scene_file_schema(), stage_schema(), scene_schema(), probe_schema()]
-    {
+    for schema in [
+        case_schema(),
+        course_schema(),
+        scene_file_schema(),
+        stage_schema(),
+        scene_schema(),
+        probe_schema(),
+    ] {
         assert_eq!(schema["$schema"], draft);
         walk(&schema, &mut |table| {
             let Some(properties) = table["properties"].as_object() else { return };

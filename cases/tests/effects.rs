@@ -5,8 +5,10 @@ use std::path::Path;
 use cases::effects::{self, Effect};
 use cases::scene;
 
-const HEAD: &str = "[scene]\ncamera = { eye = [0, 0, 4], look_at = [0, 0, 0], up = [0, 1, 0], fov_y_deg = 40 }\n\
-    materials = { chalk = { kd = [1, 1, 1] }, glass = { kt = [0, 1, 0], index = 1.5 }, tin = { kr = [0, 0, 0.1] } }\n";
+const HEAD: &str = "[scene]\ncamera = { eye = [0, 0, 4], look_at = [0, 0, 0], up = [0, 1, 0], \
+    fov_y_deg = 40 }\n\
+    materials = { chalk = { kd = [1, 1, 1] }, glass = { kt = [0, 1, 0], index = 1.5 }, tin = { kr \
+    = [0, 0, 0.1] } }\n";
 const LAMP: &str = "lights = [{ point = { position = [0, 3, 0], colour = [1, 1, 1] } }]";
 const BALL: &str = "objects = [{ sphere = {}, material = \"chalk\" }]";
 
@@ -14,9 +16,15 @@ fn check(effect: Effect, render: &str, body: &str, called_for: bool, because: &s
     let text = format!("render = {{ size = [1, 1]{render} }}\n{HEAD}{body}\n");
     let scene = scene::parse("test", &text, Path::new(""), &cases::Course::default())
         .unwrap_or_else(|problems| panic!("{problems}"));
-    let reason =
-        effects::reasons(&scene, &cases::Course::default()).into_iter().find(|reason| reason.effect == effect).unwrap();
-    assert_eq!((reason.called_for, reason.because.as_str()), (called_for, because), "{effect}: {body}");
+    let reason = effects::reasons(&scene, &cases::Course::default())
+        .into_iter()
+        .find(|reason| reason.effect == effect)
+        .unwrap();
+    assert_eq!(
+        (reason.called_for, reason.because.as_str()),
+        (called_for, because),
+        "{effect}: {body}"
+    );
     assert_eq!(scene.effects.has(effect), called_for, "{effect}: {body}");
 }
 
@@ -24,11 +32,16 @@ fn check(effect: Effect, render: &str, body: &str, called_for: bool, because: &s
 fn every_effect_is_called_for_with_its_reason() {
     use Effect::*;
     let object = |object: &str| format!("{LAMP}\nobjects = [{object}]");
-    let two = object("{ sphere = {}, material = \"chalk\" }, { square = {}, material = \"chalk\" }");
-    let lone = |shape: &str, material: &str| object(&format!("{{ {shape}, material = \"{material}\" }}"));
+    let two =
+        object("{ sphere = {}, material = \"chalk\" }, { square = {}, material = \"chalk\" }");
+    let lone =
+        |shape: &str, material: &str| object(&format!("{{ {shape}, material = \"{material}\" }}"));
     let triangle = "vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles = [[0, 1, 2]]";
     let flat = lone(&format!("mesh = {{ {triangle} }}"), "chalk");
-    let smooth = lone(&format!("mesh = {{ {triangle}, normals = [[0, 0, 1], [0, 0, 1], [0, 0, 1]] }}"), "chalk");
+    let smooth = lone(
+        &format!("mesh = {{ {triangle}, normals = [[0, 0, 1], [0, 0, 1], [0, 0, 1]] }}"),
+        "chalk",
+    );
     let around_eye = lone("sphere = { radius = 9 }", "chalk");
     let weak = LAMP.replace(" } }]", ", attenuation = { linear = 1 } } }]");
     let black = weak.replace("[1, 1, 1]", "[0, 0, 0], ambient = [1, 1, 1]");
@@ -36,7 +49,13 @@ fn every_effect_is_called_for_with_its_reason() {
     let table: &[(Effect, &str, &str, bool, &str)] = &[
         (Shadows, "", BALL, false, "no light shines"),
         (Shadows, "", LAMP, false, "there is no object"),
-        (Shadows, "", &lone("sphere = {}", "chalk"), false, "objects[0] is alone and cannot shadow itself"),
+        (
+            Shadows,
+            "",
+            &lone("sphere = {}", "chalk"),
+            false,
+            "objects[0] is alone and cannot shadow itself",
+        ),
         (
             Shadows,
             "",
@@ -51,7 +70,13 @@ fn every_effect_is_called_for_with_its_reason() {
         (Shadows, "", &two, true, "one object can hide a light from another"),
         (TintedShadows, "", &two, false, "no object's material has kt > 0"),
         (TintedShadows, "", BALL, false, "no light shines"),
-        (TintedShadows, "", &two.replacen("chalk", "glass", 1), true, "material \"glass\" has kt > 0"),
+        (
+            TintedShadows,
+            "",
+            &two.replacen("chalk", "glass", 1),
+            true,
+            "material \"glass\" has kt > 0",
+        ),
         (Reflection, "", &lone("sphere = {}", "tin"), false, "render.max_depth is 0"),
         (Reflection, deep, &lone("sphere = {}", "chalk"), false, "no object's material has kr > 0"),
         (Reflection, deep, &lone("sphere = {}", "tin"), true, "material \"tin\" has kr > 0"),
@@ -100,7 +125,11 @@ fn names_and_sets_agree() {
         assert_eq!(Effect::from_name(effect.name()), Some(effect));
         assert_eq!(serde_json::to_value(effect).unwrap(), effect.name());
         let all = cases::Effects::all();
-        assert!(all.has(effect) && !all.without(effect).has(effect) && all.without(effect).with(effect) == all);
+        assert!(
+            all.has(effect)
+                && !all.without(effect).has(effect)
+                && all.without(effect).with(effect) == all
+        );
     }
     assert_eq!(Effect::from_name("caustics"), None);
 }

@@ -8,8 +8,8 @@ use cases::film::exr::{Depth, Part, Plane, encode, rgb};
 use cases::film::{Image, Rows, WORDS_IN_BYTE, byte};
 use exr::meta::attribute::IntegerBounds;
 use exr::prelude::{
-    AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image as Exr, ImageAttributes, Layer, LayerAttributes,
-    SpecificChannels, WritableImage,
+    AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image as Exr, ImageAttributes,
+    Layer, LayerAttributes, SpecificChannels, WritableImage,
 };
 use glam::DVec3;
 
@@ -17,7 +17,9 @@ const SIZE: (u32, u32) = (5, 3);
 
 /// Makes a picture with light below 0 and above 1. Swapping two axes or channels would change it.
 fn picture() -> Image {
-    Image::from_fn(5, 3, |i, j| DVec3::new(f64::from(i) / 4.0 - 0.5, f64::from(j), f64::from(i + 5 * j) / 16.0))
+    Image::from_fn(5, 3, |i, j| {
+        DVec3::new(f64::from(i) / 4.0 - 0.5, f64::from(j), f64::from(i + 5 * j) / 16.0)
+    })
 }
 
 /// Reads all samples of the picture in 16-bit levels.
@@ -34,15 +36,26 @@ fn words(bytes: &[u8]) -> Result<Vec<f64>, String> {
 #[test]
 fn a_rendered_file_is_read_as_it_was_written() {
     let part = |name: &str, planes: Vec<Plane>| Part { name: name.to_owned(), planes };
-    let expected: Vec<f64> =
-        picture().pixels().iter().flat_map(|pixel| pixel.to_array().map(|light| light * 65535.0)).collect();
+    let expected: Vec<f64> = picture()
+        .pixels()
+        .iter()
+        .flat_map(|pixel| pixel.to_array().map(|light| light * 65535.0))
+        .collect();
     for depth in [Depth::Float, Depth::Half] {
         let main = part("colour", rgb("", &picture(), depth).into());
         let other = part("other", rgb("", &Image::from_fn(5, 3, |_, _| DVec3::ONE), depth).into());
-        assert_eq!(words(&encode(SIZE, &[main, other], "").unwrap()).unwrap(), expected, "{depth:?}");
+        assert_eq!(
+            words(&encode(SIZE, &[main, other], "").unwrap()).unwrap(),
+            expected,
+            "{depth:?}"
+        );
     }
     let grey = part("grey", rgb("", &picture(), Depth::Float)[..2].to_vec());
-    assert!(words(&encode(SIZE, &[grey], "").unwrap()).unwrap_err().contains("its first part has no plane B"));
+    assert!(
+        words(&encode(SIZE, &[grey], "").unwrap())
+            .unwrap_err()
+            .contains("its first part has no plane B")
+    );
 }
 
 #[test]
@@ -53,15 +66,24 @@ fn a_stored_answer_counts_as_the_picture_that_it_expects() {
         .iter()
         .flat_map(|pixel| pixel.to_array().map(|light| f64::from(byte(light)) * WORDS_IN_BYTE))
         .collect();
-    assert_eq!(words(&answer.encode(&Digest::of_mistakes(&Course::default()), &[]).unwrap()).unwrap(), levels);
+    assert_eq!(
+        words(&answer.encode(&Digest::of_mistakes(&Course::default()), &[]).unwrap()).unwrap(),
+        levels
+    );
 }
 
 /// Makes a file of one layer at `at` in a picture of `shown` pixels, with the crate alone.
-fn file(at: (i32, i32), shown: (usize, usize), channel: fn(usize) -> FlatSamples, compression: Compression) -> Vec<u8> {
+fn file(
+    at: (i32, i32),
+    shown: (usize, usize),
+    channel: fn(usize) -> FlatSamples,
+    compression: Compression,
+) -> Vec<u8> {
     let channels = ["B", "G", "R"].map(|name| AnyChannel::new(name, channel(15)));
     let attributes = LayerAttributes { layer_position: at.into(), ..LayerAttributes::named("x") };
     let encoding = Encoding { compression, ..Encoding::FAST_LOSSLESS };
-    let layer = Layer::new((5, 3), attributes, encoding, AnyChannels::sort(channels.into_iter().collect()));
+    let layer =
+        Layer::new((5, 3), attributes, encoding, AnyChannels::sort(channels.into_iter().collect()));
     let picture = ImageAttributes::new(IntegerBounds::from_dimensions(shown));
     let mut bytes = vec![];
     let image = Exr { attributes: picture, layer_data: layer };
@@ -75,11 +97,20 @@ fn floats(n: usize) -> FlatSamples {
 
 #[test]
 fn files_of_other_programs_are_read_where_they_show_a_whole_picture() {
-    let lossless =
-        [Compression::Uncompressed, Compression::RLE, Compression::ZIP1, Compression::ZIP16, Compression::PIZ];
+    let lossless = [
+        Compression::Uncompressed,
+        Compression::RLE,
+        Compression::ZIP1,
+        Compression::ZIP16,
+        Compression::PIZ,
+    ];
     let expected: Vec<f64> = (0..45).map(|n| f64::from(n / 3) / 8.0 * 65535.0).collect();
     for compression in lossless {
-        assert_eq!(words(&file((0, 0), (5, 3), floats, compression)).unwrap(), expected, "{compression:?}");
+        assert_eq!(
+            words(&file((0, 0), (5, 3), floats, compression)).unwrap(),
+            expected,
+            "{compression:?}"
+        );
     }
     for (what, bytes, says) in [
         ("moved", file((1, 0), (5, 3), floats, Compression::ZIP1), "it is a part of a picture"),
@@ -96,7 +127,8 @@ fn files_of_other_programs_are_read_where_they_show_a_whole_picture() {
     }
 }
 
-/// The decoder panics at this file, a stored answer of 7 × 5 pixels in which some bytes were changed.
+/// The decoder panics at this file, a stored answer of 7 × 5 pixels in which some bytes were
+/// changed.
 #[test]
 fn a_file_whose_blocks_do_not_fit_is_damaged() {
     let bytes = include_bytes!("pictures/short_blocks.exr");

@@ -30,7 +30,8 @@ impl Home {
     /// Returns the names in the folder, which would include parts that stayed behind.
     fn names(&self) -> Vec<String> {
         let entries = fs::read_dir(self.0.path()).unwrap();
-        let mut names: Vec<String> = entries.map(|one| one.unwrap().file_name().into_string().unwrap()).collect();
+        let mut names: Vec<String> =
+            entries.map(|one| one.unwrap().file_name().into_string().unwrap()).collect();
         names.sort();
         names
     }
@@ -50,7 +51,11 @@ fn a_file_is_made_or_replaced_and_keeps_its_permissions() {
     let after = fs::metadata(home.at("old")).unwrap();
     assert_eq!((home.text("old"), home.text("made")), ("new".to_owned(), "made".to_owned()));
     assert_eq!(after.mode() & 0o777, 0o640);
-    assert_ne!(after.ino(), before.ino(), "the old file was written over, so that a reader sees a part");
+    assert_ne!(
+        after.ino(),
+        before.ino(),
+        "the old file was written over, so that a reader sees a part"
+    );
     assert_eq!(home.names(), ["made", "old"]);
 }
 
@@ -62,7 +67,10 @@ fn a_link_is_followed_and_stays() {
     symlink("nothing_yet", home.at("dangling")).unwrap();
     write(&home.at("two"), b"by two links").unwrap();
     write(&home.at("dangling"), b"made").unwrap();
-    assert_eq!((home.text("old"), home.text("nothing_yet")), ("by two links".to_owned(), "made".to_owned()));
+    assert_eq!(
+        (home.text("old"), home.text("nothing_yet")),
+        ("by two links".to_owned(), "made".to_owned())
+    );
     for link in ["one", "two", "dangling"] {
         assert!(fs::symlink_metadata(home.at(link)).unwrap().is_symlink(), "{link} was replaced");
     }
@@ -107,7 +115,11 @@ fn a_name_that_can_be_no_file_is_an_error_of_usage() {
     ] {
         check_refused(&home, name, says);
     }
-    assert_refused(&home.at("pipe"), &write(&home.at("pipe"), b"new").unwrap_err(), "nobody reads from this pipe");
+    assert_refused(
+        &home.at("pipe"),
+        &write(&home.at("pipe"), b"new").unwrap_err(),
+        "nobody reads from this pipe",
+    );
     assert!(fs::symlink_metadata(home.at("pipe")).unwrap().file_type().is_fifo());
     let own = std::env::current_exe().unwrap();
     assert_eq!(write(&own, b"").unwrap_err().source.kind(), ErrorKind::ExecutableFileBusy);
@@ -117,7 +129,10 @@ fn a_name_that_can_be_no_file_is_an_error_of_usage() {
 fn what_is_no_regular_file_is_written_to_and_stays() {
     for (device, fails) in [("/dev/null", false), ("/dev/full", true)] {
         let written = write(Path::new(device), b"x");
-        assert!(fs::metadata(device).unwrap().file_type().is_char_device(), "{device} was replaced");
+        assert!(
+            fs::metadata(device).unwrap().file_type().is_char_device(),
+            "{device} was replaced"
+        );
         assert_eq!(written.is_err(), fails, "{device}");
         if let Err(why) = written {
             assert_eq!((why.source.kind(), why.is_usage()), (ErrorKind::StorageFull, false));
@@ -145,11 +160,20 @@ fn an_open_descriptor_is_written_to_where_it_stands() {
     let before = fs::metadata(home.at("old")).unwrap().ino();
     write(&name, b", new").unwrap();
     write(&home.at("link"), b", newer").unwrap();
-    assert_eq!((home.text("old"), fs::metadata(home.at("old")).unwrap().ino()), ("old, new, newer".to_owned(), before));
+    assert_eq!(
+        (home.text("old"), fs::metadata(home.at("old")).unwrap().ino()),
+        ("old, new, newer".to_owned(), before)
+    );
     assert!(is_stream(&name) && !is_stdout(&name) && !is_stream(&home.at("old")));
     // /dev/stdout is such a link.
     symlink("/proc/self/fd/1", home.at("stdout")).unwrap();
-    for name in ["-", "/dev/fd/1", "/proc/self/fd/1", "/proc/thread-self/fd/1", home.at("stdout").to_str().unwrap()] {
+    for name in [
+        "-",
+        "/dev/fd/1",
+        "/proc/self/fd/1",
+        "/proc/thread-self/fd/1",
+        home.at("stdout").to_str().unwrap(),
+    ] {
         assert!(is_stdout(Path::new(name)) && is_stream(Path::new(name)), "{name}");
     }
     assert_eq!(Place::of(Path::new("/dev/fd/0")).unwrap(), Place::Descriptor(0));

@@ -1,11 +1,14 @@
-//! Image files: what is written can be read, and what is no picture of the size asked for is refused with a reason.
+//! Image files: what is written can be read, and what is no picture of the size asked for is
+//! refused with a reason.
 
 use cases::film::{Image, Kind, PictureError, Quantiser, byte, encode, level, read_exact};
 use glam::DVec3;
 
 /// A picture that no two axes or channels can be swapped in unseen.
 fn picture() -> Image {
-    Image::from_fn(5, 3, |i, j| DVec3::new(f64::from(i) / 4.0, f64::from(j) / 2.0, f64::from(i + 5 * j) / 14.0))
+    Image::from_fn(5, 3, |i, j| {
+        DVec3::new(f64::from(i) / 4.0, f64::from(j) / 2.0, f64::from(i + 5 * j) / 14.0)
+    })
 }
 
 /// Largest error of a channel after a trip through a file of that kind.
@@ -18,8 +21,11 @@ fn trip(kind: Kind) -> f64 {
 
 #[test]
 fn what_is_written_is_read() {
-    for (kind, most) in [(Kind::Png, 0.5 / 255.0), (Kind::DeepPng, 0.5 / 65535.0), (Kind::Pfm, f64::from(f32::EPSILON))]
-    {
+    for (kind, most) in [
+        (Kind::Png, 0.5 / 255.0),
+        (Kind::DeepPng, 0.5 / 65535.0),
+        (Kind::Pfm, f64::from(f32::EPSILON)),
+    ] {
         let error = trip(kind);
         assert!(error <= most * 1.000_001, "{kind:?}: {error}");
     }
@@ -28,16 +34,25 @@ fn what_is_written_is_read() {
 
 #[test]
 fn light_is_quantised_by_rounding_and_clamping() {
-    for (light, level) in
-        [(0.0, 0), (1.0, 255), (0.5, 128), (0.498, 127), (-3.0, 0), (7.0, 255), (f64::NAN, 0), (f64::INFINITY, 255)]
-    {
+    for (light, level) in [
+        (0.0, 0),
+        (1.0, 255),
+        (0.5, 128),
+        (0.498, 127),
+        (-3.0, 0),
+        (7.0, 255),
+        (f64::NAN, 0),
+        (f64::INFINITY, 255),
+    ] {
         assert_eq!(byte(light), level, "{light}");
     }
     let word = |light| Quantiser::Rounding.word(light);
     assert_eq!((word(0.5), word(2.0), word(f64::NAN)), (32768, 65535, 0));
     assert_eq!((level(0.5), level(2.0), level(-1.0)), (127.5, 255.0, 0.0));
     assert!(level(f64::NAN).is_nan());
-    for (light, below) in [(0.0, 0), (1.0, 255), (0.5, 127), (0.999, 254), (-3.0, 0), (7.0, 255), (f64::NAN, 0)] {
+    for (light, below) in
+        [(0.0, 0), (1.0, 255), (0.5, 127), (0.999, 254), (-3.0, 0), (7.0, 255), (f64::NAN, 0)]
+    {
         assert_eq!(Quantiser::Truncating.byte(light), below, "{light} truncated");
     }
     assert_eq!(Quantiser::Truncating.word(0.5), 32767);
@@ -69,7 +84,10 @@ fn what_is_no_picture_of_that_size_is_refused() {
         (b"II*\0".to_vec(), "bytes of a TIFF"),
         (b"RIFF....WEBP".to_vec(), "bytes of a WebP"),
         (b"#?RADIANCE".to_vec(), "Radiance"),
-        (b"\x76\x2f\x31\x01".to_vec(), "not a PNG or PFM image: these are the bytes of an OpenEXR file"),
+        (
+            b"\x76\x2f\x31\x01".to_vec(),
+            "not a PNG or PFM image: these are the bytes of an OpenEXR file",
+        ),
         (vec![1, 2, 3], "no known kind"),
         (png[..png.len() / 2].to_vec(), "ends early"),
         (png[..8].to_vec(), "ends early"),
@@ -93,7 +111,10 @@ fn what_is_no_picture_of_that_size_is_refused() {
         let said = refusal(&bytes);
         assert!(said.contains(says), "{said:?} does not say {says:?}");
     }
-    assert!(matches!(read_exact(&png, 3, 5), Err(PictureError::Size { found: (5, 3), wanted: (3, 5) })));
+    assert!(matches!(
+        read_exact(&png, 3, 5),
+        Err(PictureError::Size { found: (5, 3), wanted: (3, 5) })
+    ));
 }
 
 #[test]
@@ -115,7 +136,11 @@ fn a_header_of_any_line_end_is_read_alike() {
     // The light may begin with what looks like a line end.
     let mut bytes = pfm("PF\n5 3\n-1.0\r", 180);
     bytes[13] = b'\n';
-    assert_eq!(read_exact(&bytes, 5, 3).unwrap().pixel(0, 2).y, plain.pixel(0, 2).y, "shifted by a byte");
+    assert_eq!(
+        read_exact(&bytes, 5, 3).unwrap().pixel(0, 2).y,
+        plain.pixel(0, 2).y,
+        "shifted by a byte"
+    );
     // The sign of the scale says the order of bytes: here 1.0 in big-endian floats, grey.
     let grey = [&b"Pf\n2 1\n+1.0\n"[..], &1.0f32.to_be_bytes(), &0.5f32.to_be_bytes()].concat();
     assert_eq!(read_exact(&grey, 2, 1).unwrap().pixels(), [DVec3::ONE, DVec3::splat(0.5)]);
@@ -134,16 +159,29 @@ fn a_byte_too_many_or_too_few_names_the_likely_cause() {
     }
     // A program on Windows that opens a file as text writes CR LF for the bytes 10 and 137.
     let header = "PF\r\n5 3\r\n-1.0\r\n";
-    let light = pfm("", 180).into_iter().flat_map(|byte| if byte == b'\n' { vec![b'\r', b'\n'] } else { vec![byte] });
+    let light = pfm("", 180)
+        .into_iter()
+        .flat_map(|byte| if byte == b'\n' { vec![b'\r', b'\n'] } else { vec![byte] });
     let text: Vec<u8> = header.bytes().chain(light).collect();
-    assert!(refusal(&text).contains("2 too many; every line end in it is CR LF"), "{}", refusal(&text));
+    assert!(
+        refusal(&text).contains("2 too many; every line end in it is CR LF"),
+        "{}",
+        refusal(&text)
+    );
 }
 
 #[test]
 fn a_picture_without_pixels_is_an_error() {
     for (width, height) in [(0, 0), (0, 5), (5, 0)] {
         let header = format!("PF\n{width} {height}\n-1.0\n");
-        let png = [b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR", &[0; 3][..], &[width as u8], &[0; 3], &[height as u8]].concat();
+        let png = [
+            b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR",
+            &[0; 3][..],
+            &[width as u8],
+            &[0; 3],
+            &[height as u8],
+        ]
+        .concat();
         for bytes in [header.as_bytes(), &png] {
             assert!(refusal(bytes).contains("not 5×3"), "{}", refusal(bytes));
             let exact = read_exact(bytes, width, height).unwrap_err().to_string();
@@ -168,9 +206,12 @@ fn a_float_map_keeps_what_is_no_number_for_the_judge_to_see() {
 #[test]
 fn stored_pictures_are_encoded_as_they_are_stored() {
     let stages = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("stages");
-    let list = |folder: &std::path::Path| std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let list = |folder: &std::path::Path| {
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path())
+    };
     let files = list(&stages).filter(|path| path.is_dir()).flat_map(|stage| list(&stage));
-    let pngs: Vec<_> = files.filter(|path| path.to_string_lossy().ends_with(".expected.png")).collect();
+    let pngs: Vec<_> =
+        files.filter(|path| path.to_string_lossy().ends_with(".expected.png")).collect();
     for path in &pngs {
         let bytes = std::fs::read(path).unwrap();
         let side = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap());
@@ -183,5 +224,8 @@ fn stored_pictures_are_encoded_as_they_are_stored() {
 #[test]
 fn a_name_with_another_ending_is_not_written() {
     let why = cases::film::write(std::path::Path::new("picture.bmp"), &picture()).unwrap_err();
-    assert_eq!(why.to_string(), "cannot write picture.bmp: the name must end in .png or .pfm; nothing was changed");
+    assert_eq!(
+        why.to_string(),
+        "cannot write picture.bmp: the name must end in .png or .pfm; nothing was changed"
+    );
 }

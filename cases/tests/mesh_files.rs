@@ -42,7 +42,8 @@ fn report(path: &Path) -> String {
     match read(path) {
         Ok(mesh) => {
             let vectors = |text: &mut String, letters: &str, list: &[DVec3]| {
-                list.iter().for_each(|v| writeln!(text, "  {letters} {} {} {}", v.x, v.y, v.z).unwrap());
+                list.iter()
+                    .for_each(|v| writeln!(text, "  {letters} {} {} {}", v.x, v.y, v.z).unwrap());
             };
             vectors(&mut text, "v", &mesh.vertices);
             vectors(&mut text, "n", mesh.normals.as_deref().unwrap_or_default());
@@ -50,8 +51,10 @@ fn report(path: &Path) -> String {
         }
         Err(problems) => {
             for problem in problems.iter() {
-                let label = problem.label.replace(&format!("{}/", path.parent().unwrap().display()), "");
-                writeln!(text, "  {label}\n  = {}", problem.help.as_deref().unwrap_or_default()).unwrap();
+                let label =
+                    problem.label.replace(&format!("{}/", path.parent().unwrap().display()), "");
+                writeln!(text, "  {label}\n  = {}", problem.help.as_deref().unwrap_or_default())
+                    .unwrap();
             }
         }
     }
@@ -71,7 +74,8 @@ fn files(name: &str) -> Vec<PathBuf> {
 /// the environment the text is written again, and the test fails, so that somebody reads it.
 fn check(name: &str) {
     let name_of = |path: &Path| path.file_name().unwrap().to_str().unwrap().to_owned();
-    let found: String = files(name).iter().map(|path| format!("{}\n{}", name_of(path), report(path))).collect();
+    let found: String =
+        files(name).iter().map(|path| format!("{}\n{}", name_of(path), report(path))).collect();
     let beside = folder().join(format!("{name}.expected"));
     if std::env::var_os("UPDATE_EXPECTED").is_some() {
         std::fs::write(&beside, &found).unwrap();
@@ -114,7 +118,11 @@ fn messages_are_short() {
         let problem = problems.iter().next().unwrap();
         let label = problem.label.replace(&format!("{}/", path.parent().unwrap().display()), "");
         let help = problem.help.as_deref().unwrap_or_default();
-        assert!(label.chars().count() < 220 && help.chars().count() < 220, "{}: {label}", path.display());
+        assert!(
+            label.chars().count() < 220 && help.chars().count() < 220,
+            "{}: {label}",
+            path.display()
+        );
         assert!(!help.is_empty() && !label.contains(char::is_control), "{}", path.display());
     }
 }
@@ -122,10 +130,14 @@ fn messages_are_short() {
 /// Four corners with normals, and what no mesh needs: a colour, an element of other things in
 /// between, another list.
 fn header(encoding: &str, number: &str, index: &str) -> String {
-    let numbers = ["x", "y", "red", "z", "nx", "ny", "nz"].map(|name| format!("property {number} {name}\n")).concat();
+    let numbers = ["x", "y", "red", "z", "nx", "ny", "nz"]
+        .map(|name| format!("property {number} {name}\n"))
+        .concat();
     format!(
-        "ply\nformat {encoding} 1.0\nelement vertex 4\n{numbers}element edge 1\nproperty list uchar short ends\n\
-         element face 2\nproperty uchar flag\nproperty list uchar {index} vertex_indices\nend_header\n"
+        "ply\nformat {encoding} 1.0\nelement vertex 4\n{numbers}element edge 1\n\
+            property list uchar short ends\n\
+         element face 2\nproperty uchar flag\nproperty list uchar {index} vertex_indices\n\
+         end_header\n"
     )
 }
 
@@ -138,7 +150,8 @@ const VERTICES: [[f32; 7]; 4] = [
 const FACES: [[u8; 3]; 2] = [[0, 1, 2], [1, 3, 2]];
 
 fn text() -> Vec<u8> {
-    let lines = VERTICES.map(|vertex| vertex.map(|number| format!("{number} ")).concat() + "\n").concat();
+    let lines =
+        VERTICES.map(|vertex| vertex.map(|number| format!("{number} ")).concat() + "\n").concat();
     let faces = FACES.map(|[a, b, c]| format!("7 3 {a} {b} {c}\n")).concat();
     format!("{}{lines}2 0 1\n{faces}", header("ascii", "float", "int")).into_bytes()
 }
@@ -174,14 +187,19 @@ fn every_encoding_gives_the_same_mesh() {
         ("doubles", binary(&little("double", "uint"), |x| f64::from(x).to_le_bytes(), short, int)),
         (
             "short indices",
-            binary(&little("float32", "ushort"), f32::to_le_bytes, short, |i| u16::from(i).to_le_bytes()),
+            binary(&little("float32", "ushort"), f32::to_le_bytes, short, |i| {
+                u16::from(i).to_le_bytes()
+            }),
         ),
         ("bytes as indices", binary(&little("float", "uchar"), f32::to_le_bytes, short, |i| [i])),
         (
             "big end first",
-            binary(&header("binary_big_endian", "float", "int"), f32::to_be_bytes, u16::to_be_bytes, |i| {
-                i32::from(i).to_be_bytes()
-            }),
+            binary(
+                &header("binary_big_endian", "float", "int"),
+                f32::to_be_bytes,
+                u16::to_be_bytes,
+                |i| i32::from(i).to_be_bytes(),
+            ),
         ),
     ] {
         assert_eq!(load(&bytes), Ok(mesh.clone()), "{what}");
@@ -190,10 +208,14 @@ fn every_encoding_gives_the_same_mesh() {
 
 #[test]
 fn no_digit_of_a_whole_number_is_lost() {
-    for (kind, number) in [("int", -16_777_217.0), ("uint", 4_294_967_295.0), ("short", -32_768.0), ("double", 0.1)] {
+    for (kind, number) in
+        [("int", -16_777_217.0), ("uint", 4_294_967_295.0), ("short", -32_768.0), ("double", 0.1)]
+    {
         let text = format!(
-            "ply\nformat ascii 1.0\nelement vertex 3\nproperty {kind} x\nproperty int y\nproperty int z\n\
-             element face 1\nproperty list uchar int vertex_indices\nend_header\n{number} 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty {kind} x\nproperty int y\n\
+                property int z\n\
+             element face 1\nproperty list uchar int vertex_indices\nend_header\n{number} 0 0\n\
+             1 0 0\n0 1 0\n3 0 1 2\n"
         );
         assert_eq!(load(text.as_bytes()).unwrap().vertices[0].x, number, "{kind}");
     }

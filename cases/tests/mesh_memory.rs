@@ -19,7 +19,9 @@ fn read(folder: &Path, name: &str, bytes: &[u8]) -> Option<Mesh> {
          camera = {{ eye = [0, 0, 4], look_at = [0, 0, 0], up = [0, 1, 0], fov_y_deg = 40 }}\n\
          objects = [{{ mesh = {{ file = \"{name}\" }}, material = \"m\" }}]\n"
     );
-    scene::parse("test", &text, folder, &cases::Course::default()).ok().map(|mut scene| scene.meshes.remove(0))
+    scene::parse("test", &text, folder, &cases::Course::default())
+        .ok()
+        .map(|mut scene| scene.meshes.remove(0))
 }
 
 const BYTES: usize = 1 << 20;
@@ -35,7 +37,8 @@ fn repeated(head: &str, part: &str) -> Vec<u8> {
 
 fn ply(encoding: &str, n_vertices: usize, kind: &str, n_faces: usize) -> String {
     format!(
-        "ply\nformat {encoding} 1.0\nelement vertex {n_vertices}\nproperty {kind} x\nproperty {kind} y\nproperty {kind} z\n\
+        "ply\nformat {encoding} 1.0\nelement vertex {n_vertices}\nproperty {kind} x\n\
+            property {kind} y\nproperty {kind} z\n\
          element face {n_faces}\nproperty list uchar uchar vertex_index\nend_header\n"
     )
 }
@@ -66,11 +69,27 @@ fn memory_is_in_proportion_to_the_file() {
         ("corners.obj", repeated("v 0 0 0\nv 1 0 0\nf", " 1 2"), false),
         ("comb.obj", comb(), true),
         ("comment.ply", repeated("ply\ncomment", " a"), false),
-        ("properties.ply", repeated("ply\nformat ascii 1.0\nelement a 1\n", "property char a\n"), false),
+        (
+            "properties.ply",
+            repeated("ply\nformat ascii 1.0\nelement a 1\n", "property char a\n"),
+            false,
+        ),
         ("elements.ply", repeated("ply\nformat ascii 1.0\n", "element a 1\n"), false),
-        ("bytes.ply", repeated(&ply("binary_little_endian", vertices - 200, "uchar", 1), "\x03"), false),
-        ("faces.ply", repeated(&ply("binary_big_endian", 4, "char", BYTES / 4 - 200), "\x03\x01\x02\x03"), false),
-        ("promises.ply", repeated(&ply("binary_big_endian", 4, "char", 1 << 60), "\x03\x01\x02\x03"), false),
+        (
+            "bytes.ply",
+            repeated(&ply("binary_little_endian", vertices - 200, "uchar", 1), "\x03"),
+            false,
+        ),
+        (
+            "faces.ply",
+            repeated(&ply("binary_big_endian", 4, "char", BYTES / 4 - 200), "\x03\x01\x02\x03"),
+            false,
+        ),
+        (
+            "promises.ply",
+            repeated(&ply("binary_big_endian", 4, "char", 1 << 60), "\x03\x01\x02\x03"),
+            false,
+        ),
         ("lists.ply", repeated(&ply("ascii", 0, "char", BYTES), "0 "), false),
         ("words.ply", repeated(&ply("ascii", BYTES / 6, "uchar", 1), "0 "), false),
     ];

@@ -67,7 +67,8 @@ const SCRAPS: [&[u8]; 40] = [
 fn mutated(bytes: &[u8], dice: &mut Dice) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
     if dice.below(3) == 0 {
-        let digits: Vec<usize> = (0..bytes.len()).filter(|at| bytes[*at].is_ascii_digit()).collect();
+        let digits: Vec<usize> =
+            (0..bytes.len()).filter(|at| bytes[*at].is_ascii_digit()).collect();
         bytes[digits[dice.below(digits.len())]] = b'0' + dice.below(10) as u8;
         return bytes;
     }
@@ -89,8 +90,12 @@ fn mutated(bytes: &[u8], dice: &mut Dice) -> Vec<u8> {
 
 /// Some bytes that resemble nothing, or one of the formats a little.
 fn arbitrary(dice: &mut Dice) -> Vec<u8> {
-    let start: &[u8] =
-        dice.pick(&[&b""[..], b"ply\nformat ascii 1.0\n", b"ply\nformat binary_big_endian 1.0\n", b"v 0 0 0\n"]);
+    let start: &[u8] = dice.pick(&[
+        &b""[..],
+        b"ply\nformat ascii 1.0\n",
+        b"ply\nformat binary_big_endian 1.0\n",
+        b"v 0 0 0\n",
+    ]);
     let rest = (0..dice.below(200)).flat_map(|_| match dice.below(3) {
         0 => vec![dice.below(256) as u8],
         1 => vec![b' ', b'0' + dice.below(10) as u8],
@@ -118,7 +123,10 @@ fn is_sound(mesh: &Mesh) -> bool {
     !mesh.triangles.is_empty()
         && mesh.vertices.iter().all(is_usable)
         && mesh.triangles.iter().flatten().all(|index| (*index as usize) < n)
-        && mesh.normals.as_ref().is_none_or(|normals| normals.len() == n && normals.iter().all(is_unit))
+        && mesh
+            .normals
+            .as_ref()
+            .is_none_or(|normals| normals.len() == n && normals.iter().all(is_unit))
 }
 
 /// Reads each of `n` files that `draw` makes, in every way, and demands a sound mesh or a problem
@@ -141,9 +149,14 @@ fn check(end: &str, n: usize, mut draw: impl FnMut(&mut Dice) -> Vec<u8>) -> [us
                 Err(problems) => {
                     counts[1] += 1;
                     let problem = problems.iter().next().unwrap();
-                    let text = format!("{}{}", problem.label, problem.help.as_deref().unwrap_or_default());
+                    let text =
+                        format!("{}{}", problem.label, problem.help.as_deref().unwrap_or_default());
                     let is_readable = text.len() < 900 && !text.contains(char::is_control);
-                    assert!(is_readable && problem.label.contains("mesh."), "{problem:?}\n{}", of_file());
+                    assert!(
+                        is_readable && problem.label.contains("mesh."),
+                        "{problem:?}\n{}",
+                        of_file()
+                    );
                 }
             }
         }
@@ -154,11 +167,17 @@ fn check(end: &str, n: usize, mut draw: impl FnMut(&mut Dice) -> Vec<u8>) -> [us
 /// The files of that format that can be read, small enough to be changed often.
 fn seeds(end: &str) -> Vec<Vec<u8>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/meshes");
-    let list = |name: &str| std::fs::read_dir(folder.join(name)).unwrap().map(|entry| entry.unwrap().path());
+    let list = |name: &str| {
+        std::fs::read_dir(folder.join(name)).unwrap().map(|entry| entry.unwrap().path())
+    };
     let mut paths: Vec<PathBuf> = ["same", "read"].iter().flat_map(|name| list(name)).collect();
     paths.retain(|path| path.extension().is_some_and(|of| of == end));
     paths.sort();
-    paths.iter().map(|path| std::fs::read(path).unwrap()).filter(|bytes| (1..4000).contains(&bytes.len())).collect()
+    paths
+        .iter()
+        .map(|path| std::fs::read(path).unwrap())
+        .filter(|bytes| (1..4000).contains(&bytes.len()))
+        .collect()
 }
 
 fn check_mutations(end: &str) {
@@ -168,7 +187,10 @@ fn check_mutations(end: &str) {
         let seed = dice.below(seeds.len());
         mutated(&seeds[seed], dice)
     });
-    assert!(n_read > 500 && n_refused > 500, "{n_read} read, {n_refused} refused: too wild, or too tame");
+    assert!(
+        n_read > 500 && n_refused > 500,
+        "{n_read} read, {n_refused} refused: too wild, or too tame"
+    );
 }
 
 #[test]

@@ -33,11 +33,13 @@ const SCRAPS: [&str; 16] = [
     "group = [{}]\n",
 ];
 
-/// `text` with a digit changed, or with one to four stretches replaced by scraps or by other stretches of itself.
+/// `text` with a digit changed, or with one to four stretches replaced by scraps or by other
+/// stretches of itself.
 fn mutated(text: &str, dice: &mut Dice) -> String {
     let mut bytes = text.as_bytes().to_vec();
     if dice.below(2) == 0 {
-        let digits: Vec<usize> = (0..bytes.len()).filter(|at| bytes[*at].is_ascii_digit()).collect();
+        let digits: Vec<usize> =
+            (0..bytes.len()).filter(|at| bytes[*at].is_ascii_digit()).collect();
         bytes[digits[dice.below(digits.len())]] = b'0' + dice.below(10) as u8;
         return String::from_utf8_lossy(&bytes).into_owned();
     }
@@ -56,7 +58,8 @@ fn mutated(text: &str, dice: &mut Dice) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// Reads 2,000 mutations; whatever is read must hold what a scene promises, whatever is refused must say why and where.
+/// Reads 2,000 mutations; whatever is read must hold what a scene promises, whatever is refused
+/// must say why and where.
 fn check(text: &str, read: impl Fn(&str) -> Result<cases::Scene, cases::problem::Problems>) {
     let (mut n_read, mut n_refused) = (0, 0);
     let mut dice = Dice(7);
@@ -89,8 +92,13 @@ fn mutated_scene_files_never_panic() {
 
 #[test]
 fn mutated_json_never_panics() {
-    let scene =
-        scene::parse("good", include_str!("good/everything.toml"), Path::new(""), &cases::Course::default()).unwrap();
+    let scene = scene::parse(
+        "good",
+        include_str!("good/everything.toml"),
+        Path::new(""),
+        &cases::Course::default(),
+    )
+    .unwrap();
     // Compact, so that changes hit numbers and keys rather than white space.
     let text = serde_json::to_string(&scene).unwrap();
     check(&text, |text| scene::parse_json("mutated", text));

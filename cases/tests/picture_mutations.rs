@@ -26,12 +26,15 @@ impl Dice {
 
 /// Returns a picture of each kind that can be read.
 fn good() -> Vec<(&'static str, Vec<u8>)> {
-    let image = Image::from_fn(SIZE.0, SIZE.1, |i, j| DVec3::new(f64::from(i * j) / 130.0, f64::from(i) / 12.0, 0.5));
+    let image = Image::from_fn(SIZE.0, SIZE.1, |i, j| {
+        DVec3::new(f64::from(i * j) / 130.0, f64::from(i) / 12.0, 0.5)
+    });
     let part = Part { name: "colour".to_owned(), planes: rgb("", &image, Depth::Float).into() };
     let mut interlaced = vec![];
     let mut info = png::Info::with_size(SIZE.0, SIZE.1);
     (info.color_type, info.interlaced) = (png::ColorType::Rgb, true);
-    let mut writer = png::Encoder::with_info(&mut interlaced, info).unwrap().write_header().unwrap();
+    let mut writer =
+        png::Encoder::with_info(&mut interlaced, info).unwrap().write_header().unwrap();
     // The stream is too short for seven passes, but it begins like one.
     writer.write_chunk(png::chunk::IDAT, b"\x78\x01\x01\x04\x00\xfb\xff\x00\x07\x07\x07").unwrap();
     writer.finish().unwrap();
@@ -84,8 +87,8 @@ fn crc(bytes: &[u8]) -> u32 {
 fn read(bytes: &[u8]) -> Result<(), PictureError> {
     let _ = most_bytes(&bytes[..bytes.len().min(4096)]);
     let exact = read_exact(bytes, SIZE.0, SIZE.1);
-    let rows =
-        Rows::open(Cursor::new(bytes)).and_then(|rows| (rows.size() == SIZE).then(|| rows.into_image()).transpose());
+    let rows = Rows::open(Cursor::new(bytes))
+        .and_then(|rows| (rows.size() == SIZE).then(|| rows.into_image()).transpose());
     match (exact, rows) {
         (Ok(exact), rows) => {
             let rows = rows.expect("read whole, but not row by row").expect("the size demanded");
@@ -116,7 +119,10 @@ fn check(n: usize) {
                 Err(_) => n_refused += 1,
             }
         }
-        assert!(n_refused > n / 4, "{kind}: {n_read} read, {n_refused} refused: the mutations are too tame");
+        assert!(
+            n_refused > n / 4,
+            "{kind}: {n_read} read, {n_refused} refused: the mutations are too tame"
+        );
     }
 }
 
@@ -151,7 +157,8 @@ const AGAIN: &str = "CASES_TEST_IN_LITTLE_MEMORY";
 fn bombs() -> Vec<Vec<u8>> {
     let wide = |width: u32, height: u32, colour: png::ColorType, interlaced: bool| {
         let mut info = png::Info::with_size(width, height);
-        (info.color_type, info.bit_depth, info.interlaced) = (colour, png::BitDepth::Sixteen, interlaced);
+        (info.color_type, info.bit_depth, info.interlaced) =
+            (colour, png::BitDepth::Sixteen, interlaced);
         let mut bytes = vec![];
         let mut writer = png::Encoder::with_info(&mut bytes, info).unwrap().write_header().unwrap();
         writer.write_chunk(png::chunk::IDAT, b"\x78\x9c\x63\x60").unwrap();
@@ -161,7 +168,8 @@ fn bombs() -> Vec<Vec<u8>> {
     let exr = |side: i32| {
         let mut bytes = good().pop().unwrap().1;
         for window in ["dataWindow\0box2i\0\x10\0\0\0", "displayWindow\0box2i\0\x10\0\0\0"] {
-            let at = bytes.windows(window.len()).position(|at| at == window.as_bytes()).unwrap() + window.len();
+            let at = bytes.windows(window.len()).position(|at| at == window.as_bytes()).unwrap()
+                + window.len();
             bytes[at + 8..at + 16].copy_from_slice([(side - 1).to_le_bytes(); 2].as_flattened());
         }
         bytes
@@ -183,12 +191,21 @@ fn bombs() -> Vec<Vec<u8>> {
 fn memory_is_bounded_whatever_a_file_promises() {
     if std::env::var_os(AGAIN).is_some() {
         for bomb in bombs() {
-            assert!(Rows::open(Cursor::new(&bomb)).and_then(Rows::into_image).is_err(), "{}", bomb.escape_ascii());
+            assert!(
+                Rows::open(Cursor::new(&bomb)).and_then(Rows::into_image).is_err(),
+                "{}",
+                bomb.escape_ascii()
+            );
         }
         return check(300);
     }
-    let script = "ulimit -v 400000; exec \"$0\" --exact memory_is_bounded_whatever_a_file_promises --test-threads 1";
-    let again = Command::new("sh").args(["-c", script]).arg(std::env::current_exe().unwrap()).env(AGAIN, "1").output();
+    let script = "ulimit -v 400000; exec \"$0\" --exact \
+        memory_is_bounded_whatever_a_file_promises --test-threads 1";
+    let again = Command::new("sh")
+        .args(["-c", script])
+        .arg(std::env::current_exe().unwrap())
+        .env(AGAIN, "1")
+        .output();
     let output = again.unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stdout));
 }

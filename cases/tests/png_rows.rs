@@ -27,15 +27,26 @@ fn picture(colour: ColorType, depth: BitDepth, extra: impl Fn(&mut Info<'static>
     bytes
 }
 
-/// The seven passes over an RGB picture: first column and row, steps along both; each row behind a filter byte of 0.
+/// The seven passes over an RGB picture: first column and row, steps along both; each row behind a
+/// filter byte of 0.
 fn interlaced(sample: impl Fn(usize) -> u8) -> Vec<u8> {
-    let passes = [[0, 0, 8, 8], [4, 0, 8, 8], [0, 4, 4, 8], [2, 0, 4, 4], [0, 2, 2, 4], [1, 0, 2, 2], [0, 1, 1, 2]];
+    let passes = [
+        [0, 0, 8, 8],
+        [4, 0, 8, 8],
+        [0, 4, 4, 8],
+        [2, 0, 4, 4],
+        [0, 2, 2, 4],
+        [1, 0, 2, 2],
+        [0, 1, 1, 2],
+    ];
     let mut bytes = vec![];
     for [x, y, along, down] in passes {
         for row in (y..HEIGHT as usize).step_by(down) {
             bytes.push(0);
             let columns = (x..WIDTH as usize).step_by(along);
-            bytes.extend(columns.flat_map(|column| [0, 1, 2].map(|c| sample((row * WIDTH as usize + column) * 3 + c))));
+            bytes.extend(columns.flat_map(|column| {
+                [0, 1, 2].map(|c| sample((row * WIDTH as usize + column) * 3 + c))
+            }));
         }
     }
     bytes
@@ -48,7 +59,14 @@ fn stored(bytes: &[u8]) -> Vec<u8> {
         let a = (a + u32::from(*byte)) % 65521;
         (a, (b + a) % 65521)
     });
-    [&[0x78, 0x01, 0x01][..], &n.to_le_bytes(), &(!n).to_le_bytes(), bytes, &(b << 16 | a).to_be_bytes()].concat()
+    [
+        &[0x78, 0x01, 0x01][..],
+        &n.to_le_bytes(),
+        &(!n).to_le_bytes(),
+        bytes,
+        &(b << 16 | a).to_be_bytes(),
+    ]
+    .concat()
 }
 
 /// Reads the levels row by row. The result is `None` for a PNG of 16 bits.
@@ -58,7 +76,10 @@ fn by_rows(bytes: &[u8]) -> Result<Option<Vec<u8>>, PictureError> {
     let mut levels = vec![0; (WIDTH * HEIGHT * 3) as usize];
     let some = WIDTH as usize * 3 * 4;
     if !rows.has_bytes() {
-        assert!(matches!(rows.bytes(&mut levels[..some]), Err(PictureError::Broken(_))), "words given as bytes");
+        assert!(
+            matches!(rows.bytes(&mut levels[..some]), Err(PictureError::Broken(_))),
+            "words given as bytes"
+        );
         let mut words = vec![0.0; levels.len()];
         words.chunks_mut(some).try_for_each(|part| rows.words(part))?;
         return Ok(None);
@@ -71,25 +92,35 @@ fn by_rows(bytes: &[u8]) -> Result<Option<Vec<u8>>, PictureError> {
 
 fn check(what: &str, bytes: &[u8]) {
     let whole = read_exact(bytes, WIDTH, HEIGHT).unwrap();
-    let levels: Vec<u8> = whole.pixels().iter().flat_map(|pixel| pixel.to_array()).map(byte).collect();
+    let levels: Vec<u8> =
+        whole.pixels().iter().flat_map(|pixel| pixel.to_array()).map(byte).collect();
     assert!(levels.iter().any(|level| *level != levels[0]), "{what} shows nothing");
-    assert_eq!(by_rows(bytes).unwrap().unwrap_or_else(|| panic!("{what} has words")), levels, "{what}");
+    assert_eq!(
+        by_rows(bytes).unwrap().unwrap_or_else(|| panic!("{what} has words")),
+        levels,
+        "{what}"
+    );
 }
 
 #[test]
 fn rows_hold_what_the_whole_picture_holds() {
-    let palette = || Cow::Owned((0..=255u8).flat_map(|n| [n, n.wrapping_mul(3), !n]).collect::<Vec<u8>>());
+    let palette =
+        || Cow::Owned((0..=255u8).flat_map(|n| [n, n.wrapping_mul(3), !n]).collect::<Vec<u8>>());
     let plain = |_: &mut Info<'static>| {};
     let with_palette = |info: &mut Info<'static>| info.palette = Some(palette());
-    let with_holes =
-        |info: &mut Info<'static>| (info.palette, info.trns) = (Some(palette()), Some(Cow::Owned(vec![0, 9, 90])));
+    let with_holes = |info: &mut Info<'static>| {
+        (info.palette, info.trns) = (Some(palette()), Some(Cow::Owned(vec![0, 9, 90])))
+    };
     let grey_hole = |info: &mut Info<'static>| info.trns = Some(Cow::Owned(vec![0, 37]));
     for (what, bytes) in [
         ("colour", picture(ColorType::Rgb, BitDepth::Eight, plain)),
         ("colour and alpha", picture(ColorType::Rgba, BitDepth::Eight, plain)),
         ("grey", picture(ColorType::Grayscale, BitDepth::Eight, plain)),
         ("grey and alpha", picture(ColorType::GrayscaleAlpha, BitDepth::Eight, plain)),
-        ("grey with a transparent level", picture(ColorType::Grayscale, BitDepth::Eight, grey_hole)),
+        (
+            "grey with a transparent level",
+            picture(ColorType::Grayscale, BitDepth::Eight, grey_hole),
+        ),
         ("grey of 1 bit", picture(ColorType::Grayscale, BitDepth::One, plain)),
         ("grey of 2 bits", picture(ColorType::Grayscale, BitDepth::Two, plain)),
         ("grey of 4 bits", picture(ColorType::Grayscale, BitDepth::Four, plain)),
@@ -101,16 +132,20 @@ fn rows_hold_what_the_whole_picture_holds() {
     ] {
         check(what, &bytes);
     }
-    let [plain, interlaced] = [false, true]
-        .map(|is| by_rows(&picture(ColorType::Rgb, BitDepth::Eight, |info| info.interlaced = is)).unwrap());
+    let [plain, interlaced] = [false, true].map(|is| {
+        by_rows(&picture(ColorType::Rgb, BitDepth::Eight, |info| info.interlaced = is)).unwrap()
+    });
     assert_eq!(plain, interlaced, "the order of rows in the file shows");
 }
 
 #[test]
 fn all_sixteen_bits_are_kept() {
-    for (colour, n_channels) in
-        [(ColorType::Grayscale, 1), (ColorType::GrayscaleAlpha, 2), (ColorType::Rgb, 3), (ColorType::Rgba, 4)]
-    {
+    for (colour, n_channels) in [
+        (ColorType::Grayscale, 1),
+        (ColorType::GrayscaleAlpha, 2),
+        (ColorType::Rgb, 3),
+        (ColorType::Rgba, 4),
+    ] {
         let deep = picture(colour, BitDepth::Sixteen, |_| {});
         assert_eq!(by_rows(&deep).unwrap(), None, "{colour:?}");
         let sample = |n: usize| (n * 37 % 251) as u16;
@@ -136,7 +171,11 @@ fn with_chunk(kind: &[u8; 4], body: &[u8]) -> Vec<u8> {
 fn refusal(what: &str, bytes: &[u8]) -> String {
     let [whole, rows] = [read_exact(bytes, WIDTH, HEIGHT).map(drop), by_rows(bytes).map(drop)]
         .map(|read| read.map_or_else(|why| why.to_string(), |()| "accepted".to_owned()));
-    assert_eq!(whole, rows.replace("PNG, PFM or EXR", "PNG or PFM"), "{what}: the readers do not agree");
+    assert_eq!(
+        whole,
+        rows.replace("PNG, PFM or EXR", "PNG or PFM"),
+        "{what}: the readers do not agree"
+    );
     whole
 }
 
@@ -149,8 +188,13 @@ fn a_damaged_file_is_refused_by_both_readers_alike() {
     ] {
         assert_eq!(refusal(what, &bytes), "accepted");
         let find = |kind: &[u8]| bytes.windows(4).position(|at| at == kind).unwrap();
-        let flip =
-            |at: usize| bytes.iter().enumerate().map(|(n, byte)| if n == at { byte ^ 1 } else { *byte }).collect();
+        let flip = |at: usize| {
+            bytes
+                .iter()
+                .enumerate()
+                .map(|(n, byte)| if n == at { byte ^ 1 } else { *byte })
+                .collect()
+        };
         let (data, end) = (find(b"IDAT"), bytes.len());
         for (damage, bytes, says) in [
             ("a bit of the header", flip(28), "the PNG is damaged: CRC error"),
@@ -159,7 +203,11 @@ fn a_damaged_file_is_refused_by_both_readers_alike() {
             ("a bit of the CRC of the pixels", flip(end - 13), "the PNG is damaged: CRC error"),
             ("a bit of the CRC of the end mark", flip(end - 1), "while decoding IEND chunk"),
             ("no end mark", bytes[..end - 12].to_vec(), "ends early, before its end mark (IEND)"),
-            ("no CRC of the end mark", bytes[..end - 4].to_vec(), "ends early, before its end mark (IEND)"),
+            (
+                "no CRC of the end mark",
+                bytes[..end - 4].to_vec(),
+                "ends early, before its end mark (IEND)",
+            ),
             ("half of it", bytes[..end / 2].to_vec(), "ends early, before its end mark (IEND)"),
             ("no pixels", [&bytes[..data - 4], &bytes[end - 12..]].concat(), "the PNG is damaged"),
             ("other letters", flip(data), "the PNG is damaged"),
@@ -175,13 +223,20 @@ fn what_stands_beside_the_pixels_must_be_whole_but_counts_for_nothing() {
     let note = with_chunk(b"tEXt", b"Comment\0made by hand");
     assert_eq!(refusal("a note", &note), "accepted");
     let at = note.windows(4).position(|at| at == b"made").unwrap();
-    let broken: Vec<u8> = note.iter().enumerate().map(|(n, byte)| if n == at { byte ^ 1 } else { *byte }).collect();
+    let broken: Vec<u8> =
+        note.iter().enumerate().map(|(n, byte)| if n == at { byte ^ 1 } else { *byte }).collect();
     assert!(refusal("a broken note", &broken).contains("the PNG is damaged: CRC error"));
     assert_eq!(refusal("bytes behind the end mark", &[&note[..], b"more"].concat()), "accepted");
-    assert_eq!(refusal("a profile that is none", &with_chunk(b"iCCP", b"x\0\0no zlib stream")), "accepted");
+    assert_eq!(
+        refusal("a profile that is none", &with_chunk(b"iCCP", b"x\0\0no zlib stream")),
+        "accepted"
+    );
     let huge = with_chunk(b"eXIf", &vec![0; 20 << 20]);
     assert!(refusal("20 MiB of notes", &huge).contains("beside its pixels has more than"));
-    assert!(refusal("a chunk that nobody knows", &with_chunk(b"BANG", b"x")).contains("the PNG is damaged"));
+    assert!(
+        refusal("a chunk that nobody knows", &with_chunk(b"BANG", b"x"))
+            .contains("the PNG is damaged")
+    );
 }
 
 #[test]
@@ -196,7 +251,9 @@ fn of_an_animation_the_still_picture_counts() {
     writer.write_image_data(&[200; (WIDTH * HEIGHT * 3) as usize]).unwrap();
     writer.finish().unwrap();
     assert_eq!(by_rows(&bytes).unwrap().unwrap(), still);
-    assert!(read_exact(&bytes, WIDTH, HEIGHT).unwrap().pixels().iter().all(|pixel| byte(pixel.x) == 9));
+    assert!(
+        read_exact(&bytes, WIDTH, HEIGHT).unwrap().pixels().iter().all(|pixel| byte(pixel.x) == 9)
+    );
 }
 
 #[test]
@@ -241,8 +298,14 @@ fn a_size_out_of_bounds_is_refused_before_anything_is_decoded() {
         ("PFM", 16_384, 16_384, "at most 67108864 pixels"),
     ] {
         let said = Rows::open(Cursor::new(sized(kind, width, height))).err().unwrap().to_string();
-        assert!(said.contains(&format!("{width}×{height}")) && said.contains(most), "{kind}: {said}");
+        assert!(
+            said.contains(&format!("{width}×{height}")) && said.contains(most),
+            "{kind}: {said}"
+        );
     }
     let png = sized("PNG", 16_384, 16_384);
-    assert!(!Rows::open(Cursor::new(png)).err().unwrap().to_string().contains("at most"), "too strict");
+    assert!(
+        !Rows::open(Cursor::new(png)).err().unwrap().to_string().contains("at most"),
+        "too strict"
+    );
 }

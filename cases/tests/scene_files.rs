@@ -7,7 +7,8 @@ use cases::stage;
 
 fn good(name: &str) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/good").join(name);
-    stage::load_scene(&path, &cases::Course::default()).unwrap_or_else(|problems| panic!("{problems}"))
+    stage::load_scene(&path, &cases::Course::default())
+        .unwrap_or_else(|problems| panic!("{problems}"))
 }
 
 #[test]

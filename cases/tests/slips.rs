@@ -1,4 +1,5 @@
-//! A slip in any single value of a case or of a file of unit checks is reported with its place, and ends nothing.
+//! A slip in any single value of a case or of a file of unit checks is reported with its place, and
+//! ends nothing.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,7 +9,8 @@ use cases::stage::{self, Stage};
 use cases::{Course, Effects};
 use toml::Value;
 
-/// What people write by mistake: another type, a list of another length, a number out of range, nothing.
+/// What people write by mistake: another type, a list of another length, a number out of range,
+/// nothing.
 fn slips() -> Vec<Value> {
     let list = |items: &[f64]| Value::Array(items.iter().map(|item| Value::Float(*item)).collect());
     vec![
@@ -28,7 +30,9 @@ fn slips() -> Vec<Value> {
 fn places(value: &Value) -> Vec<Vec<String>> {
     let inner: Vec<(String, &Value)> = match value {
         Value::Table(table) => table.iter().map(|(key, value)| (key.clone(), value)).collect(),
-        Value::Array(items) => items.iter().enumerate().map(|(n, value)| (n.to_string(), value)).collect(),
+        Value::Array(items) => {
+            items.iter().enumerate().map(|(n, value)| (n.to_string(), value)).collect()
+        }
         _ => vec![],
     };
     let mut all = vec![];
@@ -61,8 +65,14 @@ fn check<T>(path: &Path, read: impl Fn(&str) -> Result<T, Problems>) -> usize {
             let Err(problems) = read(&document(&wrong)) else { continue };
             n_refused += 1;
             let said = problems.to_string();
-            assert!(problems.iter().all(|problem| !problem.message.is_empty()), "{place:?} = {slip}: {said}");
-            assert!(problems.iter().any(|problem| problem.span.is_some()), "{place:?} = {slip} has no place: {said}");
+            assert!(
+                problems.iter().all(|problem| !problem.message.is_empty()),
+                "{place:?} = {slip}: {said}"
+            );
+            assert!(
+                problems.iter().any(|problem| problem.span.is_some()),
+                "{place:?} = {slip} has no place: {said}"
+            );
         }
     }
     n_refused

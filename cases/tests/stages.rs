@@ -12,17 +12,24 @@ fn here(path: &str) -> PathBuf {
 }
 
 fn stages() -> Vec<Stage> {
-    stage::load_all(&here("stages"), &cases::Course::default()).unwrap_or_else(|problems| panic!("{problems}"))
+    stage::load_all(&here("stages"), &cases::Course::default())
+        .unwrap_or_else(|problems| panic!("{problems}"))
 }
 
 #[test]
 fn ids_are_paths_and_points_are_exact() {
     let stages = stages();
-    assert_eq!(stages.iter().map(|stage| stage.id.as_str()).collect::<Vec<_>>(), ["01_first", "02_second"]);
+    assert_eq!(
+        stages.iter().map(|stage| stage.id.as_str()).collect::<Vec<_>>(),
+        ["01_first", "02_second"]
+    );
     assert_eq!(stages[0].unit_points, 1125);
     assert_eq!(stages[1].needs, ["01_first"]);
     let case = &stages[0].cases[0];
-    assert_eq!((case.id.as_str(), case.points, case.rules.as_slice()), ("01_first/mirror", 2500, &[3, 5][..]));
+    assert_eq!(
+        (case.id.as_str(), case.points, case.rules.as_slice()),
+        ("01_first/mirror", 2500, &[3, 5][..])
+    );
     assert_eq!(stages[0].checks[1].id, "01_first/every_function/sphere");
 }
 
@@ -31,10 +38,17 @@ fn a_case_has_the_effects_that_it_calls_for_and_its_stage_allows() {
     let only_shadows = Effects::NONE.with(Effect::Shadows);
     assert_eq!(stages()[0].cases[0].scene.effects, only_shadows);
     let path = here("stages/01_first/mirror.toml");
-    assert_eq!(stage::load_case(&path, &cases::Course::default()).unwrap().scene.effects, only_shadows);
-    assert_eq!(cases::stage::load_scene(&path, &cases::Course::default()).unwrap().effects, only_shadows);
+    assert_eq!(
+        stage::load_case(&path, &cases::Course::default()).unwrap().scene.effects,
+        only_shadows
+    );
+    assert_eq!(
+        cases::stage::load_scene(&path, &cases::Course::default()).unwrap().effects,
+        only_shadows
+    );
     let free = std::fs::read_to_string(&path).unwrap();
-    let free = cases::scene::parse("mirror", &free, Path::new(""), &cases::Course::default()).unwrap();
+    let free =
+        cases::scene::parse("mirror", &free, Path::new(""), &cases::Course::default()).unwrap();
     assert_eq!(free.effects, only_shadows.with(Effect::Reflection));
 }
 
@@ -55,7 +69,8 @@ fn every_function_can_be_asked() {
 #[test]
 fn arguments_are_resolved() {
     let stages = stages();
-    let ask = |name: &str| &stages[0].checks.iter().find(|check| check.id.ends_with(name)).unwrap().ask;
+    let ask =
+        |name: &str| &stages[0].checks.iter().find(|check| check.id.ends_with(name)).unwrap().ask;
     let Ask::Sphere { ray, radius, .. } = ask("/sphere") else { panic!() };
     assert_eq!(*ray, Ray::new([0.0, 0.0, 2.0].into(), [0.0, 0.0, -1.0].into()));
     assert_eq!(*radius, 0.5);
@@ -82,7 +97,10 @@ fn bounds_are_read_and_what_they_keep_must_be_there() {
         )
     };
     assert_eq!(stage::load_case(&path, &cases::Course::default()).unwrap().bounds, None);
-    let bounds = case("eye = 0.5\nlights = [0.1, 0, 0.2]\nradii = 0.25\nkeep = [\"tin\"]").unwrap().bounds.unwrap();
+    let bounds = case("eye = 0.5\nlights = [0.1, 0, 0.2]\nradii = 0.25\nkeep = [\"tin\"]")
+        .unwrap()
+        .bounds
+        .unwrap();
     assert_eq!((bounds.eye.to_array(), bounds.lights.to_array()), ([0.5; 3], [0.1, 0.0, 0.2]));
     assert_eq!((bounds.radii, bounds.colours), (0.25, 0.0), "what is left out moves nothing");
     let problems = case("eye = 0.5\nkeep = [\"tinn\"]").unwrap_err().to_string();

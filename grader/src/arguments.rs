@@ -17,7 +17,8 @@ Exit codes:
   3    the machine or the grader failed, even where something else did not pass: no points are final
   130  interrupted; what was done until then is kept";
 
-/// Grades submissions of the ray-tracing assignment: builds them, runs them under limits, judges, scores and reports.
+/// Grades submissions of the ray-tracing assignment: builds them, runs them under limits, judges,
+/// scores and reports.
 #[derive(Debug, Parser)]
 #[command(name = "grader", version, after_help = CODES, propagate_version = true)]
 pub(crate) struct Arguments {
@@ -109,9 +110,11 @@ pub(crate) fn stages(given: Option<&Path>) -> Result<PathBuf, GradeError> {
         return Ok(given.to_owned());
     }
     let binary = std::env::current_exe().unwrap_or_default();
-    let beside = binary.ancestors().map(|folder| folder.join("cases/stages")).find(|stages| stages.is_dir());
+    let beside =
+        binary.ancestors().map(|folder| folder.join("cases/stages")).find(|stages| stages.is_dir());
     let here = Some(PathBuf::from("cases/stages")).filter(|stages| stages.is_dir());
-    let none = "there are no cases: neither cases/stages here nor beside the binary; say where with --cases DIR";
+    let none = "there are no cases: neither cases/stages here nor beside the binary; say where \
+        with --cases DIR";
     here.or(beside).ok_or_else(|| GradeError::Input(none.to_owned()))
 }
 
@@ -123,16 +126,29 @@ pub(crate) struct Limit {
     /// All processes of the program count together. A program that is idle for half as long is
     /// stopped too. By the clock it has six times as long and 10 s, so that others on the machine
     /// do not matter.
-    #[arg(long, value_name = "SECONDS", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(
+        long,
+        value_name = "SECONDS",
+        default_value_t = 10,
+        value_parser = clap::value_parser!(u16).range(1..)
+    )]
     time_limit: u16,
     /// Mebibytes of memory that a program may take
-    #[arg(long, value_name = "MIB", default_value_t = 1024, value_parser = clap::value_parser!(u32).range(16..))]
+    #[arg(
+        long,
+        value_name = "MIB",
+        default_value_t = 1024,
+        value_parser = clap::value_parser!(u32).range(16..)
+    )]
     memory_limit: u32,
 }
 
 impl Limit {
     pub(crate) fn allowance(&self) -> Allowance {
-        Allowance::new(Duration::from_secs(self.time_limit.into()), u64::from(self.memory_limit) << 20)
+        Allowance::new(
+            Duration::from_secs(self.time_limit.into()),
+            u64::from(self.memory_limit) << 20,
+        )
     }
 }
 
@@ -155,8 +171,8 @@ pub(crate) struct Reports {
 
 /// Grade a submission: a folder or an archive
 ///
-/// A submission is the template's folder, filled in; or a folder with a submission.toml that says how it is built and run;
-/// or a .zip, .tar.gz or .tar of either.
+/// A submission is the template's folder, filled in; or a folder with a submission.toml that says
+/// how it is built and run; or a .zip, .tar.gz or .tar of either.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -166,9 +182,9 @@ Examples:
   grader grade --case 01_ray_casting/sphere        the checks of one function
   grader grade tests/solution --json record.json --junit junit.xml
 
-Exit codes: 0 everything passed, 1 something did not, 2 usage or what is no submission (an empty folder, an
-archive that cannot be read), 3 the machine or the grader failed (whatever else did not pass: no points are
-final), 130 interrupted")]
+Exit codes: 0 everything passed, 1 something did not, 2 usage or what is no submission (an empty
+folder, an archive that cannot be read), 3 the machine or the grader failed (whatever else did not
+pass: no points are final), 130 interrupted")]
 pub(crate) struct Grade {
     /// Folder or archive; standard input is none
     #[arg(default_value = ".", value_parser = submission)]
@@ -186,16 +202,17 @@ pub(crate) struct Grade {
 
 /// Grade a class: every folder and archive in DIR
 ///
-/// Writes a record and a report for each submission, and the table of the class as CSV and HTML. What has been graded and
-/// has not changed since is not graded again, so a run that was interrupted or killed goes on where it was.
+/// Writes a record and a report for each submission, and the table of the class as CSV and HTML.
+/// What has been graded and has not changed since is not graded again, so a run that was
+/// interrupted or killed goes on where it was.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   grader batch handins -o results
   grader batch handins -o results --stage 02 --jobs 4
 
-Exit codes: 0 all are graded (however well), 2 usage or no submissions, 3 some could not be graded,
-130 interrupted")]
+Exit codes: 0 all are graded (however well), 2 usage or no submissions, 3 some could not be
+graded, 130 interrupted")]
 pub(crate) struct Batch {
     /// Folder of the submissions
     #[arg(value_name = "DIR")]
@@ -223,8 +240,8 @@ Examples:
   grader images out                              judges out/01_ray_casting/boxes.png and so on
   grader images out --stage 02 --html report.html
 
-Exit codes: 0 everything passed, 1 something did not, 2 usage or no such folder, 3 the machine or the grader
-failed")]
+Exit codes: 0 everything passed, 1 something did not, 2 usage or no such folder, 3 the machine or
+the grader failed")]
 pub(crate) struct Images {
     /// Folder of the pictures
     pub(crate) folder: PathBuf,
@@ -252,7 +269,8 @@ Examples:
   grader compare - theirs.png < mine.png
   grader compare mine.png --answer cases/stages/02_shadows/two_lamps.answer.exr
 
-Exit codes: 0 they agree, 1 they do not, 2 a picture cannot be read, 3 the machine failed, 130 interrupted")]
+Exit codes: 0 they agree, 1 they do not, 2 a picture cannot be read, 3 the machine failed, 130
+interrupted")]
 pub(crate) struct Compare {
     /// A picture; - is standard input
     pub(crate) a: PathBuf,
@@ -262,7 +280,8 @@ pub(crate) struct Compare {
     /// 8-bit levels by which a channel may differ [default: 0, or what the answer says]
     #[arg(long, value_name = "LEVELS", value_parser = levels)]
     pub(crate) tolerance: Option<f64>,
-    /// A stored answer instead of the second picture: STAGES/STAGE/CASE.answer.exr, with its case beside it
+    /// A stored answer instead of the second picture: STAGES/STAGE/CASE.answer.exr, with its case
+    /// beside it
     #[arg(long, value_name = "FILE")]
     pub(crate) answer: Option<PathBuf>,
 }
@@ -273,8 +292,8 @@ pub(crate) struct Compare {
 Examples:
   grader explain . 04_refraction/prism 80 33     column 80 from the left, row 33 from the top
 
-Exit codes: 0 printed, 1 the submission does not build or cannot explain, 2 usage, no such case or pixel, or
-what is no submission, 3 the machine or the grader failed, 130 interrupted")]
+Exit codes: 0 printed, 1 the submission does not build or cannot explain, 2 usage, no such case or
+pixel, or what is no submission, 3 the machine or the grader failed, 130 interrupted")]
 pub(crate) struct Explain {
     /// Folder or archive; standard input is none
     #[arg(value_parser = submission)]
@@ -356,7 +375,10 @@ pub(crate) struct Man {
 /// A folder or an archive. `-` would be taken for a file of that name, which nobody means.
 fn submission(text: &str) -> Result<PathBuf, String> {
     match text {
-        "-" => Err("a submission is a folder or an archive; none is read from standard input".to_owned()),
+        "-" => {
+            Err("a submission is a folder or an archive; none is read from standard input"
+                .to_owned())
+        }
         _ => Ok(PathBuf::from(text)),
     }
 }
@@ -368,27 +390,4 @@ fn levels(text: &str) -> Result<f64, String> {
 }
 
 #[cfg(test)]
-mod tests {
-    use clap::CommandFactory;
-
-    use super::*;
-
-    #[test]
-    fn the_command_line_is_consistent() {
-        Arguments::command().debug_assert();
-    }
-
-    #[test]
-    fn the_page_of_the_command_line_is_current() {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/cli.md");
-        let stored = || std::fs::read_to_string(path).expect("the page");
-        let page = pages::shell::in_page(&stored(), Arguments::command());
-        if std::env::var_os("BLESS").is_some() {
-            std::fs::write(path, &page).expect("a page that can be written");
-        }
-        assert!(
-            page == stored() && page.contains("grader grade"),
-            "docs/cli.md is not what `--help` prints: set BLESS=1"
-        );
-    }
-}
+mod tests;

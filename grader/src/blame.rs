@@ -139,7 +139,8 @@ mod tests {
         for kind in KINDS_OF_MACHINE {
             assert_eq!(of(&io::Error::new(kind, "wrapped")), Blame::Machine, "{kind}");
         }
-        for kind in [io::ErrorKind::InvalidData, io::ErrorKind::UnexpectedEof, io::ErrorKind::Other] {
+        for kind in [io::ErrorKind::InvalidData, io::ErrorKind::UnexpectedEof, io::ErrorKind::Other]
+        {
             assert_eq!(of(&io::Error::new(kind, "broken")), Blame::File, "{kind}");
         }
         assert_eq!(of(&std::fmt::Error), Blame::File, "an error that is no I/O error");

@@ -19,7 +19,8 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     Ok(cases::files::write(path, bytes)?)
 }
 
-/// Makes `folder` by filling a fresh neighbour and renaming it. Where another process was first, its work is kept.
+/// Makes `folder` by filling a fresh neighbour and renaming it. Where another process was first,
+/// its work is kept.
 ///
 /// # Errors
 /// What `fill` or the file system says.
@@ -86,7 +87,10 @@ mod tests {
             clear_parts(home.path())
         })
         .unwrap();
-        assert_eq!(below(home.path()).unwrap(), ["filled/x", "whole/x"].map(|name| home.path().join(name)));
+        assert_eq!(
+            below(home.path()).unwrap(),
+            ["filled/x", "whole/x"].map(|name| home.path().join(name))
+        );
         assert!(clear_parts(&home.path().join("nowhere")).is_err());
     }
 

@@ -1,8 +1,10 @@
-//! Where the template answers each question of the unit checks: the one table of functions and their files.
+//! Where the template answers each question of the unit checks: the one table of functions and
+//! their files.
 
 /// What a message on a function that is still to be written begins with.
 const STILL: &str = "still to be written: ";
-/// What it ends with: the function that a question goes to may be written, and call one that is not.
+/// What it ends with: the function that a question goes to may be written, and call one that is
+/// not.
 const OR_CALLED: &str = ", or a function that it calls";
 
 /// The function of the template that answers a question.
@@ -16,7 +18,8 @@ pub struct Function {
     pub file: &'static str,
     /// Whether it is given, so that what is missing can only be a function that it calls.
     pub is_given: bool,
-    /// Whether it leaves most of its work to functions that have unit checks too. Those are to be put right first.
+    /// Whether it leaves most of its work to functions that have unit checks too. Those are to be
+    /// put right first.
     pub is_composed: bool,
 }
 
@@ -69,16 +72,20 @@ pub fn find(key: &str) -> Option<(usize, &'static Function)> {
 
 /// Returns what to say where the function with this key answers `todo`.
 ///
-/// The template's function is named with its file; that of any other program as the protocol names it.
+/// The template's function is named with its file; that of any other program as the protocol names
+/// it.
 pub fn still_to_be_written(key: &str, is_template: bool) -> String {
     match find(key).filter(|_| is_template).map(|(_, function)| function) {
-        Some(Function { name, file, is_given: true, .. }) => format!("{STILL}a function that `{name}` in {file} calls"),
+        Some(Function { name, file, is_given: true, .. }) => {
+            format!("{STILL}a function that `{name}` in {file} calls")
+        }
         Some(Function { name, file, .. }) => format!("{STILL}`{name}` in {file}{OR_CALLED}"),
         None => format!("{STILL}what answers `{key}`{OR_CALLED}"),
     }
 }
 
-/// Returns what is still to be written by a message of [`still_to_be_written`] or of a picture, in short.
+/// Returns what is still to be written by a message of [`still_to_be_written`] or of a picture, in
+/// short.
 pub fn subject(message: &str) -> &str {
     let subject = message.strip_prefix(STILL).unwrap_or(message);
     subject.strip_suffix(OR_CALLED).unwrap_or(subject)
@@ -101,6 +108,9 @@ mod tests {
             assert!(message.starts_with("still to be written: "), "{message}");
             assert_eq!(subject(&message), expected);
         }
-        assert_eq!(subject("still to be written: eye_ray [rule 1]: src/camera.rs"), "eye_ray [rule 1]: src/camera.rs");
+        assert_eq!(
+            subject("still to be written: eye_ray [rule 1]: src/camera.rs"),
+            "eye_ray [rule 1]: src/camera.rs"
+        );
     }
 }

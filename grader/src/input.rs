@@ -78,10 +78,13 @@ impl InputError {
 /// # Errors
 /// [`InputError`].
 pub fn open(name: &Path, most: Most) -> Result<Input, InputError> {
-    let refused = |why: &str| Err(InputError::Refused { name: name.to_owned(), why: why.to_owned() });
+    let refused =
+        |why: &str| Err(InputError::Refused { name: name.to_owned(), why: why.to_owned() });
     let failed = |source| InputError::Io { name: name.to_owned(), source };
     match place(name).map_err(failed)? {
-        Place::File(path) => open_file(&path).map_err(failed)?.map_or_else(|| refused("it is no longer a file"), Ok),
+        Place::File(path) => {
+            open_file(&path).map_err(failed)?.map_or_else(|| refused("it is no longer a file"), Ok)
+        }
         Place::Descriptor(0) if io::stdin().is_terminal() => {
             refused("it is a terminal: redirect it from a file or a pipe")
         }
@@ -94,9 +97,10 @@ pub fn open(name: &Path, most: Most) -> Result<Input, InputError> {
             Opened::File => File::open(name).map(Input::File).map_err(failed),
             Opened::Other(what) => refused(what),
         },
-        Place::Pipe => {
-            refused("it is a named pipe, which may wait for ever: redirect standard input from it (`- < PIPE`)")
-        }
+        Place::Pipe => refused(
+            "it is a named pipe, which may wait for ever: redirect standard input from it (`- < \
+                PIPE`)",
+        ),
         Place::Free(_) => refused("there is no such file"),
         Place::Folder => refused("it is a folder"),
         Place::Device => refused("it is a device, not a file"),
@@ -126,7 +130,8 @@ pub fn read(name: &Path, most: Most) -> Result<Vec<u8>, InputError> {
 pub fn demand_two(one: &Path, other: &Path) -> Result<(), InputError> {
     match (place(one), place(other)) {
         (Ok(Place::Descriptor(a)), Ok(Place::Descriptor(b))) if a == b => {
-            let why = "it is the other input as well, and a stream can be read only once".to_owned();
+            let why =
+                "it is the other input as well, and a stream can be read only once".to_owned();
             Err(InputError::Refused { name: other.to_owned(), why })
         }
         _ => Ok(()),
@@ -189,7 +194,9 @@ fn held<R: Read>(
             Ok(Ok(Ok(bytes))) => return Ok(Input::Held(Cursor::new(bytes))),
             Ok(Ok(Err(why))) => return Err(InputError::Refused { name: name(), why }),
             Ok(Err(source)) => return Err(InputError::Io { name: name(), source }),
-            Err(RecvTimeoutError::Timeout) if interrupted() => return Err(InputError::Interrupted { name: name() }),
+            Err(RecvTimeoutError::Timeout) if interrupted() => {
+                return Err(InputError::Interrupted { name: name() });
+            }
             Err(RecvTimeoutError::Timeout) => {}
             Err(RecvTimeoutError::Disconnected) => {
                 let source = io::Error::other("the thread that reads it has ended");
@@ -209,7 +216,11 @@ fn take(mut stream: impl Read, most: Most) -> io::Result<Result<Vec<u8>, String>
     };
     stream.take((most + 1).saturating_sub(bytes.len() as u64)).read_to_end(&mut bytes)?;
     let is_too_long = bytes.len() as u64 > most;
-    Ok(if is_too_long { Err(format!("it has more than {most} bytes, which is the limit")) } else { Ok(bytes) })
+    Ok(if is_too_long {
+        Err(format!("it has more than {most} bytes, which is the limit"))
+    } else {
+        Ok(bytes)
+    })
 }
 
 impl Read for Input {

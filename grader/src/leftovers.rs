@@ -18,8 +18,10 @@ mod remove;
 pub use remove::remove;
 
 /// Name and content of the file that marks a folder as ours.
-const MARK: (&str, &str) =
-    (".grader", "This folder belongs to a run of grader. A later run removes it if it was left behind.\n");
+const MARK: (&str, &str) = (
+    ".grader",
+    "This folder belongs to a run of grader. A later run removes it if it was left behind.\n",
+);
 
 /// How long a folder is kept where the file system has no locks.
 const WITHOUT_LOCKS: Duration = Duration::from_secs(24 * 60 * 60);
@@ -142,7 +144,9 @@ fn take(path: PathBuf, kind: Kind) -> io::Result<Option<Left>> {
     let is_left_behind = match folder.try_lock() {
         Ok(()) => is_at(&folder, &path),
         Err(TryLockError::WouldBlock) => false,
-        Err(TryLockError::Error(_)) => about.modified()?.elapsed().is_ok_and(|age| age > WITHOUT_LOCKS),
+        Err(TryLockError::Error(_)) => {
+            about.modified()?.elapsed().is_ok_and(|age| age > WITHOUT_LOCKS)
+        }
     };
     Ok(is_left_behind.then_some(Left { path, _lock: folder }))
 }
@@ -159,15 +163,18 @@ fn is_at(folder: &File, path: &Path) -> bool {
     (here.dev(), here.ino()) == (there.dev(), there.ino())
 }
 
-/// Returns whether a folder is empty and has the permissions of its kind: its process was killed before
-/// it made the mark, or after it removed the mark.
+/// Returns whether a folder is empty and has the permissions of its kind: its process was killed
+/// before it made the mark, or after it removed the mark.
 fn is_bare(path: &Path, about: &Metadata, kind: Kind) -> bool {
-    about.mode() & 0o7777 == kind.mode && std::fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_none())
+    about.mode() & 0o7777 == kind.mode
+        && std::fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_none())
 }
 
 fn is_marked(path: &Path) -> bool {
     let file = path.join(MARK.0);
-    let is_file = file.symlink_metadata().is_ok_and(|about| about.is_file() && about.len() == MARK.1.len() as u64);
+    let is_file = file
+        .symlink_metadata()
+        .is_ok_and(|about| about.is_file() && about.len() == MARK.1.len() as u64);
     is_file && std::fs::read(file).is_ok_and(|text| text == MARK.1.as_bytes())
 }
 
@@ -193,8 +200,9 @@ mod tests {
 
     fn names(folder: &Path) -> Vec<String> {
         let entries = std::fs::read_dir(folder).unwrap();
-        let mut names: Vec<String> =
-            entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect();
+        let mut names: Vec<String> = entries
+            .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
+            .collect();
         names.sort();
         names
     }
@@ -236,7 +244,10 @@ mod tests {
         expected.retain(|name| name != "grader-left");
         assert_eq!(clear(home.path(), OURS).unwrap(), 1);
         assert_eq!(names(home.path()), expected);
-        assert!(home.path().join("other").join(MARK.0).exists(), "the target of a link was emptied");
+        assert!(
+            home.path().join("other").join(MARK.0).exists(),
+            "the target of a link was emptied"
+        );
     }
 
     #[test]

@@ -5,7 +5,9 @@ mod sharpness;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use cases::answer::{Wrong, check_answers_path, expected_png_path, image_answer_path, load, mistakes_path};
+use cases::answer::{
+    Wrong, check_answers_path, expected_png_path, image_answer_path, load, mistakes_path,
+};
 use cases::probe::Answer;
 use cases::stage::{Base, Case};
 use cases::{Course, effects};
@@ -64,16 +66,23 @@ fn cases(exam: &Exam, questions: &Questions, problems: &mut Vec<String>) {
         Base::Without(added) => added,
     };
     if stage.cases.len() < MIN_CASES {
-        problems.push(format!("{}: {} image cases, at least {MIN_CASES} are wanted", stage.id, stage.cases.len()));
+        problems.push(format!(
+            "{}: {} image cases, at least {MIN_CASES} are wanted",
+            stage.id,
+            stage.cases.len()
+        ));
     }
-    // A choice of the course may leave nothing of an effect, as opaque shadows do of tinted ones. Then
-    // a case is enough that shows the effect in the lecture.
+    // A choice of the course may leave nothing of an effect, as opaque shadows do of tinted ones.
+    // Then a case is enough that shows the effect in the lecture.
     let shows = |case: &Case, effect| {
-        [&exam.course, &Course::default()].iter().any(|course| effects::called_for(&case.scene, course).has(effect))
+        [&exam.course, &Course::default()]
+            .iter()
+            .any(|course| effects::called_for(&case.scene, course).has(effect))
     };
     for effect in added.iter() {
         if !stage.cases.iter().any(|case| shows(case, effect)) {
-            problems.push(format!("{}: allows `{effect}`, but no case of it calls for that", stage.id));
+            problems
+                .push(format!("{}: allows `{effect}`, but no case of it calls for that", stage.id));
         }
     }
     for id in stage.cases.iter().filter(|case| case.points == 0).map(|case| &case.id) {
@@ -92,12 +101,14 @@ fn answers(exam: &Exam, problems: &mut Vec<String>) {
         problems.push(format!("{}: {} (`{renewal}` renews it)", fault.subject, fault.why));
     }
     for id in &exam.surplus {
-        problems.push(format!("{id}: there is a stored answer, but no such check (`reference expect` removes it)"));
+        problems.push(format!(
+            "{id}: there is a stored answer, but no such check (`reference expect` removes it)"
+        ));
     }
 }
 
-/// Demands pictures on which right tracers agree, in which the mistakes show that they are for, and which a
-/// tracer without the stage does not give.
+/// Demands pictures on which right tracers agree, in which the mistakes show that they are for, and
+/// which a tracer without the stage does not give.
 fn sharpness(exam: &Exam, questions: &Questions, problems: &mut Vec<String>) {
     for case in &questions.stage.cases {
         let Some(answer) = questions.images.get(&case.id) else { continue };
@@ -105,7 +116,9 @@ fn sharpness(exam: &Exam, questions: &Questions, problems: &mut Vec<String>) {
         let bytes = load::bytes(&image_answer_path(&exam.folder, &case.id)).unwrap_or_default();
         match Wrong::decode_all(&bytes, size.width, size.height) {
             Ok(wrong) => problems.extend(sharpness::problems(case, answer, &wrong, &exam.mistakes)),
-            Err(why) => problems.push(format!("{}: the stored mistakes cannot be read: {why}", case.id)),
+            Err(why) => {
+                problems.push(format!("{}: the stored mistakes cannot be read: {why}", case.id))
+            }
         }
     }
 }
@@ -122,36 +135,49 @@ fn checks(questions: &Questions, problems: &mut Vec<String>) {
             && judge::unit(paper, right, check.ask.function()).verdict != Verdict::Pass
         {
             let (paper, stored) = judge::lines(paper, &right.answer, right.allowed);
-            problems.push(format!("{}: paper and stored answer differ\non paper:\n{paper}stored:\n{stored}", check.id));
+            problems.push(format!(
+                "{}: paper and stored answer differ\non paper:\n{paper}stored:\n{stored}",
+                check.id
+            ));
         }
         if !right.allowed.is_finite() || right.allowed < 0.0 {
             problems.push(format!("{}: the allowed error is {}", check.id, right.allowed));
         }
         if right.either && !is_decision(&right.answer) {
-            problems.push(format!("{}: two answers are right, but one is stored: ask something firmer", check.id));
+            problems.push(format!(
+                "{}: two answers are right, but one is stored: ask something firmer",
+                check.id
+            ));
         }
     }
 }
 
-/// Whether an answer says one of two things, so that the other one can be told without being stored.
+/// Whether an answer says one of two things, so that the other one can be told without being
+/// stored.
 fn is_decision(answer: &Answer) -> bool {
     matches!(
         answer,
-        Answer::Hit { .. } | Answer::Found { .. } | Answer::Miss(_) | Answer::GoesOn(_) | Answer::Facing { .. }
+        Answer::Hit { .. }
+            | Answer::Found { .. }
+            | Answer::Miss(_)
+            | Answer::GoesOn(_)
+            | Answer::Facing { .. }
     ) || matches!(answer, Answer::Vector(_))
 }
 
 /// Answers and pictures beside which there is no case.
 fn unknown_files(exam: &Exam, problems: &mut Vec<String>) {
     let stages = exam.stages.iter().map(|questions| &questions.stage);
-    let mut known: BTreeSet<_> = stages.clone().map(|stage| check_answers_path(&exam.folder, &stage.id)).collect();
+    let mut known: BTreeSet<_> =
+        stages.clone().map(|stage| check_answers_path(&exam.folder, &stage.id)).collect();
     known.insert(mistakes_path(&exam.folder));
     for case in stages.flat_map(|stage| &stage.cases) {
         known.insert(image_answer_path(&exam.folder, &case.id));
         known.insert(expected_png_path(&exam.folder, &case.id));
     }
-    let is_answer =
-        |name: &str| [".answer.exr", ".expected.png", ".answers.json"].iter().any(|end| name.ends_with(end));
+    let is_answer = |name: &str| {
+        [".answer.exr", ".expected.png", ".answers.json"].iter().any(|end| name.ends_with(end))
+    };
     for file in files::below(&exam.folder).unwrap_or_default() {
         let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
         if is_answer(&name) && !known.contains(&file) {
@@ -167,7 +193,11 @@ fn summary(exam: &Exam) -> Vec<String> {
         let possible = stage.cases.iter().map(|case| case.points).sum::<u64>() + stage.unit_points;
         all += possible;
         let (n_cases, n_checks) = (stage.cases.len(), stage.checks.len());
-        format!("{}: {n_cases} cases, {n_checks} unit checks, {} points", stage.id, points(possible))
+        format!(
+            "{}: {n_cases} cases, {n_checks} unit checks, {} points",
+            stage.id,
+            points(possible)
+        )
     };
     let mut lines: Vec<String> = exam.stages.iter().map(line).collect();
     lines.push(format!("{} points in all", points(all)));

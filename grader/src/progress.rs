@@ -1,4 +1,5 @@
-//! What is said while the work goes on: a bar on a terminal, lines elsewhere. All of it on standard error.
+//! What is said while the work goes on: a bar on a terminal, lines elsewhere. All of it on standard
+//! error.
 
 use std::io::IsTerminal;
 
@@ -24,7 +25,11 @@ pub(crate) struct Bar {
 impl Bar {
     pub(crate) fn new(talk: &Talk) -> Self {
         let is_terminal = std::io::stderr().is_terminal();
-        let bar = if is_terminal && !talk.is_quiet { ProgressBar::new_spinner() } else { ProgressBar::hidden() };
+        let bar = if is_terminal && !talk.is_quiet {
+            ProgressBar::new_spinner()
+        } else {
+            ProgressBar::hidden()
+        };
         bar.enable_steady_tick(std::time::Duration::from_millis(100));
         Self { bar, says_lines: !is_terminal && !talk.is_quiet }
     }

@@ -1,4 +1,5 @@
-//! The grade record: the versioned truth behind every report. Reports decide nothing; they only show what stands here.
+//! The grade record: the versioned truth behind every report. Reports decide nothing; they only
+//! show what stands here.
 
 use cases::answer::Mistake;
 use schemars::JsonSchema;
@@ -29,7 +30,8 @@ pub struct Record {
     pub build: Build,
     /// The sum over the stages.
     pub score: Score,
-    /// The known mistakes that explain what is wrong, the one that explains most first. Mostly one or none.
+    /// The known mistakes that explain what is wrong, the one that explains most first. Mostly one
+    /// or none.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub diagnoses: Vec<Diagnosis>,
     /// Stages in order.
@@ -41,14 +43,16 @@ impl Record {
     ///
     /// Text of a submission in it is harmless to print ([`plain::json`]); its value is unchanged.
     pub fn to_json(&self) -> String {
-        let text = serde_json::to_string_pretty(self).expect("a record has string keys and no part that fails");
+        let text = serde_json::to_string_pretty(self)
+            .expect("a record has string keys and no part that fails");
         plain::json(&text) + "\n"
     }
 }
 
 /// Returns the JSON Schema (2020-12) of a record of version [`SCHEMA`].
 pub fn schema() -> serde_json::Value {
-    let mut schema = SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<Record>();
+    let mut schema =
+        SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<Record>();
     schema.insert("title".to_owned(), "A grade record".into());
     schema.insert("$id".to_owned(), format!("grade-record.{SCHEMA}.schema.json").into());
     schema.ensure_object()["properties"]["schema"]["const"] = SCHEMA.into();
@@ -82,7 +86,8 @@ pub struct Build {
     pub finding: Option<Finding>,
     /// The compiler's warnings, as it wrote them; cut at a limit.
     pub warnings: Vec<String>,
-    /// What of the submission was left aside, and why: a `build.rs`, a changed manifest, an unknown file.
+    /// What of the submission was left aside, and why: a `build.rs`, a changed manifest, an unknown
+    /// file.
     pub ignored: Vec<String>,
     /// Seconds; 0 where a stored build was taken.
     pub time_s: f64,
@@ -229,14 +234,17 @@ pub struct Finding {
 }
 
 /// The kinds of finding.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
 #[serde(rename_all = "snake_case")]
 pub enum FindingKind {
     /// A right answer was due and another came.
     Wrong,
     /// The picture is anti-aliased: several rays a pixel where one was due.
     Antialiased,
-    /// All pixels that differ are such on which right tracers differ: it counts as right, and a person should look at it.
+    /// All pixels that differ are such on which right tracers differ: it counts as right, and a
+    /// person should look at it.
     Contested,
     /// The program ended with a signal, a panic, or a code other than 0.
     Crash,

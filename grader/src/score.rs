@@ -2,12 +2,14 @@
 
 use crate::record::{Score, Verdict};
 
-/// What a check with this verdict earns, and could have earned. `share` is the part that `Partial` earns, in thousandths, rounded
-/// down. `Ours` is left out of both, so that it costs nothing.
+/// What a check with this verdict earns, and could have earned. `share` is the part that `Partial`
+/// earns, in thousandths, rounded down. `Ours` is left out of both, so that it costs nothing.
 pub fn score(verdict: Verdict, share: u32, points: u64) -> Score {
     match verdict {
         Verdict::Pass => Score { earned: points, possible: points },
-        Verdict::Partial => Score { earned: points * u64::from(share.min(1000)) / 1000, possible: points },
+        Verdict::Partial => {
+            Score { earned: points * u64::from(share.min(1000)) / 1000, possible: points }
+        }
         Verdict::Fail | Verdict::NotRun => Score { earned: 0, possible: points },
         Verdict::Ours => Score::default(),
     }
@@ -47,9 +49,14 @@ mod tests {
 
     #[test]
     fn a_part_is_rounded_down_and_never_more_than_all() {
-        for (share, points, earned) in [(900, 2000, 1800), (1, 2000, 2), (1, 999, 0), (333, 1000, 333), (5000, 70, 70)]
+        for (share, points, earned) in
+            [(900, 2000, 1800), (1, 2000, 2), (1, 999, 0), (333, 1000, 333), (5000, 70, 70)]
         {
-            assert_eq!(score(Verdict::Partial, share, points), Score { earned, possible: points }, "{share}");
+            assert_eq!(
+                score(Verdict::Partial, share, points),
+                Score { earned, possible: points },
+                "{share}"
+            );
         }
         assert_eq!(score(Verdict::Fail, 900, 2000).earned, 0);
     }

@@ -24,9 +24,14 @@ pub fn side_by_side<T: Sync, R: Send>(
     };
     let mut done = std::thread::scope(|scope| {
         let others = jobs.clamp(1, items.len().max(1)) - 1;
-        let started: Vec<_> = (0..others).map_while(|_| Builder::new().spawn_scoped(scope, worker).ok()).collect();
+        let started: Vec<_> =
+            (0..others).map_while(|_| Builder::new().spawn_scoped(scope, worker).ok()).collect();
         let mut done = worker();
-        done.extend(started.into_iter().flat_map(|thread| thread.join().expect("panics are caught one by one")));
+        done.extend(
+            started
+                .into_iter()
+                .flat_map(|thread| thread.join().expect("panics are caught one by one")),
+        );
         done
     });
     done.sort_by_key(|(n, _)| *n);

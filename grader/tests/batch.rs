@@ -1,4 +1,5 @@
-//! `grader batch` over small programs and an exam of one black picture: killed, interrupted, and started again.
+//! `grader batch` over small programs and an exam of one black picture: killed, interrupted, and
+//! started again.
 
 mod class;
 mod shared;
@@ -34,12 +35,17 @@ fn a_class_is_graded_and_tabulated() {
     let report = fs::read_to_string(class.at("out/reports/white.html")).unwrap();
     assert!(report.contains("12 pixels out of tolerance"));
 
-    let tables = |class: &Class| ["out/class.csv", "out/class.html"].map(|path| fs::read(class.at(path)).unwrap());
+    let tables = |class: &Class| {
+        ["out/class.csv", "out/class.html"].map(|path| fs::read(class.at(path)).unwrap())
+    };
     let before = tables(&class);
     class.hand_in("white", BLACK);
     let (_, printed, lines) = class.run("1");
     assert!(lines.contains("black: 2 of 2 points (unchanged)"), "{lines}");
-    assert!(printed.contains("3 of them graded"), "the changed one, and the two that cannot be read: {printed}");
+    assert!(
+        printed.contains("3 of them graded"),
+        "the changed one, and the two that cannot be read: {printed}"
+    );
     assert!(class.table().contains(&"white white 2 2 worked 2".to_owned()));
     class.hand_in("white", WHITE);
     class.run("1");
@@ -129,11 +135,16 @@ fn answers_that_cannot_be_trusted_grade_nobody() {
 fn a_changed_description_regrades_nobody() {
     let class = Class::new(&[("a", BLACK)]);
     class.run("1");
-    let about =
-        CASE.replace("so nothing is seen", "so one sees nothing").replace("title = \"Dark\"", "title = \"Black\"");
+    let about = CASE
+        .replace("so nothing is seen", "so one sees nothing")
+        .replace("title = \"Dark\"", "title = \"Black\"");
     assert_ne!(about, CASE);
     fs::write(class.at("stages/01_ray_casting/dark.toml"), about).unwrap();
-    fs::write(class.at("stages/01_ray_casting/stage.toml"), STAGE.replace("Nothing is there", "It is dark")).unwrap();
+    fs::write(
+        class.at("stages/01_ray_casting/stage.toml"),
+        STAGE.replace("Nothing is there", "It is dark"),
+    )
+    .unwrap();
     fs::write(class.at("stages/notes.txt"), "a file that no score depends on").unwrap();
     let (code, printed, lines) = class.run("1");
     assert_eq!(code, 0, "{lines}");

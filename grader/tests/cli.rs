@@ -10,7 +10,8 @@ fn grader(arguments: &[&str], folder: &Path) -> Output {
 /// Runs the command in `folder`; its code, and a part of what it prints on either stream.
 fn check(arguments: &[&str], folder: &Path, code: i32, part: &str) {
     let output = grader(arguments, folder);
-    let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned()
+        + &String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(code), "{arguments:?}: {text}");
     assert!(text.contains(part), "{arguments:?}: no {part:?} in\n{text}");
 }
@@ -30,7 +31,8 @@ fn lint_says_what_is_missing() {
     let home = tempfile::tempdir().unwrap();
     let stage = home.path().join("01_ray_casting");
     std::fs::create_dir(&stage).unwrap();
-    let text = "title = 'Ray casting'\nabout = 'Rays.'\nallows = ['attenuation']\nneeds = []\nunit_points = 9\n";
+    let text = "title = 'Ray casting'\nabout = 'Rays.'\nallows = ['attenuation']\nneeds = []\n\
+        unit_points = 9\n";
     std::fs::write(stage.join("stage.toml"), text).unwrap();
     std::fs::write(stage.join("gone.answer.exr"), "").unwrap();
     check(&["lint", "."], home.path(), 1, "0 image cases, at least 8 are wanted");
@@ -43,7 +45,8 @@ fn lint_says_what_is_missing() {
 #[test]
 fn every_command_shows_examples() {
     let home = tempfile::tempdir().unwrap();
-    for command in ["grade", "images", "compare", "explain", "lint", "schema", "completions", "man"] {
+    for command in ["grade", "images", "compare", "explain", "lint", "schema", "completions", "man"]
+    {
         check(&[command, "--help"], home.path(), 0, "Example");
     }
     check(&["--help"], home.path(), 0, "130  interrupted");
@@ -59,7 +62,9 @@ fn doctor_looks_at_everything() {
     let output = grader(&["doctor", "--cases", "nowhere"], home.path());
     let text = String::from_utf8(output.stdout).unwrap();
     assert_eq!(output.status.code(), Some(3), "{text}");
-    for name in ["compiler:", "linker:", "workspace:", "store:", "cores:", "protection:", "missing  cases:"] {
+    for name in
+        ["compiler:", "linker:", "workspace:", "store:", "cores:", "protection:", "missing  cases:"]
+    {
         assert!(text.contains(name), "no {name} in\n{text}");
     }
     for name in ["ok       temporary files:", "ok       limits:", "memory:"] {
@@ -71,14 +76,19 @@ fn doctor_looks_at_everything() {
 fn limits_that_are_lower_are_said() {
     let under = |limit: &str, command: &str| {
         let line = format!("ulimit {limit}; exec \"$0\" {command}");
-        let output = Command::new("sh").args(["-c", &line, env!("CARGO_BIN_EXE_grader")]).output().unwrap();
-        String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr)
+        let output =
+            Command::new("sh").args(["-c", &line, env!("CARGO_BIN_EXE_grader")]).output().unwrap();
+        String::from_utf8_lossy(&output.stdout).into_owned()
+            + &String::from_utf8_lossy(&output.stderr)
     };
     let doctor = |limit: &str, part: &str| {
         let text = under(limit, "doctor");
         assert!(text.contains(part), "{limit}: no {part:?} in {text}");
     };
-    doctor("-n 200", "ok       limits: programs get 200 open files, not 256 (ulimit -n), which is enough");
+    doctor(
+        "-n 200",
+        "ok       limits: programs get 200 open files, not 256 (ulimit -n), which is enough",
+    );
     doctor("-n 20", "missing  limits: programs get 20 open files, not 256 (ulimit -n): raise it");
     doctor("-v 3000000", "ok       limits: programs get 2929 MiB of address space, not 4096");
     let exam = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/exam");

@@ -45,7 +45,10 @@ impl Home {
     /// Runs `grader compare` with these words, and with the file `input` as standard input.
     fn run(&self, words: &[&str], input: &str) -> Output {
         let mut command = Command::new("timeout");
-        command.args(["100", env!("CARGO_BIN_EXE_grader"), "compare"]).args(words).current_dir(self.0.path());
+        command
+            .args(["100", env!("CARGO_BIN_EXE_grader"), "compare"])
+            .args(words)
+            .current_dir(self.0.path());
         command.stdin(File::open(self.at(input)).unwrap()).output().unwrap()
     }
 
@@ -56,7 +59,8 @@ impl Home {
 
     fn check_fed(&self, words: &[&str], input: &str, code: i32, part: &str) {
         let output = self.run(words, input);
-        let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+        let text = String::from_utf8_lossy(&output.stdout).into_owned()
+            + &String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(code), "{words:?}: {text}");
         assert!(text.contains(part), "{words:?}: no {part:?} in\n{text}");
     }
@@ -86,7 +90,13 @@ fn pictures_are_compared() {
     home.check_both("a.png", "b.png", "0", 1, "12 pixels of 12 differ");
     home.check_both("a.png", "b.png", "2.99", 1, "by 3 levels");
     home.check_both("a.png", "b.png", "3", 0, "they agree");
-    home.check_both("a.png", "off16.png", "0", 1, "12 pixels of 12 differ, most at (0, 0) by 3.89e-3 levels");
+    home.check_both(
+        "a.png",
+        "off16.png",
+        "0",
+        1,
+        "12 pixels of 12 differ, most at (0, 0) by 3.89e-3 levels",
+    );
     home.check_both("a16.png", "off16.png", "0.0039", 0, "they agree");
     home.check(&["a.png", "b.png", "--tolerance", "nan"], 2, "from 0 to 255");
     home.check(&["a.png", "b.png", "--tolerance", "-1"], 2, "");
@@ -130,8 +140,20 @@ fn a_damaged_file_is_an_error_whatever_stands_beside_it() {
     let float = fs::read(home.at("a.pfm")).unwrap();
     fs::write(home.at("long.pfm"), [&float[..], b"\n"].concat()).unwrap();
     for other in ["a.png", "a16.png", "a.pfm"] {
-        home.check_both("crc.png", other, "0", 2, "crc.png: it cannot be decoded: the PNG is damaged: CRC error");
-        home.check_both("cut.png", other, "0", 2, "cut.png: it cannot be decoded: the PNG ends early");
+        home.check_both(
+            "crc.png",
+            other,
+            "0",
+            2,
+            "crc.png: it cannot be decoded: the PNG is damaged: CRC error",
+        );
+        home.check_both(
+            "cut.png",
+            other,
+            "0",
+            2,
+            "cut.png: it cannot be decoded: the PNG ends early",
+        );
         home.check_both("long.pfm", other, "0", 2, "1 too many; the header is the likely cause");
     }
 }
@@ -148,14 +170,26 @@ fn a_picture_is_judged_by_an_answer() {
     home.check(&["b.pfm", "--answer", answer, "--tolerance", "128"], 0, "they agree");
     home.check_fed(&["-", "--answer", answer], "a.png", 0, "they agree");
     home.check_both("a.png", answer, "0", 0, "they agree");
-    home.check(&["a.png", "--answer", "b.pfm"], 2, "b.pfm: a stored answer is a file that is called");
+    home.check(
+        &["a.png", "--answer", "b.pfm"],
+        2,
+        "b.pfm: a stored answer is a file that is called",
+    );
     home.check(&["a.png", "--answer", "-"], 2, "-: a stored answer is a file that is called");
-    home.check(&["a.png", "--answer", "/dev/zero"], 2, "/dev/zero: a stored answer is a file that is called");
+    home.check(
+        &["a.png", "--answer", "/dev/zero"],
+        2,
+        "/dev/zero: a stored answer is a file that is called",
+    );
     home.check(&["a.png", answer, "--answer", answer], 2, "cannot be used with");
     home.put_sized("wide.png", 5, 0.2);
     home.check(&["wide.png", "--answer", answer], 2, "is the answer to a picture of 4×3, not 5×3");
     std::os::unix::fs::symlink("/dev/zero", home.at("zero.answer.exr")).unwrap();
-    home.check(&["a.png", "--answer", "zero.answer.exr"], 2, "a stored answer is a file that is called");
+    home.check(
+        &["a.png", "--answer", "zero.answer.exr"],
+        2,
+        "a stored answer is a file that is called",
+    );
 }
 
 /// An answer is refused where nothing shows that it is current.
@@ -206,7 +240,12 @@ fn an_input_that_may_never_end_is_refused_at_once() {
     }
     home.check_fed(&["a.png", "-"], "/dev/zero", 2, "standard input: not a PNG, PFM or EXR image");
     home.check_fed(&["-", "a.png"], "wide.png", 2, "standard input is 5×3 pixels, a.png is 4×3");
-    home.check_fed(&["-", "a.png"], "cut.png", 2, "standard input: it cannot be decoded: the PNG ends early");
+    home.check_fed(
+        &["-", "a.png"],
+        "cut.png",
+        2,
+        "standard input: it cannot be decoded: the PNG ends early",
+    );
     home.check_fed(&["-", "a.png"], "/dev/null", 2, "the file is empty");
     home.check_fed(&["-", "-"], "a.png", 2, "a stream can be read only once");
     home.check_fed(&["/dev/fd/0", "-"], "a.png", 2, "a stream can be read only once");
@@ -229,21 +268,37 @@ fn pipes_are_read_once() {
     for (line, code, says) in [
         ("cat a.png | $grader compare - a.png", 0, "they agree"),
         ("cat b.pfm | $grader compare a.png -", 1, "12 pixels of 12 differ"),
-        ("cat a.png | { exec 4<&0 < /dev/null; $grader compare /dev/fd/4 a.png; }", 0, "they agree"),
-        ("cat a.png | { exec 4<&0 < a.pfm; $grader compare /dev/fd/4 - --tolerance 1; }", 0, "they agree"),
+        (
+            "cat a.png | { exec 4<&0 < /dev/null; $grader compare /dev/fd/4 a.png; }",
+            0,
+            "they agree",
+        ),
+        (
+            "cat a.png | { exec 4<&0 < a.pfm; $grader compare /dev/fd/4 - --tolerance 1; }",
+            0,
+            "they agree",
+        ),
         ("exec 4< a.png; $grader compare /proc/self/fd/4 a.png", 0, "they agree"),
         ("cat a.png > pipe & $grader compare a.png - < pipe", 0, "they agree"),
         ("exec 4< /dev/zero; $grader compare a.png /dev/fd/4", 2, "/dev/fd/4: it is a device"),
         ("exec 4<> pipe; $grader compare a.png /dev/fd/4", 2, "/dev/fd/4: it is a named pipe"),
         ("{ cat a.png; cat /dev/zero; } | $grader compare a.pfm a.pfm", 0, "they agree"),
         ("{ cat a.pfm; cat /dev/zero; } | $grader compare - a.pfm", 2, "bytes, which is the limit"),
-        ("$grader compare a.png b.pfm > /dev/full", 3, "cannot write to standard output: No space left"),
+        (
+            "$grader compare a.png b.pfm > /dev/full",
+            3,
+            "cannot write to standard output: No space left",
+        ),
         ("$grader compare a.png b.pfm 2>&1 | true", 0, ""),
     ] {
         let output = shell(&home, line);
-        let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+        let text = String::from_utf8_lossy(&output.stdout).into_owned()
+            + &String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(code), "{line}: {text}");
-        assert!(text.contains(says) && !text.contains("panicked"), "{line}: no {says:?} in\n{text}");
+        assert!(
+            text.contains(says) && !text.contains("panicked"),
+            "{line}: no {says:?} in\n{text}"
+        );
     }
 }
 
@@ -254,13 +309,24 @@ fn a_signal_ends_a_wait_for_input() {
     for signal in ["INT", "TERM"] {
         let mut command = Command::new(env!("CARGO_BIN_EXE_grader"));
         command.args(["compare", "-", "a.png"]).current_dir(home.0.path());
-        let mut child = command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+        let mut child = command
+            .stdin(Stdio::piped())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
         // The reading thread starts after the signal handlers are set.
         let tasks = PathBuf::from(format!("/proc/{}/task", child.id()));
         while fs::read_dir(&tasks).unwrap().count() < 2 {
             assert_eq!(child.try_wait().unwrap(), None, "it did not wait");
         }
-        assert!(Command::new("kill").args(["-s", signal, &child.id().to_string()]).status().unwrap().success());
+        assert!(
+            Command::new("kill")
+                .args(["-s", signal, &child.id().to_string()])
+                .status()
+                .unwrap()
+                .success()
+        );
         let _open = child.stdin.take(); // `wait` would close it
         assert_eq!(child.wait().unwrap().code(), Some(130), "{signal}");
     }
@@ -273,7 +339,8 @@ fn pictures_too_large_for_memory_are_refused_or_compared_in_little() {
     home.check(&["wide.pfm", "wide.pfm"], 2, "it is 16384×16384 pixels; at most 67108864 pixels");
     let image = Image::from_fn(4096, 4096, |i, j| DVec3::splat(f64::from((i ^ j) % 256) / 255.0));
     film::write(&home.at("large.png"), &image).unwrap();
-    let output = shell(&home, "ulimit -v 300000; RAYON_NUM_THREADS=2 $grader compare large.png large.png");
+    let output =
+        shell(&home, "ulimit -v 300000; RAYON_NUM_THREADS=2 $grader compare large.png large.png");
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
 }
 

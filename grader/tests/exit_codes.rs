@@ -33,7 +33,9 @@ fn place() -> tempfile::TempDir {
     hand_in(place.path(), "unbuilt", "echo no >&2; exit 1", "exit 1");
     fs::write(at("broken.zip"), "no archive").unwrap();
     fs::write(at("bad_stages/01_x/stage.toml"), "title = 1").unwrap();
-    for (folder, files) in [("right_pictures", ["blue", "green", "red"]), ("wrong_pictures", ["red", "red", "red"])] {
+    for (folder, files) in
+        [("right_pictures", ["blue", "green", "red"]), ("wrong_pictures", ["red", "red", "red"])]
+    {
         fs::create_dir_all(at(folder).join("01_flat")).unwrap();
         for (name, file) in ["blue", "green", "red"].iter().zip(files) {
             let from = exam().join(format!("01_flat/{file}.expected.png"));
@@ -43,7 +45,8 @@ fn place() -> tempfile::TempDir {
     place
 }
 
-/// The calls, each with its exit code and a part of what it says. `EXAM` stands for the folder of the exam.
+/// The calls, each with its exit code and a part of what it says. `EXAM` stands for the folder of
+/// the exam.
 const CALLS: &[(&str, i32, &str)] = &[
     ("grade right --cases EXAM", 0, "everything that was run passes"),
     ("grade wrong --cases EXAM", 1, "it ended with code 1"),
@@ -58,7 +61,11 @@ const CALLS: &[(&str, i32, &str)] = &[
     ("grade right --cases EXAM --stage flat", 2, "did you mean `01_flat`?"),
     ("grade right --cases EXAM --case attenuaton", 2, "did you mean `attenuation`?"),
     ("grade right --cases EXAM --case blue", 0, "1 check in 01_flat matches `blue`"),
-    ("grade right --cases EXAM --case attenuation --case red", 0, " checks in 01_flat match `attenuation` and `red`"),
+    (
+        "grade right --cases EXAM --case attenuation --case red",
+        0,
+        " checks in 01_flat match `attenuation` and `red`",
+    ),
     ("grade right --cases EXAM --json r.json --junit r.xml", 0, ""),
     ("grade right --cases EXAM --json missing/r.json", 2, "there is no folder `missing`"),
     ("grade --open", 2, "--html"),
@@ -124,8 +131,9 @@ fn every_call_ends_as_help_says() {
 #[test]
 fn every_command_and_every_code_of_its_help_is_in_the_table() {
     let place = tempfile::tempdir().unwrap();
-    // What the calls above cannot bring about: an interrupt (below), a machine without a compiler, a case without its
-    // answer (`lint` of a whole set), a submission that explains itself, a disk that cannot be read (`compare`).
+    // What the calls above cannot bring about: an interrupt (below), a machine without a compiler,
+    // a case without its answer (`lint` of a whole set), a submission that explains itself, a disk
+    // that cannot be read (`compare`).
     let excused = [
         ("explain", 0),
         ("explain", 3),
@@ -136,17 +144,29 @@ fn every_command_and_every_code_of_its_help_is_in_the_table() {
         ("doctor", 0),
         ("lint", 0),
     ];
-    let help = String::from_utf8(grader(place.path(), &["--help"]).output().unwrap().stdout).unwrap();
+    let help =
+        String::from_utf8(grader(place.path(), &["--help"]).output().unwrap().stdout).unwrap();
     let commands = help.split("Commands:").nth(1).unwrap().split("Options:").next().unwrap();
-    let names: Vec<&str> = commands.lines().filter_map(|line| line.strip_prefix("  ")?.split(' ').next()).collect();
-    let names: Vec<&str> = names.into_iter().filter(|name| !name.is_empty() && *name != "help").collect();
+    let names: Vec<&str> =
+        commands.lines().filter_map(|line| line.strip_prefix("  ")?.split(' ').next()).collect();
+    let names: Vec<&str> =
+        names.into_iter().filter(|name| !name.is_empty() && *name != "help").collect();
     assert!(names.len() > 9, "{names:?}");
     for name in names {
-        let help = String::from_utf8(grader(place.path(), &[name, "--help"]).output().unwrap().stdout).unwrap();
-        let promised = help.split("Exit codes:").nth(1).unwrap_or_else(|| panic!("{name} --help names no exit code"));
+        let help =
+            String::from_utf8(grader(place.path(), &[name, "--help"]).output().unwrap().stdout)
+                .unwrap();
+        let promised = help
+            .split("Exit codes:")
+            .nth(1)
+            .unwrap_or_else(|| panic!("{name} --help names no exit code"));
         let is_code = |word: &&str| ["0", "1", "2", "3"].contains(word);
-        for code in promised.split_whitespace().filter(is_code).map(|code| code.parse::<i32>().unwrap()) {
-            let is_called = CALLS.iter().any(|(call, ends, _)| call.split(' ').next() == Some(name) && *ends == code);
+        for code in
+            promised.split_whitespace().filter(is_code).map(|code| code.parse::<i32>().unwrap())
+        {
+            let is_called = CALLS
+                .iter()
+                .any(|(call, ends, _)| call.split(' ').next() == Some(name) && *ends == code);
             assert!(
                 is_called != excused.contains(&(name, code)),
                 "{name} ends with {code}: no call, or excused for nothing"
@@ -171,7 +191,8 @@ fn an_interrupt_ends_with_130_and_is_said_in_every_report() {
     hand_in(place.path(), "slow", "", &format!("touch {}; sleep 60", started.display()));
     let exam = exam();
     let reports = ["--json", "r.json", "--html", "r.html", "--junit", "r.xml"];
-    let args = [&["grade", "slow", "--cases", exam.to_str().unwrap(), "--jobs", "1"], &reports[..]].concat();
+    let args = [&["grade", "slow", "--cases", exam.to_str().unwrap(), "--jobs", "1"], &reports[..]]
+        .concat();
     let child = grader(place.path(), &args).stderr(Stdio::null()).spawn().unwrap();
     wait_for(&started);
     let pid = child.id().to_string();
@@ -182,14 +203,24 @@ fn an_interrupt_ends_with_130_and_is_said_in_every_report() {
     let read = |name: &str| fs::read_to_string(place.path().join(name)).unwrap();
     assert!(text.contains("Interrupted: not everything was run"), "{text}");
     assert!(read("r.json").contains("\"interrupted\": true"));
-    assert!(read("r.html").contains("<title>interrupted · ") && read("r.html").contains("Interrupted: not everything"));
+    assert!(
+        read("r.html").contains("<title>interrupted · ")
+            && read("r.html").contains("Interrupted: not everything")
+    );
     assert!(read("r.xml").contains("(interrupted: not everything was run)"));
 }
 
 #[test]
 fn a_full_disk_behind_standard_output_is_the_machines_failure() {
     let place = tempfile::tempdir().unwrap();
-    for args in [&["schema"][..], &["completions", "bash"], &["man"], &["doctor"], &["--help"], &["grade", "--help"]] {
+    for args in [
+        &["schema"][..],
+        &["completions", "bash"],
+        &["man"],
+        &["doctor"],
+        &["--help"],
+        &["grade", "--help"],
+    ] {
         let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
         let output = grader(place.path(), args).stdout(full).output().unwrap();
         let text = printed(&output);

@@ -22,7 +22,8 @@ fn check(line: &str, script: &str, code: i32, part: &str) {
 /// The same for a program that is right, but has to be built by the script first.
 fn check_build(line: &str, script: &str, code: i32, part: &str) {
     let class = Class::new(&[("a", BLACK)]);
-    let commands = "[build]\ncommand = [\"sh\", \"./build.sh\"]\n[run]\ncommand = [\"sh\", \"./tracer.sh\"]\n";
+    let commands =
+        "[build]\ncommand = [\"sh\", \"./build.sh\"]\n[run]\ncommand = [\"sh\", \"./tracer.sh\"]\n";
     fs::write(class.at("in/a/submission.toml"), commands).unwrap();
     fs::write(class.at("in/a/build.sh"), script).unwrap();
     check_class(&class, line, script, code, part);
@@ -51,14 +52,25 @@ fn limits_of_the_grader_are_not_exceeded_and_not_the_students() {
     check("ulimit -v 3000000", BLACK, 0, "a: 2 of 2 points");
     check(
         "ulimit -v 3000000",
-        "[ $(ulimit -v) = unlimited ] || [ $(ulimit -v) -gt 3000000 ] || { echo MemoryError >&2; exit 1; }",
+        "[ $(ulimit -v) = unlimited ] || [ $(ulimit -v) -gt 3000000 ] || { echo MemoryError >&2; \
+            exit 1; }",
         3,
         "address space",
     );
     check("ulimit -t 15", BLACK, 0, "a: 2 of 2 points");
-    check("ulimit -t 1", "while [ $(ulimit -t) = 1 ]; do :; done", 3, "1 s of CPU time, not 26 (ulimit -t)");
+    check(
+        "ulimit -t 1",
+        "while [ $(ulimit -t) = 1 ]; do :; done",
+        3,
+        "1 s of CPU time, not 26 (ulimit -t)",
+    );
     check("ulimit -f 1000", BLACK, 0, "a: 2 of 2 points");
-    check("ulimit -f 1000", &where_holds("head -c 2000000 /dev/zero > big"), 3, "in a file, not 65536 (ulimit -f)");
+    check(
+        "ulimit -f 1000",
+        &where_holds("head -c 2000000 /dev/zero > big"),
+        3,
+        "in a file, not 65536 (ulimit -f)",
+    );
 }
 
 #[test]
@@ -67,7 +79,11 @@ fn results_that_cannot_be_written_are_not_half_written() {
     let (code, printed, said) = class.run_under("ulimit -f 20", &["--jobs", "1"]);
     assert_eq!(code, 3, "{printed}{said}");
     assert!(said.contains("cannot write the results to"), "{said}");
-    assert_eq!(fs::read_dir(class.at("out/results")).unwrap().count(), 0, "something was published");
+    assert_eq!(
+        fs::read_dir(class.at("out/results")).unwrap().count(),
+        0,
+        "something was published"
+    );
     assert!(!class.at("out/class.csv").exists());
     assert_eq!(class.run("1").0, 0);
     assert_eq!(class.table(), ["a a 2 2 worked 2"]);
@@ -75,14 +91,20 @@ fn results_that_cannot_be_written_are_not_half_written() {
 
 #[test]
 fn a_missing_folder_for_temporary_files_is_named() {
-    check("export TMPDIR=/nowhere/at/all", BLACK, 3, "no temporary folder can be made in /nowhere/at/all");
+    check(
+        "export TMPDIR=/nowhere/at/all",
+        BLACK,
+        3,
+        "no temporary folder can be made in /nowhere/at/all",
+    );
 }
 
 /// Whether this system lets its users mount file systems of their own; containers and hardened
 /// systems do not.
 fn can_mount(folder: &Path) -> bool {
     let mount = format!("mount -t tmpfs none '{}'", folder.display());
-    let tried = Command::new("unshare").args(["-rm", "sh", "-c", &mount]).stderr(Stdio::null()).status();
+    let tried =
+        Command::new("unshare").args(["-rm", "sh", "-c", &mount]).stderr(Stdio::null()).status();
     tried.is_ok_and(|status| status.success())
 }
 
@@ -96,22 +118,34 @@ fn a_full_disk_is_not_the_students() {
     let scratch = scratch.path().display();
     let with = |size: &str| {
         format!(
-            "exec unshare -rm sh -c 'mount -t tmpfs -o {size} none {scratch}; TMPDIR={scratch} exec \"$@\"' sh \"$@\""
+            "exec unshare -rm sh -c 'mount -t tmpfs -o {size} none {scratch}; TMPDIR={scratch} \
+                exec \"$@\"' sh \"$@\""
         )
     };
     // The program's copy, the scene and the marks take eight blocks of 4 KiB or so.
     let large = where_holds("head -c 100000 /dev/zero > \"$3\"");
     check(&with("size=96k"), &large, 3, "has no room for");
     check(&with("size=12k"), BLACK, 3, "No space left");
-    check(&with("size=1m,nr_inodes=12"), &where_holds("for i in 1 2 3 4 5 6 7 8 9; do : > $i; done"), 3, "has no room");
-    check_build(&with("size=1m"), "head -c 2000000 /dev/zero > tool || exit 1", 3, "has no room for");
+    check(
+        &with("size=1m,nr_inodes=12"),
+        &where_holds("for i in 1 2 3 4 5 6 7 8 9; do : > $i; done"),
+        3,
+        "has no room",
+    );
+    check_build(
+        &with("size=1m"),
+        "head -c 2000000 /dev/zero > tool || exit 1",
+        3,
+        "has no room for",
+    );
     check(&with("size=1m"), &large, 0, "a: 2 of 2 points");
     check(&with("size=1m"), CRASH, 0, "a: 0 of 2 points");
     check(&with("size=1m"), "rm -rf \"$PWD\"; exit 1", 0, "a: 0 of 2 points");
 }
 
 /// A compiler that only says its name: another user may not reach the real one.
-const COMPILER: &str = "#!/bin/sh\ncase $1 in --print) cd \"${0%/*}/..\" && pwd;; *) echo rustc 1.0;; esac\n";
+const COMPILER: &str =
+    "#!/bin/sh\ncase $1 in --print) cd \"${0%/*}/..\" && pwd;; *) echo rustc 1.0;; esac\n";
 
 /// Copies what makes a workspace of the assignment.
 fn copy_workspace(to: &Path) {
@@ -140,7 +174,8 @@ fn exhausted_processes_are_not_the_students() {
     }
     // The system does not count the processes of root, so root becomes another user, who has none.
     let is_root = fs::metadata("/proc/self").unwrap().uid() == 0;
-    let become_other = if is_root { "setpriv --reuid=54321 --regid=54321 --clear-groups" } else { "env" };
+    let become_other =
+        if is_root { "setpriv --reuid=54321 --regid=54321 --clear-groups" } else { "env" };
     for n in [1, 2] {
         let line = format!(
             "shift; cd {place}; export TMPDIR={place}/tmp PATH={place}/bin:$PATH; \
@@ -149,7 +184,8 @@ fn exhausted_processes_are_not_the_students() {
         );
         let (code, printed, said) = class.run_under(&line, &["--jobs", "1"]);
         assert_eq!(code, 3, "{n} processes: {printed}{said}");
-        let is_named = said.contains("more processes") || said.contains("Resource temporarily unavailable");
+        let is_named =
+            said.contains("more processes") || said.contains("Resource temporarily unavailable");
         assert!(is_named, "{n} processes: {printed}{said}");
         assert!(!class.has_record("a"));
     }
@@ -168,8 +204,11 @@ fn what_a_killed_run_leaves_is_removed_by_the_next_and_live_runs_keep_theirs() {
         folders
     };
     let busy = "i=0; while [ $i -lt 100000000 ]; do i=$((i+1)); done";
-    let (killed, live, next) = (Class::new(&[("a", busy)]), Class::new(&[("b", busy)]), Class::new(&[("c", BLACK)]));
-    let start = |class: &Class| class.command(&line, &["--jobs", "1", "--time-limit", "600"]).spawn().unwrap();
+    let (killed, live, next) =
+        (Class::new(&[("a", busy)]), Class::new(&[("b", busy)]), Class::new(&[("c", BLACK)]));
+    let start = |class: &Class| {
+        class.command(&line, &["--jobs", "1", "--time-limit", "600"]).spawn().unwrap()
+    };
     let mut first = start(&killed);
     wait_for(|| folders().len() == 1);
     wait_for(|| folders()[0].join("1/scene.json").exists());
@@ -209,7 +248,9 @@ fn on_pictures(n: usize, script: &str, jobs: &str) -> (usize, Vec<(u64, String)>
     let output = grade.args(["--jobs", jobs, "--time-limit", "1", "--json", "-"]).output().unwrap();
     let record: Record = serde_json::from_slice(&output.stdout).unwrap();
     let checks = record.stages.iter().flat_map(|stage| &stage.checks);
-    let message = |check: &CheckRecord| check.finding.as_ref().map_or(String::new(), |finding| finding.message.clone());
+    let message = |check: &CheckRecord| {
+        check.finding.as_ref().map_or(String::new(), |finding| finding.message.clone())
+    };
     let said = checks.map(|check| (check.earned, message(check))).collect();
     (fs::read_to_string(log).unwrap().lines().count(), said)
 }
@@ -225,24 +266,38 @@ fn a_program_that_fails_whatever_it_is_given_is_not_started_for_every_picture() 
     ] {
         for jobs in ["1", "4"] {
             let (n_starts, said) = on_pictures(12, script, jobs);
-            assert_eq!((n_starts, said.len()), (started.len() + 1, 12), "{script}, {jobs} jobs: {said:?}");
+            assert_eq!(
+                (n_starts, said.len()),
+                (started.len() + 1, 12),
+                "{script}, {jobs} jobs: {said:?}"
+            );
             let left_out = format!("so {} pictures were left out", 12 - started.len());
             for (n, (earned, message)) in said.iter().enumerate() {
                 assert_eq!(*earned, 0);
                 assert!(message.contains(kind), "{script}, {jobs} jobs, {n}: {message}");
-                assert_eq!(message.contains(&left_out), !started.contains(&n), "{script}, {n}: {message}");
+                assert_eq!(
+                    message.contains(&left_out),
+                    !started.contains(&n),
+                    "{script}, {n}: {message}"
+                );
             }
         }
     }
 }
 
-/// The note at the end of a Rust panic says nothing of the cause, and neither does an end without a word.
+/// The note at the end of a Rust panic says nothing of the cause, and neither does an end without a
+/// word.
 #[test]
 fn a_program_that_fails_for_several_reasons_gets_the_points_of_what_it_can_do() {
-    let note = "echo 'note: run with `RUST_BACKTRACE=1` environment variable to display a backtrace' >&2; exit 101";
-    let loud =
-        format!("n=$(wc -l < \"$log\"); [ $n -le 2 ] && {{ echo \"panicked at line $n\" >&2; {note}; }}; {BLACK}");
-    let silent = format!("grep -q sphere \"$2\" || exit 1; [ $(wc -l < \"$log\") -le 2 ] && exit 1; {BLACK}");
+    let note = "echo 'note: run with `RUST_BACKTRACE=1` environment variable to display a \
+        backtrace' >&2; exit 101";
+    let loud = format!(
+        "n=$(wc -l < \"$log\"); [ $n -le 2 ] && {{ echo \"panicked at line $n\" >&2; {note}; }}; \
+            {BLACK}"
+    );
+    let silent = format!(
+        "grep -q sphere \"$2\" || exit 1; [ $(wc -l < \"$log\") -le 2 ] && exit 1; {BLACK}"
+    );
     for script in [loud, silent] {
         let (_, said) = on_pictures(12, &script, "1");
         assert_eq!(said.iter().filter(|(earned, _)| *earned > 0).count(), 10, "{script}: {said:?}");
@@ -254,7 +309,10 @@ fn a_program_that_fails_at_what_is_in_the_scene_is_started_for_every_picture() {
     let picky = format!("grep -q sphere \"$2\" && {{ echo no spheres >&2; exit 1; }}; {BLACK}");
     let (n_starts, said) = on_pictures(6, &picky, "2");
     assert_eq!(n_starts, 7, "once with an empty scene: {said:?}");
-    assert!(said.iter().all(|(_, message)| message == "it ended with code 1: no spheres"), "{said:?}");
+    assert!(
+        said.iter().all(|(_, message)| message == "it ended with code 1: no spheres"),
+        "{said:?}"
+    );
 }
 
 #[test]
@@ -263,6 +321,8 @@ fn a_program_that_sleeps_is_not_waited_for_without_end() {
     let n_right = said.iter().take_while(|(earned, _)| *earned > 0).count();
     assert!((12..20).contains(&n_right), "{n_right} pictures of 0.9 s fit into 12 s: {said:?}");
     let rest = &said[n_right..];
-    let is_told = |message: &str| message == "not run, because the program was idle for 12 s in all before this";
+    let is_told = |message: &str| {
+        message == "not run, because the program was idle for 12 s in all before this"
+    };
     assert!(rest.iter().all(|(earned, message)| *earned == 0 && is_told(message)), "{rest:?}");
 }

@@ -1,4 +1,5 @@
-//! Nothing that a submission says, and no name that it brings, gives a command to the machine that keeps the log.
+//! Nothing that a submission says, and no name that it brings, gives a command to the machine that
+//! keeps the log.
 
 mod common;
 
@@ -22,7 +23,8 @@ fn obeyed(text: &str) -> Option<&str> {
     })
 }
 
-/// A program that attacks in every way: on both streams, as the answer to a question, by what is still to be written.
+/// A program that attacks in every way: on both streams, as the answer to a question, by what is
+/// still to be written.
 fn program() -> String {
     let lines = ATTACKS.join("\n");
     format!(
@@ -32,7 +34,8 @@ fn program() -> String {
          explain) printf '%s\\n' '{0}' '{1}' '{2}' '{3}'; exit 0;;\n\
          probe) printf '%s\\n' '{2}'\n\
          while read line; do id=${{line#*\\\"id\\\":\\\"}}; id=${{id%%\\\"*}}\n\
-         printf '{{\"id\":\"%s\",\"panic\":\"x\\\\n{0}\\\\n{1}\\\\n{2}\\\\r{3}\"}}\\n' \"$id\"; done;;\n\
+         printf '{{\"id\":\"%s\",\"panic\":\"x\\\\n{0}\\\\n{1}\\\\n{2}\\\\r{3}\"}}\\n' \"$id\"; \
+         done;;\n\
          esac\n",
         ATTACKS[0], ATTACKS[1], ATTACKS[2], ATTACKS[3]
     )
@@ -46,7 +49,12 @@ fn no_command_prints_an_attack() {
     for name in odd_names {
         hand_in(&class, name, "", &program());
     }
-    hand_in(&class, "fails", &format!("cat <<'END' >&2\n{}\nEND\nexit 1", ATTACKS.join("\n")), "exit 1");
+    hand_in(
+        &class,
+        "fails",
+        &format!("cat <<'END' >&2\n{}\nEND\nexit 1", ATTACKS.join("\n")),
+        "exit 1",
+    );
     // A file of this name is left aside, and named in the report.
     fs::create_dir_all(class.join("rust/src")).unwrap();
     fs::write(class.join("rust/src/light.rs"), "::error::x ##[error]").unwrap();
@@ -61,7 +69,9 @@ fn no_command_prints_an_attack() {
         calls.push([&["grade", name], &cases[..]].concat());
         calls.push([&["grade", name, "-v", "--color", "always"], &cases[..]].concat());
         calls.push([&["grade", name, "--json", "-"], &cases[..]].concat());
-        calls.push([&["grade", name, "-q", "--junit", "r.xml", "--html", "r.html"], &cases[..]].concat());
+        calls.push(
+            [&["grade", name, "-q", "--junit", "r.xml", "--html", "r.html"], &cases[..]].concat(),
+        );
         calls.push([&["explain", name, "01_flat/red", "0", "0"], &cases[..]].concat());
         calls.push([&["images", name], &cases[..]].concat());
     }
@@ -80,7 +90,10 @@ fn no_command_prints_an_attack() {
         let text = printed(&grader(&class, call).output().unwrap());
         assert_eq!(obeyed(&text), None, "{call:?}:\n{text}");
         if call[0] == "grade" && call.contains(&"-v") || call[0] == "explain" {
-            assert!(text.contains("owned"), "{call:?} does not show what the submission says:\n{text}");
+            assert!(
+                text.contains("owned"),
+                "{call:?} does not show what the submission says:\n{text}"
+            );
         }
         for report in ["r.xml", "r.html"] {
             if let Ok(text) = fs::read_to_string(class.join(report)) {

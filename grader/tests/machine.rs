@@ -15,7 +15,9 @@ fn exam() -> PathBuf {
 
 /// Returns an archive with a right program of the exam and a file of a mebibyte.
 fn archive() -> Vec<u8> {
-    let honest = fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/submissions/honest.py")).unwrap();
+    let honest =
+        fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/submissions/honest.py"))
+            .unwrap();
     let files: [(&str, &[u8]); 4] = [
         ("submission.toml", b"run = { command = ['python3', './main.py'] }"),
         ("main.py", b"import sys\nsys.dont_write_bytecode = True\nimport honest\nhonest.main()\n"),
@@ -25,7 +27,11 @@ fn archive() -> Vec<u8> {
     let mut out = ZipWriter::new(std::io::Cursor::new(vec![]));
     for (name, bytes) in files {
         // Stored, since a file of zeros would look like a bomb.
-        out.start_file(name, SimpleFileOptions::default().compression_method(CompressionMethod::Stored)).unwrap();
+        out.start_file(
+            name,
+            SimpleFileOptions::default().compression_method(CompressionMethod::Stored),
+        )
+        .unwrap();
         out.write_all(bytes).unwrap();
     }
     out.finish().unwrap().into_inner()
@@ -58,7 +64,10 @@ fn check(limited: &mut Command, place: &Path) {
     let (code, text) = run(batch(limited, place));
     assert_eq!(code, 3, "{text}");
     assert!(text.contains("1 could not be graded, for no fault of the student's"), "{text}");
-    assert!(text.contains("ann: cannot unpack the archive below") && text.contains("TMPDIR"), "{text}");
+    assert!(
+        text.contains("ann: cannot unpack the archive below") && text.contains("TMPDIR"),
+        "{text}"
+    );
     let published = |folder: &str| fs::read_dir(place.join("out").join(folder)).unwrap().count();
     assert_eq!([published("results"), published("records")], [0, 0]);
     let (code, text) = run(batch(&mut Command::new("env"), place));
@@ -81,17 +90,26 @@ fn a_limit_on_the_size_of_files_is_no_fault_of_the_students() {
 
 #[test]
 fn a_full_disk_is_no_fault_of_the_students() {
-    let may_mount = Command::new("unshare").args(["-rm", "true"]).status().is_ok_and(|status| status.success());
+    let may_mount =
+        Command::new("unshare").args(["-rm", "true"]).status().is_ok_and(|status| status.success());
     if !may_mount {
         // The same fault is tested above without a mount. Where a gate says that it can mount, it
         // must.
-        assert!(std::env::var_os("REQUIRE_NAMESPACES").is_none(), "`unshare -rm` does not work here");
-        eprintln!("`unshare -rm` does not work here, so no file system of a given size can be tried");
+        assert!(
+            std::env::var_os("REQUIRE_NAMESPACES").is_none(),
+            "`unshare -rm` does not work here"
+        );
+        eprintln!(
+            "`unshare -rm` does not work here, so no file system of a given size can be tried"
+        );
         return;
     }
     let place = class();
     let script = "mount -t tmpfs -o size=64k none tmp && TMPDIR=$PWD/tmp exec \"$@\"";
-    check(Command::new("unshare").args(["-rm", "sh", "-c", script, "sh"]).current_dir(place.path()), place.path());
+    check(
+        Command::new("unshare").args(["-rm", "sh", "-c", script, "sh"]).current_dir(place.path()),
+        place.path(),
+    );
 }
 
 #[test]

@@ -55,7 +55,8 @@ impl Home {
 
 const PICTURE: &str = "pictures/01_ray_casting/dark.png";
 /// Each report begins with this text.
-const REPORTS: [(&str, &str); 3] = [("--json", "{"), ("--html", "<!DOCTYPE html>"), ("--junit", "<?xml")];
+const REPORTS: [(&str, &str); 3] =
+    [("--json", "{"), ("--html", "<!DOCTYPE html>"), ("--junit", "<?xml")];
 
 #[test]
 fn reports_go_to_files_and_streams_alike() {
@@ -66,7 +67,11 @@ fn reports_go_to_files_and_streams_alike() {
         let stored = home.text(file);
         assert!(stored.trim_start().starts_with(begin), "{report}");
         for name in ["-", "stdout"] {
-            assert_eq!(home.check(&format!("$images {report} {name}"), 0, ""), stored, "{report} {name}");
+            assert_eq!(
+                home.check(&format!("$images {report} {name}"), 0, ""),
+                stored,
+                "{report} {name}"
+            );
         }
         // The pipe is refused until its reader has opened it.
         let until = format!("until $images {report} pipe; do :; done");
@@ -86,11 +91,17 @@ fn a_name_that_cannot_be_written_is_said_before_anything_is_judged() {
     let home = Home::new();
     fs::create_dir(home.at("folder")).unwrap();
     for (words, says) in [
-        ("--json no/such/a.json", "cannot write no/such/a.json: there is no folder `no/such`; nothing was changed"),
+        (
+            "--json no/such/a.json",
+            "cannot write no/such/a.json: there is no folder `no/such`; nothing was changed",
+        ),
         ("--html folder", "cannot write folder: it is a folder"),
         ("--junit stages/", "it is a folder"),
         ("--json - --html -", "only one of --json, --html and --junit can go to standard output"),
-        ("--json stdout --junit -", "only one of --json, --html and --junit can go to standard output"),
+        (
+            "--json stdout --junit -",
+            "only one of --json, --html and --junit can go to standard output",
+        ),
         ("--json a.txt --junit a.txt", "two reports cannot be the same file"),
         ("--json a.txt --html stages/../a.txt", "two reports cannot be the same file"),
         ("--html - --open", "--open shows a file"),
@@ -109,11 +120,22 @@ fn a_full_disk_is_code_3_and_costs_no_other_report() {
         let printed = home.check(&line, 3, "cannot write /dev/full: No space left on device");
         assert!(printed.contains("2 of 2 points"), "the report for people is lost: {printed}");
     }
-    assert!(fs::metadata("/dev/full").unwrap().file_type().is_char_device(), "the device was replaced");
+    assert!(
+        fs::metadata("/dev/full").unwrap().file_type().is_char_device(),
+        "the device was replaced"
+    );
     home.check("$images --json /dev/full --html a.html --junit a.xml", 3, "No space left");
     assert!(home.text("a.html").len() > 1000 && home.text("a.xml").len() > 100);
-    home.check("$images > /dev/full", 3, "cannot write to standard output: No space left on device");
-    home.check("$images --json - > /dev/full", 3, "cannot write to standard output: No space left on device");
+    home.check(
+        "$images > /dev/full",
+        3,
+        "cannot write to standard output: No space left on device",
+    );
+    home.check(
+        "$images --json - > /dev/full",
+        3,
+        "cannot write to standard output: No space left on device",
+    );
 }
 
 #[test]
@@ -125,7 +147,10 @@ fn a_report_that_does_not_fit_leaves_the_old_one() {
     home.check("trap '' XFSZ; ulimit -f 1; $images --html a.html", 3, says);
     assert_eq!(home.text("a.html"), "old");
     let names = fs::read_dir(home.0.path()).unwrap().map(|entry| entry.unwrap().file_name());
-    assert!(!names.into_iter().any(|name| name.to_string_lossy().starts_with(".part-")), "a part stayed behind");
+    assert!(
+        !names.into_iter().any(|name| name.to_string_lossy().starts_with(".part-")),
+        "a part stayed behind"
+    );
 }
 
 #[test]
@@ -137,13 +162,20 @@ fn what_is_no_picture_costs_its_points_and_no_time() {
         ("mkdir PICTURE", "the picture is no regular file"),
         ("ln -s /dev/zero PICTURE", "the picture is a link"),
         ("head -c 40 SAVED > PICTURE", "ends early, before its end mark (IEND)"),
-        ("printf 'PF\\r\\n4 3\\r\\n-1.0\\r\\n' > PICTURE", "demands 144 bytes of floats, 0 follow: 144 too few"),
+        (
+            "printf 'PF\\r\\n4 3\\r\\n-1.0\\r\\n' > PICTURE",
+            "demands 144 bytes of floats, 0 follow: 144 too few",
+        ),
         ("true", "there is no picture"),
     ] {
-        let line = format!("mv PICTURE SAVED; {line}; $images; code=$?; rm -rf PICTURE; mv SAVED PICTURE; exit $code");
+        let line = format!(
+            "mv PICTURE SAVED; {line}; $images; code=$?; rm -rf PICTURE; mv SAVED PICTURE; exit \
+                $code"
+        );
         home.check(&line.replace("PICTURE", PICTURE).replace("SAVED", "saved.png"), 1, says);
     }
-    let crlf = "{ printf 'PF\\r\\n4 3\\r\\n-1.0\\r\\n'; head -c 144 /dev/zero; } > PICTURE; $images";
+    let crlf =
+        "{ printf 'PF\\r\\n4 3\\r\\n-1.0\\r\\n'; head -c 144 /dev/zero; } > PICTURE; $images";
     home.check(&crlf.replace("PICTURE", PICTURE), 0, "2 of 2 points");
 }
 
@@ -156,7 +188,10 @@ fn what_is_no_folder_of_pictures_is_code_2() {
         ("stages/01_ray_casting/stage.toml", "it is not a folder"),
     ] {
         home.check(
-            &"$images".replace("$images", &format!("{} images {folder} --cases stages", env!("CARGO_BIN_EXE_grader"))),
+            &"$images".replace(
+                "$images",
+                &format!("{} images {folder} --cases stages", env!("CARGO_BIN_EXE_grader")),
+            ),
             2,
             says,
         );

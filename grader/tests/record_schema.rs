@@ -1,4 +1,5 @@
-//! The stored JSON Schema of a record is the one that the types give, and holds for every record that is stored.
+//! The stored JSON Schema of a record is the one that the types give, and holds for every record
+//! that is stored.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -21,7 +22,10 @@ fn the_document_is_current() {
         fs::write(stored(), &schema).unwrap();
     }
     let document = fs::read_to_string(stored()).unwrap_or_default();
-    assert!(document == schema, "docs/grade-record.schema.json is not what `grader schema` prints: set BLESS=1");
+    assert!(
+        document == schema,
+        "docs/grade-record.schema.json is not what `grader schema` prints: set BLESS=1"
+    );
 }
 
 #[test]
@@ -49,7 +53,9 @@ fn what_is_no_record_does_not_have_the_form() {
         record.as_object_mut().unwrap().remove("interrupted");
         record
     };
-    assert!(check(&without, &schema, &schema, "record").unwrap_err().contains("record: no interrupted"));
+    assert!(
+        check(&without, &schema, &schema, "record").unwrap_err().contains("record: no interrupted")
+    );
     let table = [
         ("/schema", json!(2), "record.schema"),
         ("/stages/0/earned", json!(-1), "record.stages[0].earned"),
@@ -66,8 +72,8 @@ fn what_is_no_record_does_not_have_the_form() {
     }
 }
 
-/// Whether `value` has the form `schema`; `Err` says where it has not. Knows the words that our schemas use, and no
-/// other, so that none is passed over.
+/// Whether `value` has the form `schema`; `Err` says where it has not. Knows the words that our
+/// schemas use, and no other, so that none is passed over.
 fn check(value: &Value, schema: &Value, root: &Value, place: &str) -> Result<(), String> {
     let Some(words) = schema.as_object() else { return Ok(()) };
     let wrong = |word: &str| Err(format!("{place}: against {word} of {schema}: {value}"));
@@ -76,7 +82,10 @@ fn check(value: &Value, schema: &Value, root: &Value, place: &str) -> Result<(),
         let holds = match word.as_str() {
             "$schema" | "$id" | "$defs" | "title" | "description" | "default" | "format" => true,
             "$ref" => {
-                let path = about.as_str().and_then(|path| path.strip_prefix('#')).expect("a place in the document");
+                let path = about
+                    .as_str()
+                    .and_then(|path| path.strip_prefix('#'))
+                    .expect("a place in the document");
                 check(value, root.pointer(path).expect("a definition"), root, place)?;
                 true
             }
@@ -86,9 +95,11 @@ fn check(value: &Value, schema: &Value, root: &Value, place: &str) -> Result<(),
             },
             "const" => value == about,
             "enum" => about.as_array().expect("a list").contains(value),
-            "anyOf" | "oneOf" => {
-                about.as_array().expect("a list").iter().any(|one| check(value, one, root, place).is_ok())
-            }
+            "anyOf" | "oneOf" => about
+                .as_array()
+                .expect("a list")
+                .iter()
+                .any(|one| check(value, one, root, place).is_ok()),
             "minimum" => value.as_f64().is_none_or(|x| x >= number(word)),
             "maximum" => value.as_f64().is_none_or(|x| x <= number(word)),
             "minItems" => value.as_array().is_none_or(|items| items.len() as f64 >= number(word)),

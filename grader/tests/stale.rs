@@ -1,5 +1,5 @@
-//! Every command that judges refuses answers that do not belong to their cases, and says which command
-//! renews them.
+//! Every command that judges refuses answers that do not belong to their cases, and says which
+//! command renews them.
 
 mod shared;
 
@@ -13,8 +13,12 @@ use shared::{CASE, STAGE, dark_exam};
 
 /// Runs `grader` in `home`, and returns the exit code and all that is printed.
 fn run(home: &Path, words: &[&str]) -> (Option<i32>, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_grader")).args(words).current_dir(home).output().unwrap();
-    (output.status.code(), String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned())
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_grader")).args(words).current_dir(home).output().unwrap();
+    (
+        output.status.code(),
+        String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned(),
+    )
 }
 
 /// The commands that judge.
@@ -22,7 +26,12 @@ const JUDGES: [&[&str]; 4] = [
     &["grade", "mine", "--cases", "stages"],
     &["images", "pictures", "--cases", "stages"],
     &["batch", "in", "-o", "out", "--cases", "stages"],
-    &["compare", "pictures/01_ray_casting/dark.png", "--answer", "stages/01_ray_casting/dark.answer.exr"],
+    &[
+        "compare",
+        "pictures/01_ray_casting/dark.png",
+        "--answer",
+        "stages/01_ray_casting/dark.answer.exr",
+    ],
 ];
 
 /// Makes an exam, a submission, a class of one and a picture; all of them are right.
@@ -35,7 +44,8 @@ fn home() -> tempfile::TempDir {
     for folder in ["mine", "in/a"] {
         let folder = home.path().join(folder);
         fs::create_dir_all(&folder).unwrap();
-        fs::write(folder.join("submission.toml"), "[run]\ncommand = [\"sh\", \"./tracer.sh\"]\n").unwrap();
+        fs::write(folder.join("submission.toml"), "[run]\ncommand = [\"sh\", \"./tracer.sh\"]\n")
+            .unwrap();
         fs::write(folder.join("tracer.sh"), "cp \"${0%/*}/black.pfm\" \"$3\"").unwrap();
         fs::write(folder.join("black.pfm"), &black).unwrap();
     }
@@ -83,7 +93,8 @@ fn an_answer_to_another_scene_is_refused() {
 
 #[test]
 fn an_answer_of_another_course_is_refused() {
-    for line in ["highlight = \"phong\"", "index_of_air = 1.0", "always_simulated = [\"shadows\"]"] {
+    for line in ["highlight = \"phong\"", "index_of_air = 1.0", "always_simulated = [\"shadows\"]"]
+    {
         check(&JUDGES, DARK, |stages| fs::write(stages.join("course.toml"), line).unwrap());
     }
 }
@@ -92,7 +103,9 @@ fn an_answer_of_another_course_is_refused() {
 fn an_answer_that_is_missing_or_broken_is_refused() {
     check(&JUDGES, DARK, |stages| fs::remove_file(image_answer_path(stages, ID)).unwrap());
     check(&JUDGES, DARK, |stages| fs::write(image_answer_path(stages, ID), "no answer").unwrap());
-    check(&JUDGES[..3], "the list of known mistakes", |stages| fs::remove_file(mistakes_path(stages)).unwrap());
+    check(&JUDGES[..3], "the list of known mistakes", |stages| {
+        fs::remove_file(mistakes_path(stages)).unwrap()
+    });
 }
 
 #[test]
@@ -107,7 +120,8 @@ fn words_for_people_make_no_answer_stale() {
     }
 }
 
-/// A pipe that nobody writes to, and a machine without handles: no command waits, and none blames the cases.
+/// A pipe that nobody writes to, and a machine without handles: no command waits, and none blames
+/// the cases.
 #[test]
 fn an_answer_that_cannot_be_read_holds_up_nothing() {
     for special in ["mkfifo", "mkdir", "ln -s /dev/zero"] {
@@ -122,7 +136,8 @@ fn an_answer_that_cannot_be_read_holds_up_nothing() {
     let grader = env!("CARGO_BIN_EXE_grader");
     for words in ["grade mine --cases stages", "images pictures --cases stages"] {
         let line = format!("ulimit -n 4; exec '{grader}' {words}");
-        let output = Command::new("sh").args(["-c", &line]).current_dir(home.path()).output().unwrap();
+        let output =
+            Command::new("sh").args(["-c", &line]).current_dir(home.path()).output().unwrap();
         let said = String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned();
         assert_eq!(output.status.code(), Some(3), "{words}: {said}");
     }

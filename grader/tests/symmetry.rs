@@ -67,7 +67,8 @@ fn compare(one: &[u8], other: &[u8], slack: f64) -> Comparison {
 /// Makes two pictures of the same size that differ in some pixels.
 fn pair(dice: &mut Dice) -> [Image; 2] {
     let (width, height) = (1 + dice.below(7) as u32, 1 + dice.below(5) as u32);
-    let one = Image::from_fn(width, height, |_, _| DVec3::from_array([(); 3].map(|()| dice.light())));
+    let one =
+        Image::from_fn(width, height, |_, _| DVec3::from_array([(); 3].map(|()| dice.light())));
     let other = Image::from_fn(width, height, |i, j| match dice.below(3) {
         0 => DVec3::from_array([(); 3].map(|()| dice.light())),
         1 => one.pixel(i, j) + DVec3::Y * dice.below(4) as f64 / 255.0,
@@ -89,13 +90,18 @@ fn it_makes_no_difference_which_picture_comes_first() {
                 let (there, back) = (compare(&one, &other, slack), compare(&other, &one, slack));
                 let figures = |one: &Comparison| (one.difference.clone(), one.by, one.n_not_finite);
                 assert_eq!(figures(&there), figures(&back), "{a:?} and {b:?}, slack {slack}");
-                let roles = there.text.replace("first", "third").replace("second", "first").replace("third", "second");
+                let roles = there
+                    .text
+                    .replace("first", "third")
+                    .replace("second", "first")
+                    .replace("third", "second");
                 assert_eq!(swapped(&roles), back.text);
                 let found = there.difference.n_out;
                 if let Some(expected) = n_out(&images, [a, b], slack) {
                     assert_eq!(found, expected, "{a:?} and {b:?}, slack {slack}: {}", there.text);
                 }
-                (n_agree, n_differ) = (n_agree + u32::from(found == 0), n_differ + u32::from(found > 0));
+                (n_agree, n_differ) =
+                    (n_agree + u32::from(found == 0), n_differ + u32::from(found > 0));
             }
         }
     }
@@ -106,8 +112,9 @@ fn it_makes_no_difference_which_picture_comes_first() {
 fn swapped(text: &str) -> String {
     let Some((before, rest)) = text.split_once(": second ") else { return text.to_owned() };
     let (second, rest) = rest.split_once(", first ").unwrap();
-    let (first, after) =
-        rest.split_once(';').map_or((rest, String::new()), |(first, after)| (first, format!(";{after}")));
+    let (first, after) = rest
+        .split_once(';')
+        .map_or((rest, String::new()), |(first, after)| (first, format!(";{after}")));
     format!("{before}: first {first}, second {second}{after}")
 }
 
@@ -132,9 +139,13 @@ fn bytes_are_compared_as_words_are() {
     for _ in 0..500 {
         let (n, slack) = (3 * 5 * 4, dice.below(5) as f64 / 2.0);
         let one: Vec<u8> = (0..n).map(|_| dice.below(256) as u8).collect();
-        let other: Vec<u8> = one.iter().map(|level| level.saturating_add(dice.below(4) as u8 / 2)).collect();
-        let words = |bytes: &[u8]| bytes.iter().map(|level| f64::from(*level) * WORDS_IN_BYTE).collect::<Vec<f64>>();
-        let (mut by_bytes, mut by_words) = (RowsCompared::new(5, slack), RowsCompared::new(5, slack));
+        let other: Vec<u8> =
+            one.iter().map(|level| level.saturating_add(dice.below(4) as u8 / 2)).collect();
+        let words = |bytes: &[u8]| {
+            bytes.iter().map(|level| f64::from(*level) * WORDS_IN_BYTE).collect::<Vec<f64>>()
+        };
+        let (mut by_bytes, mut by_words) =
+            (RowsCompared::new(5, slack), RowsCompared::new(5, slack));
         by_bytes.take(&one, &other);
         by_words.take_words(&words(&one), &words(&other));
         assert_eq!(by_bytes.finish(), by_words.finish());

@@ -1,4 +1,5 @@
-//! The reference's answers to the questions of the unit checks, in either precision. `docs/protocol.md` explains each question.
+//! The reference's answers to the questions of the unit checks, in either precision.
+//! `docs/protocol.md` explains each question.
 
 use cases::probe::{Answer, Ask};
 use glam::DVec3;
@@ -29,30 +30,45 @@ pub fn answer<R: RuleSource>(rules: R, ask: &Ask) -> Answer {
 /// What the function that `ask` names returns under these rules, worked out in the precision `T`.
 pub fn answer_in<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
     match ask {
-        Ask::EyeRay { .. } | Ask::Nearest { .. } | Ask::Shade { .. } | Ask::Shadow { .. } | Ask::Trace { .. } => {
-            of_scene::<T, R>(rules, ask)
-        }
-        Ask::Sphere { ray, center, radius } => {
-            solid(rules, ray, Solid::<T>::Sphere(Sphere { center: v(*center), radius: T::of(*radius) }))
-        }
+        Ask::EyeRay { .. }
+        | Ask::Nearest { .. }
+        | Ask::Shade { .. }
+        | Ask::Shadow { .. }
+        | Ask::Trace { .. } => of_scene::<T, R>(rules, ask),
+        Ask::Sphere { ray, center, radius } => solid(
+            rules,
+            ray,
+            Solid::<T>::Sphere(Sphere { center: v(*center), radius: T::of(*radius) }),
+        ),
         Ask::Plane { ray, normal, k } => {
             solid(rules, ray, Solid::<T>::Plane(Plane { normal: v(*normal), k: T::of(*k) }))
         }
         Ask::Square { ray } => solid(rules, ray, Solid::<T>::Square(Square)),
-        Ask::Box { ray, min, max } => solid(rules, ray, Solid::<T>::Cuboid(Cuboid { min: v(*min), max: v(*max) })),
+        Ask::Box { ray, min, max } => {
+            solid(rules, ray, Solid::<T>::Cuboid(Cuboid { min: v(*min), max: v(*max) }))
+        }
         Ask::Triangle { ray, a, b, c } => triangle(rules, ray, [*a, *b, *c].map(v::<T>)),
         Ask::TransformedSphere { ray, world_from_object, object_from_world } => {
-            transformed_sphere::<T, R>(rules, &Ray::of(ray), &Frame::of(world_from_object, object_from_world))
+            transformed_sphere::<T, R>(
+                rules,
+                &Ray::of(ray),
+                &Frame::of(world_from_object, object_from_world),
+            )
         }
         Ask::RayToObject { ray, object_from_world } => {
-            let ray = Frame::ray_to_object(rules, &Affine::of(object_from_world), &Ray::<T>::of(ray));
+            let ray =
+                Frame::ray_to_object(rules, &Affine::of(object_from_world), &Ray::<T>::of(ray));
             Answer::Ray { origin: ray.origin.f64(), direction: ray.direction.f64() }
         }
         Ask::NormalToWorld { normal, object_from_world } => {
             vector::<T>(Frame::of_inverse(object_from_world).normal_to_world(rules, v(*normal)))
         }
-        Ask::Barycentric { a, b, c, q } => vector(shapes::barycentric(rules, [*a, *b, *c].map(v::<T>), v(*q))),
-        Ask::Interpolate { weights, normals } => direction(mesh::interpolate(rules, v::<T>(*weights), normals.map(v))),
+        Ask::Barycentric { a, b, c, q } => {
+            vector(shapes::barycentric(rules, [*a, *b, *c].map(v::<T>), v(*q)))
+        }
+        Ask::Interpolate { weights, normals } => {
+            direction(mesh::interpolate(rules, v::<T>(*weights), normals.map(v)))
+        }
         _ => formula::<T, R>(rules, ask),
     }
 }
@@ -67,21 +83,40 @@ fn formula<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
             let (normal, inside) = shade::facing_normal(rules, v::<T>(*direction), v(*normal));
             Answer::Facing { normal: normal.f64(), inside }
         }
-        Ask::Ambient { material, light, inside } => {
-            colour(shade::ambient(rules, &Material::of(material), &Light::<T>::of(light), 0, *inside))
-        }
+        Ask::Ambient { material, light, inside } => colour(shade::ambient(
+            rules,
+            &Material::of(material),
+            &Light::<T>::of(light),
+            0,
+            *inside,
+        )),
         Ask::LightTerm { material, arriving, normal, to_viewer, to_light } => {
-            let [arriving, normal, to_viewer, to_light] = [*arriving, *normal, *to_viewer, *to_light].map(v::<T>);
-            colour(shade::light_term(rules, &Material::of(material), arriving, normal, to_viewer, to_light, &mut ()))
+            let [arriving, normal, to_viewer, to_light] =
+                [*arriving, *normal, *to_viewer, *to_light].map(v::<T>);
+            colour(shade::light_term(
+                rules,
+                &Material::of(material),
+                arriving,
+                normal,
+                to_viewer,
+                to_light,
+                &mut (),
+            ))
         }
         Ask::ToLight { light, point } => match Light::<T>::of(light).seen_from(rules, v(*point)) {
             Some((direction, t)) => Answer::ToLight { direction: direction.f64(), t: t.f64() },
             None => Answer::Miss(true),
         },
-        Ask::Reflect { direction, normal } => vector(optics::reflect(rules, v::<T>(*direction), v(*normal))),
-        Ask::GoesOn { depth, max_depth, weight, threshold } => {
-            Answer::GoesOn(trace::goes_on(rules, *depth, *max_depth, v::<T>(*weight), T::of(*threshold)))
+        Ask::Reflect { direction, normal } => {
+            vector(optics::reflect(rules, v::<T>(*direction), v(*normal)))
         }
+        Ask::GoesOn { depth, max_depth, weight, threshold } => Answer::GoesOn(trace::goes_on(
+            rules,
+            *depth,
+            *max_depth,
+            v::<T>(*weight),
+            T::of(*threshold),
+        )),
         Ask::Indices { inside, index } => {
             let (eta_i, eta_t) = optics::indices(rules, *inside, T::of(*index));
             Answer::Indices { eta_i: eta_i.f64(), eta_t: eta_t.f64() }
@@ -104,11 +139,16 @@ fn formula<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
 fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
     match ask {
         Ask::EyeRay { camera, width, height, pixel: [i, j] } => {
-            let ray = Lens::<T>::new(rules, camera, *width, *height).eye_ray(rules, (*i, *j), (T::of(0.5), T::of(0.5)));
+            let ray = Lens::<T>::new(rules, camera, *width, *height).eye_ray(
+                rules,
+                (*i, *j),
+                (T::of(0.5), T::of(0.5)),
+            );
             Answer::Ray { origin: ray.origin.f64(), direction: ray.direction.f64() }
         }
         Ask::Nearest { scene, ray } => {
-            match World::<T>::with_search(scene, Search::Scan).first(rules, &Ray::of(ray), &mut ()) {
+            match World::<T>::with_search(scene, Search::Scan).first(rules, &Ray::of(ray), &mut ())
+            {
                 Some((object, met)) => Answer::Found { t: met.t.f64(), object },
                 None => Answer::Miss(true),
             }
@@ -121,12 +161,18 @@ fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
             let seen = Seen { spot, normal, to_viewer, is_inside, material: object.material };
             let world = World::<T>::with_search(scene, Search::Scan);
             let rules = of_given_point(rules);
-            colour(Kernel::new(&world, &rules, scene.effects).shade(&seen, Vec3::ONE, &mut Counts::default()))
+            colour(Kernel::new(&world, &rules, scene.effects).shade(
+                &seen,
+                Vec3::ONE,
+                &mut Counts::default(),
+            ))
         }
         Ask::Shadow { scene, light, point } => {
             let world = World::<T>::with_search(scene, Search::Scan);
             let Some(light) = world.lights.get(*light) else { return no_such("light") };
-            let Some((to_light, r)) = light.seen_from(rules, v(*point)) else { return colour(Vec3::<T>::ONE) };
+            let Some((to_light, r)) = light.seen_from(rules, v(*point)) else {
+                return colour(Vec3::<T>::ONE);
+            };
             let rules = of_given_point(rules);
             let kernel = Kernel::new(&world, &rules, scene.effects);
             // the question tells no normal: a start off the surface is one along the ray
@@ -142,7 +188,8 @@ fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
     }
 }
 
-/// The rules for a point that comes with a question: no hit tells how far off its surface it is, so RAY_EPSILON has to. [rule 21]
+/// The rules for a point that comes with a question: no hit tells how far off its surface it is, so
+/// RAY_EPSILON has to. [rule 21]
 fn of_given_point(rules: impl RuleSource) -> Rules {
     let mut rules = *rules.get();
     if rules.style.start == Start::OffBound {
@@ -161,7 +208,8 @@ fn solid<T: Real, R: RuleSource>(rules: R, ray: &cases::Ray, solid: Solid<T>) ->
 
 fn triangle<T: Real, R: RuleSource>(rules: R, ray: &cases::Ray, corners: [Vec3<T>; 3]) -> Answer {
     let (ray, triangle) = (Ray::of(ray), Triangle { corners });
-    let met = if triangle.has_area() { triangle.meet(rules, &ray, &Shear::of(&ray), 0) } else { None };
+    let met =
+        if triangle.has_area() { triangle.meet(rules, &ray, &Shear::of(&ray), 0) } else { None };
     met.map_or(Answer::Miss(true), |met| hit(met.t, triangle.normal(rules)))
 }
 
@@ -169,7 +217,9 @@ fn transformed_sphere<T: Real, R: RuleSource>(rules: R, ray: &Ray<T>, frame: &Fr
     let sphere = Solid::Sphere(Sphere { center: Vec3::ZERO, radius: T::of(0.5) });
     let moved = Frame::ray_to_object(rules, &frame.object_from_world, ray);
     match sphere.meet(rules, &moved) {
-        Some(met) => hit(met.t, frame.normal_to_world(rules, sphere.normal_where(rules, &moved, &met))),
+        Some(met) => {
+            hit(met.t, frame.normal_to_world(rules, sphere.normal_where(rules, &moved, &met)))
+        }
         None => Answer::Miss(true),
     }
 }

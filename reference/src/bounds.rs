@@ -31,8 +31,12 @@ impl<T: Real> Bounds<T> {
 
     /// The box around this one in another frame.
     pub fn moved(self, map: &Affine<T>) -> Self {
-        let pick = |bit: usize, axis: usize| if bit >> axis & 1 == 0 { self.min[axis] } else { self.max[axis] };
-        Self::around((0..8).map(|bit| map.point(Vec3::new(pick(bit, 0), pick(bit, 1), pick(bit, 2)))))
+        let pick = |bit: usize, axis: usize| {
+            if bit >> axis & 1 == 0 { self.min[axis] } else { self.max[axis] }
+        };
+        Self::around(
+            (0..8).map(|bit| map.point(Vec3::new(pick(bit, 0), pick(bit, 1), pick(bit, 2)))),
+        )
     }
 
     /// Its middle.

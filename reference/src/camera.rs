@@ -39,8 +39,8 @@ impl<T: Real> Lens<T> {
         }
     }
 
-    /// The ray through the point (`dx`, `dy`) of pixel (i, j), both from 0 to 1 from the corner at which its row and column begin;
-    /// (0.5, 0.5) is its centre. [rule 1]
+    /// The ray through the point (`dx`, `dy`) of pixel (i, j), both from 0 to 1 from the corner at
+    /// which its row and column begin; (0.5, 0.5) is its centre. [rule 1]
     pub fn eye_ray<R: RuleSource>(&self, rules: R, pixel: (u32, u32), (dx, dy): (T, T)) -> Ray<T> {
         let corner = if rules.get().pixel_centre { T::ZERO } else { T::HALF };
         let by = rules.get().style.nudge.map(|nudge| T::of(nudge) - corner);
@@ -58,12 +58,17 @@ impl<T: Real> Lens<T> {
     fn way<R: RuleSource>(&self, rules: R, x: T, y: T) -> Vec3<T> {
         let [width, height] = self.half;
         match rules.get().style.camera {
-            CameraFormula::Plane => self.forward + self.right * (x * width) + self.up * (y * height),
+            CameraFormula::Plane => {
+                self.forward + self.right * (x * width) + self.up * (y * height)
+            }
             CameraFormula::Corner => {
                 let corner = self.eye + self.forward - self.right * width - self.up * height;
-                corner + self.right * ((x + T::ONE) * width) + self.up * ((y + T::ONE) * height) - self.eye
+                corner + self.right * ((x + T::ONE) * width) + self.up * ((y + T::ONE) * height)
+                    - self.eye
             }
-            CameraFormula::Far => self.forward * (T::ONE / height) + self.right * (x * (width / height)) + self.up * y,
+            CameraFormula::Far => {
+                self.forward * (T::ONE / height) + self.right * (x * (width / height)) + self.up * y
+            }
         }
     }
 }

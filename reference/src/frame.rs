@@ -1,4 +1,5 @@
-//! Where an object's own space lies in the world: rays go in, points and normals come out, each point with a bound of its error. [rule 20]
+//! Where an object's own space lies in the world: rays go in, points and normals come out, each
+//! point with a bound of its error. [rule 20]
 
 use glam::DAffine3;
 
@@ -17,7 +18,8 @@ const CANCELS: f64 = 1.0 / 16.0;
 /// Where object space lies.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<T> {
-    /// M⁻¹ = (W, w): rays follow this one, so the surfaces that they meet are those that it maps to the shape.
+    /// M⁻¹ = (W, w): rays follow this one, so the surfaces that they meet are those that it maps to
+    /// the shape.
     pub object_from_world: Affine<T>,
     /// M = (A, t).
     pub world_from_object: Affine<T>,
@@ -26,15 +28,16 @@ pub struct Frame<T> {
     error: ErrorMap<T>,
 }
 
-/// sign(det A) times the cofactors of A, of which A⁻ᵀ is a positive multiple, row by row. They need no inverse, and so lose nothing where A is
-/// nearly singular.
+/// sign(det A) times the cofactors of A, of which A⁻ᵀ is a positive multiple, row by row. They need
+/// no inverse, and so lose nothing where A is nearly singular.
 #[derive(Clone, Copy, Debug)]
 struct Normals<T> {
     rows: [Vec3<T>; 3],
     exact: [Two3; 3],
 }
 
-/// Takes a point q of object space, known to within e, to the error of its image: |A| (e + B |q| + b) + c.
+/// Takes a point q of object space, known to within e, to the error of its image: |A| (e + B |q| +
+/// b) + c.
 #[derive(Clone, Copy, Debug)]
 struct ErrorMap<T> {
     size: [Vec3<T>; 3],
@@ -51,27 +54,45 @@ impl<T: Real> Frame<T> {
         Self::with(world_from_object, object_from_world, Normals::of(cofactors(rows)))
     }
 
-    /// The frame of which the inverse alone is known: W is taken at its word, and normals go by its transpose.
+    /// The frame of which the inverse alone is known: W is taken at its word, and normals go by its
+    /// transpose.
     pub fn of_inverse(object_from_world: &DAffine3) -> Self {
         let columns = object_from_world.matrix3;
-        let columns = [columns.x_axis, columns.y_axis, columns.z_axis].map(|column| Two3::of(Vec3::of(column)));
+        let columns = [columns.x_axis, columns.y_axis, columns.z_axis]
+            .map(|column| Two3::of(Vec3::of(column)));
         Self::with(&object_from_world.inverse(), object_from_world, Normals::of(columns))
     }
 
-    fn with(world_from_object: &DAffine3, object_from_world: &DAffine3, normals: Normals<T>) -> Self {
+    fn with(
+        world_from_object: &DAffine3,
+        object_from_world: &DAffine3,
+        normals: Normals<T>,
+    ) -> Self {
         let (forth, back) = (Affine::of(world_from_object), Affine::of(object_from_world));
-        Self { object_from_world: back, world_from_object: forth, normals, error: ErrorMap::of(&forth, &back) }
+        Self {
+            object_from_world: back,
+            world_from_object: forth,
+            normals,
+            error: ErrorMap::of(&forth, &back),
+        }
     }
 
-    /// The ray in object space; its direction keeps the length that the matrix gives it, so that t stays the same. [rule 20]
+    /// The ray in object space; its direction keeps the length that the matrix gives it, so that t
+    /// stays the same. [rule 20]
     #[inline(always)]
-    pub fn ray_to_object<R: RuleSource>(rules: R, object_from_world: &Affine<T>, ray: &Ray<T>) -> Ray<T> {
+    pub fn ray_to_object<R: RuleSource>(
+        rules: R,
+        object_from_world: &Affine<T>,
+        ray: &Ray<T>,
+    ) -> Ray<T> {
         let direction = object_from_world.vector(ray.direction);
         let moved = Ray { origin: object_from_world.point(ray.origin), direction, ..*ray };
         match rules.get().object_ray {
             ObjectRay::AsIs => moved,
             ObjectRay::Renormalised => Ray { direction: direction.normalised(), ..moved },
-            ObjectRay::Translated => Ray { direction: object_from_world.point(ray.direction), ..moved },
+            ObjectRay::Translated => {
+                Ray { direction: object_from_world.point(ray.direction), ..moved }
+            }
             ObjectRay::OriginNotMoved => Ray { origin: ray.origin, ..moved },
         }
     }
@@ -80,7 +101,9 @@ impl<T: Real> Frame<T> {
     #[inline(always)]
     pub fn normal_to_world<R: RuleSource>(&self, rules: R, normal: Vec3<T>) -> Vec3<T> {
         match rules.get().world_normal {
-            WorldNormal::InverseTranspose if rules.get().style.robustness == Robustness::Certified => {
+            WorldNormal::InverseTranspose
+                if rules.get().style.robustness == Robustness::Certified =>
+            {
                 self.normals.map(normal)
             }
             WorldNormal::InverseTranspose => self.object_from_world.transposed(normal).normalised(),
@@ -108,7 +131,8 @@ impl<T: Real> Frame<T> {
         Bounds { min: moved.min - pad, max: moved.max + pad }
     }
 
-    /// How many times more than the world's coordinates the way to object space and back loses: the greatest row sum of |A| |W|; 1 at least.
+    /// How many times more than the world's coordinates the way to object space and back loses: the
+    /// greatest row sum of |A| |W|; 1 at least.
     pub fn loss(&self) -> T {
         let back = sizes(&self.object_from_world);
         let through = apply(&self.error.size, apply(&back, Vec3::ONE));
@@ -123,7 +147,8 @@ impl<T: Real> Normals<T> {
 
     #[inline(always)]
     fn map(&self, normal: Vec3<T>) -> Vec3<T> {
-        let mapped = Vec3::new(self.rows[0].dot(normal), self.rows[1].dot(normal), self.rows[2].dot(normal));
+        let mapped =
+            Vec3::new(self.rows[0].dot(normal), self.rows[1].dot(normal), self.rows[2].dot(normal));
         let terms = apply(&self.rows.map(Vec3::abs), normal.abs());
         let is_sure = mapped.abs().max_element() > terms.max_element() * T::of(CANCELS);
         if is_sure { mapped.normalised() } else { self.map_exactly(normal) }
@@ -156,16 +181,21 @@ fn cofactors(rows: [Vec3<f64>; 3]) -> [Two3; 3] {
 
 impl<T: Real> ErrorMap<T> {
     /// - q comes into the world by a sum of four: γ(4) (|A| |q| + |t|).
-    /// - Rays follow W, which is not quite the inverse: W A = I + R and W t + w = r, so that the surface lies R q + r beside q.
-    /// - A ray from p, the image of q, comes back by a sum of four: γ(4) (|W| |p| + |w|), where |p| ≤ |A| |q| + |t|.
+    /// - Rays follow W, which is not quite the inverse: W A = I + R and W t + w = r, so that the
+    ///   surface lies R q + r beside q.
+    /// - A ray from p, the image of q, comes back by a sum of four: γ(4) (|W| |p| + |w|), where |p|
+    ///   ≤ |A| |q| + |t|.
     fn of(forth: &Affine<T>, back: &Affine<T>) -> Self {
         let unit = T::of(SUM_OF_FOUR) * T::ULP;
         let (size, back_size) = (sizes(forth), sizes(back));
         let rest = rest(forth, back);
         let column = |axis: usize| Vec3::new(size[0][axis], size[1][axis], size[2][axis]);
         let row = |i: usize| {
-            let through =
-                Vec3::new(back_size[i].dot(column(0)), back_size[i].dot(column(1)), back_size[i].dot(column(2)));
+            let through = Vec3::new(
+                back_size[i].dot(column(0)),
+                back_size[i].dot(column(1)),
+                back_size[i].dot(column(2)),
+            );
             rest.rows[i].abs() + (through + Vec3::axis(i)) * unit
         };
         let way_back = apply(&back_size, forth.translation.abs()) + back.translation.abs();
@@ -186,7 +216,8 @@ impl<T: Real> ErrorMap<T> {
 /// W A − I and W t + w, rounded away from 0.
 fn rest<T: Real>(forth: &Affine<T>, back: &Affine<T>) -> Affine<T> {
     let two = |v: Vec3<T>| Two3::of(Vec3::of(v.f64()));
-    let column = |axis: usize| Vec3::new(forth.rows[0][axis], forth.rows[1][axis], forth.rows[2][axis]);
+    let column =
+        |axis: usize| Vec3::new(forth.rows[0][axis], forth.rows[1][axis], forth.rows[2][axis]);
     let up = |x: Two| T::of(x.abs().f64()) * (T::ONE + T::TWO * T::ULP);
     let row = |i: usize| {
         let entry = |j: usize| {
@@ -195,7 +226,9 @@ fn rest<T: Real>(forth: &Affine<T>, back: &Affine<T>) -> Affine<T> {
         };
         Vec3::new(entry(0), entry(1), entry(2))
     };
-    let moved = |i: usize| up(two(back.rows[i]).dot(two(forth.translation)) + Two::of(back.translation[i].f64()));
+    let moved = |i: usize| {
+        up(two(back.rows[i]).dot(two(forth.translation)) + Two::of(back.translation[i].f64()))
+    };
     Affine { rows: [row(0), row(1), row(2)], translation: Vec3::new(moved(0), moved(1), moved(2)) }
 }
 

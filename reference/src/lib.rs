@@ -1,4 +1,5 @@
-//! The reference tracer: pictures, ray trees and answers by the numbered rules of `docs/shading-model.md`.
+//! The reference tracer: pictures, ray trees and answers by the numbered rules of
+//! `docs/shading-model.md`.
 //!
 //! | module | holds |
 //! |---|---|

@@ -40,12 +40,15 @@ impl<T: Real> Light<T> {
                 constant: T::of(attenuation.constant),
                 is_steady: *attenuation == cases::scene::Attenuation::NONE,
             },
-            cases::Light::Directional { direction, .. } => Place::Far { direction: Vec3::of(*direction) },
+            cases::Light::Directional { direction, .. } => {
+                Place::Far { direction: Vec3::of(*direction) }
+            }
         };
         Self { colour: Vec3::of(light.colour()), ambient: Vec3::of(light.ambient()), place }
     }
 
-    /// L, a unit vector, and t_light, infinite for a directional light; `None` at the very place of a point light. [rule 5]
+    /// L, a unit vector, and t_light, infinite for a directional light; `None` at the very place of
+    /// a point light. [rule 5]
     #[inline(always)]
     pub fn seen_from<R: RuleSource>(&self, rules: R, point: Vec3<T>) -> Option<(Vec3<T>, T)> {
         match self.place {
@@ -54,22 +57,27 @@ impl<T: Real> Light<T> {
                 let r = way.length();
                 (r > T::ZERO).then(|| (way * (T::ONE / r), r))
             }
-            Place::Far { direction } if rules.get().towards_light => Some((-direction, T::INFINITY)),
+            Place::Far { direction } if rules.get().towards_light => {
+                Some((-direction, T::INFINITY))
+            }
             Place::Far { direction } => Some((direction, T::INFINITY)),
         }
     }
 
-    /// Returns A_j = min(1, 1/(a r² + b r + c)) at the distance `r`; 1 for a directional light, and at every
-    /// distance for (0, 0, 1). Infinitely far away it is the limit: 0 if a or b is positive, otherwise
-    /// min(1, 1/c). [rule 4]
+    /// Returns A_j = min(1, 1/(a r² + b r + c)) at the distance `r`; 1 for a directional light, and
+    /// at every distance for (0, 0, 1). Infinitely far away it is the limit: 0 if a or b is
+    /// positive, otherwise min(1, 1/c). [rule 4]
     #[inline(always)]
     pub fn attenuation<R: RuleSource>(&self, rules: R, r: T, tally: &mut impl Tally) -> T {
-        let Place::Point { quadratic, linear, constant, is_steady, .. } = self.place else { return T::ONE };
+        let Place::Point { quadratic, linear, constant, is_steady, .. } = self.place else {
+            return T::ONE;
+        };
         if is_steady && rules.get().attenuation != Attenuation::Swapped {
             return T::ONE;
         }
         tally.did(Work::Attenuation);
-        let weakened = |a: T, r_squared: T, c: T| T::ONE / distance_sum([a, linear, c], [r_squared, r]);
+        let weakened =
+            |a: T, r_squared: T, c: T| T::ONE / distance_sum([a, linear, c], [r_squared, r]);
         match rules.get().attenuation {
             Attenuation::Clamped => weakened(quadratic, r * r, constant).least(T::ONE),
             Attenuation::Unclamped => weakened(quadratic, r * r, constant),
@@ -80,17 +88,20 @@ impl<T: Real> Light<T> {
     }
 }
 
-/// Returns a r² + b r + c, where a coefficient of 0 counts for nothing even if its power of r overflows.
+/// Returns a r² + b r + c, where a coefficient of 0 counts for nothing even if its power of r
+/// overflows.
 #[inline(always)]
 fn distance_sum<T: Real>([a, b, c]: [T; 3], [r_squared, r]: [T; 2]) -> T {
     let sum = a * r_squared + b * r + c;
     if sum.is_finite() { sum } else { term_by_term([a, b, c], [r_squared, r]) }
 }
 
-/// Returns the same sum without the products of 0 and ∞. The function is cold because no picture needs it: it
-/// stays out of the loop over lights.
+/// Returns the same sum without the products of 0 and ∞. The function is cold because no picture
+/// needs it: it stays out of the loop over lights.
 #[cold]
 fn term_by_term<T: Real>([a, b, c]: [T; 3], [r_squared, r]: [T; 2]) -> T {
-    let term = |coefficient: T, power: T| if coefficient == T::ZERO { T::ZERO } else { coefficient * power };
+    let term = |coefficient: T, power: T| {
+        if coefficient == T::ZERO { T::ZERO } else { coefficient * power }
+    };
     term(a, r_squared) + term(b, r) + c
 }

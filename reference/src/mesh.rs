@@ -19,10 +19,11 @@ use crate::vec3::Vec3;
 /// A mesh in object space.
 #[derive(Clone, Debug)]
 pub struct Mesh<T> {
-    /// Those with area, in the order of the tree; the others are never hit. A tree holds no triangle
-    /// that repeats an earlier one.
+    /// Those with area, in the order of the tree; the others are never hit. A tree holds no
+    /// triangle that repeats an earlier one.
     triangles: Triangles,
-    /// The mesh's own numbers of those, that of the last of a leaf also where a leaf of four has room for more.
+    /// The mesh's own numbers of those, that of the last of a leaf also where a leaf of four has
+    /// room for more.
     numbers: Vec<u32>,
     /// Where the mesh carries any.
     normals: Option<Normals<T>>,
@@ -43,10 +44,13 @@ impl<T: Real> Mesh<T> {
     /// The mesh of a scene, in the precision `T`.
     pub fn of(mesh: &cases::Mesh, search: Search) -> Self {
         let vertices: Vec<Vec3<T>> = mesh.vertices.par_iter().map(|v| Vec3::of(*v)).collect();
-        let triangle = |n: &u32| Triangle { corners: mesh.triangles[*n as usize].map(|i| vertices[i as usize]) };
+        let triangle = |n: &u32| Triangle {
+            corners: mesh.triangles[*n as usize].map(|i| vertices[i as usize]),
+        };
         let all = 0..mesh.triangles.len() as u32;
         let numbers: Vec<u32> = all.into_par_iter().filter(|n| triangle(n).has_area()).collect();
-        let bounds: Vec<_> = numbers.par_iter().map(|n| Bounds::around(triangle(n).corners)).collect();
+        let bounds: Vec<_> =
+            numbers.par_iter().map(|n| Bounds::around(triangle(n).corners)).collect();
         let (tree, numbers) = match search {
             Search::Scan => (None, numbers),
             Search::Tree => {
@@ -69,7 +73,12 @@ impl<T: Real> Mesh<T> {
     }
 
     /// The first meeting in the ray's interval; at one t the lower index wins.
-    pub fn meet<R: RuleSource, Y: Tally>(&self, rules: R, ray: &Ray<T>, tally: &mut Y) -> Option<Meeting<T>> {
+    pub fn meet<R: RuleSource, Y: Tally>(
+        &self,
+        rules: R,
+        ray: &Ray<T>,
+        tally: &mut Y,
+    ) -> Option<Meeting<T>> {
         let mut first = None;
         self.each(ray, tally, First { asked: Asked::new(self, rules, ray), best: &mut first });
         first
@@ -116,7 +125,8 @@ impl<T: Real> Mesh<T> {
 
     /// Bytes it takes, its tree included.
     pub fn bytes(&self) -> usize {
-        let of = |normals: &Normals<T>| size_of_val(&*normals.list) + size_of_val(&*normals.corners);
+        let of =
+            |normals: &Normals<T>| size_of_val(&*normals.list) + size_of_val(&*normals.corners);
         let normals = self.normals.as_ref().map_or(0, of);
         let tree = self.tree.as_ref().map_or(0, Bvh::bytes);
         self.triangles.bytes() + size_of_val(&*self.numbers) + normals + tree
@@ -199,7 +209,11 @@ impl<T: Real, R: RuleSource, Y> Visit<T, Y> for First<'_, T, R> {
     fn visit(&mut self, _: &mut Y, n: u32, limit: T) -> T {
         let mesh = self.asked.mesh;
         match self.asked.meet(n) {
-            Some(met) if self.best.is_none_or(|b| met.t < b.t || (met.t == b.t && mesh.is_earlier(met, b))) => {
+            Some(met)
+                if self
+                    .best
+                    .is_none_or(|b| met.t < b.t || (met.t == b.t && mesh.is_earlier(met, b))) =>
+            {
                 *self.best = Some(met);
                 met.t
             }
@@ -233,7 +247,11 @@ impl<T: Real, R: RuleSource, Y> Visit<T, Y> for Any<'_, T, R> {
 }
 
 /// α N_A + β N_B + γ N_C, normalised; `None` where it is zero. [rule 18]
-pub fn interpolate<T: Real, R: RuleSource>(rules: R, weights: Vec3<T>, normals: [Vec3<T>; 3]) -> Option<Vec3<T>> {
+pub fn interpolate<T: Real, R: RuleSource>(
+    rules: R,
+    weights: Vec3<T>,
+    normals: [Vec3<T>; 3],
+) -> Option<Vec3<T>> {
     let w = match rules.get().weights {
         Weights::Lecture => weights,
         Weights::Swapped => Vec3::new(weights.x, weights.z, weights.y),

@@ -1,10 +1,12 @@
-//! The classic mistakes: each one change to the rules, with the sentence that tells a student what happened.
+//! The classic mistakes: each one change to the rules, with the sentence that tells a student what
+//! happened.
 
 use crate::rules::{
-    Ambient, Attenuation, Bend, BoxRoots, Cutoff, Depth, Diffuse, Emission, Epsilon, Facing, Fov, Highlight, InsideBy,
-    Interpolation, Leaving, Mirror, MirrorWeight, Nearest, ObjectRay, PlaneSide, ReflectBy, RefractBy, Rules,
-    ShadowReach, SphereNormal, SphereRoots, SquareSize, Tint, TotalReflection, TransmitWeight, TriangleNormal,
-    TriangleTest, Turning, Weights, WorldNormal,
+    Ambient, Attenuation, Bend, BoxRoots, Cutoff, Depth, Diffuse, Emission, Epsilon, Facing, Fov,
+    Highlight, InsideBy, Interpolation, Leaving, Mirror, MirrorWeight, Nearest, ObjectRay,
+    PlaneSide, ReflectBy, RefractBy, Rules, ShadowReach, SphereNormal, SphereRoots, SquareSize,
+    Tint, TotalReflection, TransmitWeight, TriangleNormal, TriangleTest, Turning, Weights,
+    WorldNormal,
 };
 
 /// A known way to get a rule wrong.
@@ -36,19 +38,25 @@ impl Misconception {
     }
 }
 
-/// Those that are mistakes under these rules: not what the course itself asks for. In the order of their rules.
+/// Those that are mistakes under these rules: not what the course itself asks for. In the order of
+/// their rules.
 pub fn of(rules: &Rules) -> Vec<&'static Misconception> {
     MISCONCEPTIONS.iter().filter(|wrong| wrong.on(rules) != *rules).collect()
 }
 
-/// Returns the depth test with a bounce more than is right. A course that wants one more teaches no less.
+/// Returns the depth test with a bounce more than is right. A course that wants one more teaches no
+/// less.
 fn one_more(right: Depth) -> Depth {
     if right == Depth::OneMore { right } else { Depth::LessOrEqual }
 }
 
 macro_rules! misconceptions {
-    ($($id:ident, $rule:literal, $look_at:literal, $($field:ident)? $(|$rules:ident| $other:ident)? = $value:expr, $says:literal;)*) => {
-        /// All of them, in the order of their rules; [`of`] leaves out those that a course asks for.
+    ($(
+        $id:ident, $rule:literal, $look_at:literal,
+        $($field:ident)? $(|$rules:ident| $other:ident)? = $value:expr, $says:literal;
+    )*) => {
+        /// All of them, in the order of their rules; [`of`] leaves out those that a course asks
+        /// for.
         const MISCONCEPTIONS: &[Misconception] = &[$(Misconception {
             id: stringify!($id),
             rule: $rule,
@@ -105,7 +113,8 @@ misconceptions! {
     lit_from_behind, 3, "shade.rs light_term", facing = Facing::BothSides,
         "a light behind the surface shines on it: |N·L| in the place of N·L";
     glass_lit_from_behind, 3, "shade.rs light_term", facing = Facing::BothSidesOfTransmissive,
-        "a light behind the surface shines on it where kt > 0, and only there: |N·L| in the place of N·L";
+        "a light behind the surface shines on it where kt > 0, and only there: |N·L| in the place \
+            of N·L";
     dark_from_behind, 3, "shade.rs light_term", facing = Facing::OnlyFront,
         "a light behind the surface never shines on it: N·L is cut at 0";
     emission_per_light, 3, "shade.rs shade", emission = Emission::PerLight,
@@ -128,7 +137,8 @@ misconceptions! {
         "light does not weaken with distance";
     attenuation_swapped, 4, "light.rs distance_attenuation", attenuation = Attenuation::Swapped,
         "the constant and the quadratic coefficient are exchanged";
-    attenuation_not_squared, 4, "light.rs distance_attenuation", attenuation = Attenuation::NotSquared,
+    attenuation_not_squared, 4, "light.rs distance_attenuation",
+        attenuation = Attenuation::NotSquared,
         "the quadratic coefficient is multiplied by r, not by r²";
     no_shadows, 5, "shadow.rs shadow_attenuation", casts_shadows = false,
         "nothing casts a shadow";
@@ -156,7 +166,8 @@ misconceptions! {
         "no ray is mirrored inside an object";
     perfect_glass, 8, "refraction.rs refracted_light", transmit_weight = TransmitWeight::One,
         "transmitted light is not multiplied by kt";
-    transmits_the_rest, 8, "refraction.rs refracted_light", transmit_weight = TransmitWeight::OneMinusKr,
+    transmits_the_rest, 8, "refraction.rs \
+        refracted_light", transmit_weight = TransmitWeight::OneMinusKr,
         "transmitted light is multiplied by 1 − kr, not by kt";
     eta_inverted, 8, "refraction.rs refract", bend = Bend::Inverted,
         "the ratio of indices is upside down: it is η_i / η_t";
@@ -168,11 +179,15 @@ misconceptions! {
         "the index of air is taken as 1.0003; it is 1";
     leaving_as_entering, 9, "refraction.rs indices", leaving = Leaving::AsEntering,
         "the indices are not exchanged on the way out";
-    total_reflection_ignored, 10, "refraction.rs refract", total_reflection = TotalReflection::Straight,
+    total_reflection_ignored, 10, "refraction.rs \
+        refract", total_reflection = TotalReflection::Straight,
         "beyond the critical angle a ray still leaves, straight on";
-    total_reflection_grazes, 10, "refraction.rs refract", total_reflection = TotalReflection::Grazing,
-        "beyond the critical angle a ray still leaves, along the surface: a negative square is taken as 0";
-    total_reflection_is_black, 10, "refraction.rs refracted_light", total_reflection = TotalReflection::Black,
+    total_reflection_grazes, 10, "refraction.rs \
+        refract", total_reflection = TotalReflection::Grazing,
+        "beyond the critical angle a ray still leaves, along the surface: a negative square is \
+            taken as 0";
+    total_reflection_is_black, 10, "refraction.rs \
+        refracted_light", total_reflection = TotalReflection::Black,
         "beyond the critical angle the mirrored ray is lost as well";
     normal_not_turned, 11, "shade.rs facing_normal", turning = Turning::Nowhere,
         "the outward normal is not negated on the way out";
@@ -197,16 +212,20 @@ misconceptions! {
     cutoff_ignored, 13, "reflection.rs goes_on", cutoff = Cutoff::Absent,
         "the threshold is ignored";
     cutoff_by_last_surface, 13, "reflection.rs reflected_light", cutoff = Cutoff::LastOnly,
-        "the threshold is compared with the last surface's kr or kt, not with the product along the path";
+        "the threshold is compared with the last surface's kr or kt, not with the product along \
+            the path";
     faint_rays_not_cast, 13, "reflection.rs reflected_light", casts_faint_rays = false,
-        "a ray whose weight is below the threshold is not cast; it still brings back its own light, and spawns no more";
+        "a ray whose weight is below the threshold is not cast; it still brings back its own \
+            light, and spawns no more";
     sphere_far_root_ignored, 14, "sphere.rs intersect_sphere", sphere_roots = SphereRoots::NearOnly,
         "from inside the sphere nothing is hit: the far root is ignored";
     sphere_far_root_first, 14, "sphere.rs intersect_sphere", sphere_roots = SphereRoots::FarFirst,
         "the far root of the sphere is taken before the near one";
-    sphere_assumes_unit_direction, 14, "sphere.rs intersect_sphere", sphere_roots = SphereRoots::UnitDirection,
+    sphere_assumes_unit_direction, 14, "sphere.rs intersect_sphere",
+        sphere_roots = SphereRoots::UnitDirection,
         "the quadratic is solved as if d·d were 1";
-    sphere_normal_from_origin, 14, "sphere.rs intersect_sphere", sphere_normal = SphereNormal::FromOrigin,
+    sphere_normal_from_origin, 14, "sphere.rs intersect_sphere",
+        sphere_normal = SphereNormal::FromOrigin,
         "the normal is taken from the origin, not from the sphere's centre";
     sphere_normal_inwards, 14, "sphere.rs intersect_sphere", sphere_normal = SphereNormal::Inwards,
         "the sphere's normal points inwards";
@@ -222,19 +241,23 @@ misconceptions! {
         "from inside the box nothing is hit";
     triangle_culled, 16, "triangle.rs intersect_triangle", triangle = TriangleTest::FrontOnly,
         "triangles are not seen from behind";
-    triangle_without_third_edge, 16, "triangle.rs intersect_triangle", triangle = TriangleTest::TwoEdges,
+    triangle_without_third_edge, 16, "triangle.rs intersect_triangle",
+        triangle = TriangleTest::TwoEdges,
         "the edge from B to C is not tested";
-    triangle_normal_reversed, 16, "triangle.rs intersect_triangle", triangle_normal = TriangleNormal::Left,
+    triangle_normal_reversed, 16, "triangle.rs intersect_triangle",
+        triangle_normal = TriangleNormal::Left,
         "the triangle's normal points the other way: it is along (B − A) × (C − A)";
     weights_swapped, 17, "smooth.rs barycentric", weights = Weights::Swapped,
         "β and γ are exchanged";
     weights_rotated, 17, "smooth.rs barycentric", weights = Weights::Rotated,
         "each vertex gets the weight of its neighbour";
-    interpolated_normal_not_unit, 18, "smooth.rs interpolate_normal", interpolation = Interpolation::NotUnit,
+    interpolated_normal_not_unit, 18, "smooth.rs interpolate_normal",
+        interpolation = Interpolation::NotUnit,
         "the interpolated normal is not normalised";
     flat_shading, 18, "smooth.rs interpolate_normal", interpolation = Interpolation::Absent,
         "vertex normals are not used";
-    nearest_vertex_normal, 18, "smooth.rs interpolate_normal", interpolation = Interpolation::NearestVertex,
+    nearest_vertex_normal, 18, "smooth.rs interpolate_normal",
+        interpolation = Interpolation::NearestVertex,
         "the nearest vertex's normal is taken, not the mix of all three";
     mirror_into_the_object, 19, "smooth.rs smooth_reflect", reflect_by = ReflectBy::Interpolated,
         "rays are mirrored by the interpolated normal, even where they then enter the object";
@@ -243,9 +266,11 @@ misconceptions! {
     mirror_by_geometric_normal, 19, "smooth.rs smooth_reflect", reflect_by = ReflectBy::Geometric,
         "rays are mirrored by the geometric normal";
     refract_without_retest, 19, "smooth.rs smooth_refract", refract_by = RefractBy::Interpolated,
-        "rays are refracted by the interpolated normal, even where they then do not cross the surface";
+        "rays are refracted by the interpolated normal, even where they then do not cross the \
+            surface";
     refract_by_fallback, 19, "smooth.rs smooth_refract", refract_by = RefractBy::WithFallback,
-        "where the transmitted ray would not cross the surface it is recomputed with the geometric normal";
+        "where the transmitted ray would not cross the surface it is recomputed with the \
+            geometric normal";
     refract_by_geometric_normal, 19, "smooth.rs smooth_refract", refract_by = RefractBy::Geometric,
         "rays are refracted by the geometric normal";
     inside_by_interpolated_normal, 19, "shade.rs facing_normal", inside_by = InsideBy::Interpolated,
@@ -256,7 +281,8 @@ misconceptions! {
         "the direction is normalised in object space, so that t no longer holds in world space";
     direction_translated, 20, "transform.rs ray_to_object", object_ray = ObjectRay::Translated,
         "the translation is applied to the ray's direction";
-    origin_not_transformed, 20, "transform.rs ray_to_object", object_ray = ObjectRay::OriginNotMoved,
+    origin_not_transformed, 20, "transform.rs \
+        ray_to_object", object_ray = ObjectRay::OriginNotMoved,
         "the ray's origin is not taken to object space";
     normal_by_matrix, 20, "transform.rs normal_to_world", world_normal = WorldNormal::ByMatrix,
         "the normal is transformed by M; it needs the transpose of the inverse";
@@ -264,7 +290,8 @@ misconceptions! {
         "the normal is transformed by the inverse, which is not transposed";
     world_normal_not_unit, 20, "transform.rs normal_to_world", world_normal = WorldNormal::NotUnit,
         "the normal is not normalised after the transformation";
-    normal_not_transformed, 20, "transform.rs normal_to_world", world_normal = WorldNormal::Untransformed,
+    normal_not_transformed, 20, "transform.rs \
+        normal_to_world", world_normal = WorldNormal::Untransformed,
         "the normal stays in object space";
     no_epsilon, 21, "reflection.rs reflected_light", epsilon = Epsilon::Mistaken(0.0),
         "a ray that leaves a surface meets the same surface again: RAY_EPSILON is missing";

@@ -53,7 +53,8 @@ impl<T: Real> Object<T> {
         Some(self.frame.as_ref().map_or(bounds, |frame| frame.bounds_to_world(bounds)))
     }
 
-    /// What it costs to ask it, about, in questions to a bare solid: a matrix is one more, a tree of its own makes it three.
+    /// What it costs to ask it, about, in questions to a bare solid: a matrix is one more, a tree
+    /// of its own makes it three.
     pub(crate) fn cost(&self) -> usize {
         let of_shape = if matches!(self.shape, Form::Mesh(_)) { 3 } else { 1 };
         of_shape + usize::from(self.frame.is_some())
@@ -61,14 +62,20 @@ impl<T: Real> Object<T> {
 
     /// The ray in the object's own space; `None` where that is the world.
     #[inline(always)]
-    pub(crate) fn ray_in_frame<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> Option<Ray<T>> {
+    pub(crate) fn ray_in_frame<R: RuleSource>(
+        &self,
+        rules: R,
+        ray: &Ray<T>,
+        tally: &mut impl Tally,
+    ) -> Option<Ray<T>> {
         let frame = self.frame.as_ref()?;
         tally.did(Work::MovedRay);
         Some(Frame::ray_to_object(rules, &frame.object_from_world, ray))
     }
 
-    /// Tells `found` of the first meeting of the ray with it, where it may have a space of its own if `FRAMES` says so. A meeting that is told, not
-    /// returned, stays in registers unless a call has left it in memory.
+    /// Tells `found` of the first meeting of the ray with it, where it may have a space of its own
+    /// if `FRAMES` says so. A meeting that is told, not returned, stays in registers unless a call
+    /// has left it in memory.
     #[inline(always)]
     pub(crate) fn meet<R: RuleSource, const FRAMES: bool>(
         &self,
@@ -98,8 +105,9 @@ impl<T: Real> Object<T> {
         }
     }
 
-    /// The first meeting of the ray with an object that has a space of its own. Kept out of the search, which then works out once what is the ray's
-    /// alone: searches among objects without a matrix execute some 10 % fewer instructions so.
+    /// The first meeting of the ray with an object that has a space of its own. Kept out of the
+    /// search, which then works out once what is the ray's alone: searches among objects without a
+    /// matrix execute some 10 % fewer instructions so.
     #[inline(never)]
     fn meet_there<R: RuleSource>(
         &self,
@@ -115,7 +123,8 @@ impl<T: Real> Object<T> {
         }
     }
 
-    /// Every crossing of the ray with it, told to `found` in order of t, where it may have a space of its own if `FRAMES` says so. [rule 6]
+    /// Every crossing of the ray with it, told to `found` in order of t, where it may have a space
+    /// of its own if `FRAMES` says so. [rule 6]
     #[inline(always)]
     pub(crate) fn crossings<R: RuleSource, Y: Tally, const FRAMES: bool>(
         &self,
@@ -131,7 +140,9 @@ impl<T: Real> Object<T> {
             Form::Solid(solid) => solid.crossings(rules, there, ray, |t| found(tally, t)),
             Form::Mesh(mesh) => {
                 let mut rest = *ray;
-                while let Some(met) = meshes[*mesh].meet(rules, &rest.along(there), &mut OfTriangles(tally)) {
+                while let Some(met) =
+                    meshes[*mesh].meet(rules, &rest.along(there), &mut OfTriangles(tally))
+                {
                     found(tally, met.t);
                     rest = rest.beyond(rules, met.t);
                 }
@@ -156,7 +167,13 @@ impl<T: Real> Object<T> {
 
     /// The same for a ray in the space of the shape.
     #[inline(always)]
-    fn is_met_here<R: RuleSource>(&self, rules: R, ray: &Ray<T>, meshes: &[Mesh<T>], tally: &mut impl Tally) -> bool {
+    fn is_met_here<R: RuleSource>(
+        &self,
+        rules: R,
+        ray: &Ray<T>,
+        meshes: &[Mesh<T>],
+        tally: &mut impl Tally,
+    ) -> bool {
         match &self.shape {
             Form::Solid(solid) => solid.meet(rules, ray).is_some(),
             Form::Mesh(mesh) => meshes[*mesh].is_met(rules, ray, &mut OfTriangles(tally)),
@@ -165,7 +182,13 @@ impl<T: Real> Object<T> {
 
     /// The same for an object with a space of its own.
     #[inline(never)]
-    fn is_met_there<R: RuleSource>(&self, rules: R, ray: &Ray<T>, meshes: &[Mesh<T>], tally: &mut impl Tally) -> bool {
+    fn is_met_there<R: RuleSource>(
+        &self,
+        rules: R,
+        ray: &Ray<T>,
+        meshes: &[Mesh<T>],
+        tally: &mut impl Tally,
+    ) -> bool {
         let moved = self.ray_in_frame(rules, ray, tally);
         moved.is_some_and(|moved| self.is_met_here(rules, &moved, meshes, tally))
     }
@@ -173,7 +196,9 @@ impl<T: Real> Object<T> {
 
 fn form<T: Real>(shape: &Shape) -> Form<T> {
     Form::Solid(match *shape {
-        Shape::Sphere { center, radius } => Solid::Sphere(Sphere { center: Vec3::of(center), radius: T::of(radius) }),
+        Shape::Sphere { center, radius } => {
+            Solid::Sphere(Sphere { center: Vec3::of(center), radius: T::of(radius) })
+        }
         Shape::Plane { normal, k } => Solid::Plane(Plane { normal: Vec3::of(normal), k: T::of(k) }),
         Shape::Square {} => Solid::Square(Square),
         Shape::Box { min, max } => Solid::Cuboid(Cuboid { min: Vec3::of(min), max: Vec3::of(max) }),

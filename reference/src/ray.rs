@@ -22,15 +22,16 @@ pub struct Ray<T> {
 pub struct Spot<T> {
     /// The point.
     pub point: Vec3<T>,
-    /// How far along each axis the surface may lie from it, at most; what a ray from here loses to rounding on its way back into object space is
-    /// counted in.
+    /// How far along each axis the surface may lie from it, at most; what a ray from here loses to
+    /// rounding on its way back into object space is counted in.
     pub error: Vec3<T>,
     /// Unit normal of the surface itself, whichever way it points.
     pub n_geom: Vec3<T>,
 }
 
 impl<T: Real> Spot<T> {
-    /// A point of `ray` itself: off the surface by what t and the sum O + t d lose, if t is right to a few of its last places.
+    /// A point of `ray` itself: off the surface by what t and the sum O + t d lose, if t is right
+    /// to a few of its last places.
     #[inline(always)]
     pub fn along(ray: &Ray<T>, t: T, n_geom: Vec3<T>) -> Self {
         let error = (ray.origin.abs() + (ray.direction * t).abs()) * (T::of(16.0) * T::ULP);
@@ -39,12 +40,15 @@ impl<T: Real> Spot<T> {
 
     /// The point moved off the surface, to the side to which `direction` points.
     ///
-    /// With S on the surface and |Q − S| ≤ e, the point Q + δ N lies beyond the tangent plane at S if δ > Σ |N_i| e_i. Rounding Q + δ N loses
-    /// half a last place of Q a component; a whole one is added to e. A component that is 0 is exact, and so stays one that may be left on the surface.
+    /// With S on the surface and |Q − S| ≤ e, the point Q + δ N lies beyond the tangent plane at S
+    /// if δ > Σ |N_i| e_i. Rounding Q + δ N loses half a last place of Q a component; a whole one
+    /// is added to e. A component that is 0 is exact, and so stays one that may be left on the
+    /// surface.
     #[inline(always)]
     fn moved_off(&self, direction: Vec3<T>) -> Vec3<T> {
         let away = if direction.dot(self.n_geom) < T::ZERO { -self.n_geom } else { self.n_geom };
-        let reach = away.abs().dot(self.error + self.point.abs() * T::ULP) * (T::ONE + T::of(8.0) * T::ULP);
+        let reach =
+            away.abs().dot(self.error + self.point.abs() * T::ULP) * (T::ONE + T::of(8.0) * T::ULP);
         self.point + away * reach
     }
 }
@@ -56,8 +60,8 @@ impl<T: Real> Ray<T> {
         Self { origin, direction, t_min: T::ZERO, t_max: T::INFINITY }
     }
 
-    /// The ray that leaves `origin`, which lies on no surface: over RAY_EPSILON < t < ∞, or over 0 < t < ∞ where the style moves
-    /// origins off surfaces. [rule 2] [rule 21]
+    /// The ray that leaves `origin`, which lies on no surface: over RAY_EPSILON < t < ∞, or over 0
+    /// < t < ∞ where the style moves origins off surfaces. [rule 2] [rule 21]
     #[inline(always)]
     pub fn leaving<R: RuleSource>(rules: R, origin: Vec3<T>, direction: Vec3<T>) -> Self {
         let t_min = if start(rules) == Start::Interval { rules.epsilon() } else { T::ZERO };
@@ -71,14 +75,17 @@ impl<T: Real> Ray<T> {
         let origin = match start(rules) {
             Start::OffBound => spot.moved_off(direction),
             Start::Interval => point,
-            Start::AlongNormal if direction.dot(n_geom) < T::ZERO => point - n_geom * rules.epsilon::<T>(),
+            Start::AlongNormal if direction.dot(n_geom) < T::ZERO => {
+                point - n_geom * rules.epsilon::<T>()
+            }
             Start::AlongNormal => point + n_geom * rules.epsilon::<T>(),
             Start::AlongRay => point + direction * rules.epsilon::<T>(),
         };
         Self::leaving(rules, origin, direction)
     }
 
-    /// The ray that leaves a surface and ends before a light in direction `to_light` at distance `r`. [rule 5] [rule 21]
+    /// The ray that leaves a surface and ends before a light in direction `to_light` at distance
+    /// `r`. [rule 5] [rule 21]
     #[inline(always)]
     pub fn to_light<R: RuleSource>(rules: R, spot: &Spot<T>, to_light: Vec3<T>, r: T) -> Self {
         let ray = Self { t_max: r, ..Self::spawned(rules, spot, to_light) };
@@ -95,11 +102,13 @@ impl<T: Real> Ray<T> {
         Self { direction: way.normalised(), t_max: way.length(), ..ray }
     }
 
-    /// This ray turned to the light that its point sees in direction `to_light` at distance `r`, and so short that the light itself is beyond its end
-    /// whatever rounding does: what a light touches does not hide it. A light nearer than the bound by which the origin was moved by `step` is
-    /// hidden by nothing.
+    /// This ray turned to the light that its point sees in direction `to_light` at distance `r`,
+    /// and so short that the light itself is beyond its end whatever rounding does: what a light
+    /// touches does not hide it. A light nearer than the bound by which the origin was moved by
+    /// `step` is hidden by nothing.
     ///
-    /// r − L·step is the length of the way that is left, but for a share of (|step|/r)², by which the direction may fail to be of unit length.
+    /// r − L·step is the length of the way that is left, but for a share of (|step|/r)², by which
+    /// the direction may fail to be of unit length.
     #[inline(always)]
     fn ending_before(self, step: Vec3<T>, to_light: Vec3<T>, r: T) -> Self {
         let left = r - to_light.dot(step);
@@ -110,12 +119,15 @@ impl<T: Real> Ray<T> {
         Self { direction, t_max: if left > T::ZERO { t_max } else { T::ZERO }, ..self }
     }
 
-    /// The rest of this ray behind its crossing of an object at `t`. A crossing of that object nearer behind than RAY_EPSILON, or than rounding
-    /// may part two of one place, is the same one: a ray through an edge that two triangles share crosses one surface. [rule 6]
+    /// The rest of this ray behind its crossing of an object at `t`. A crossing of that object
+    /// nearer behind than RAY_EPSILON, or than rounding may part two of one place, is the same one:
+    /// a ray through an edge that two triangles share crosses one surface. [rule 6]
     #[inline(always)]
     pub fn beyond<R: RuleSource>(&self, rules: R, t: T) -> Self {
         let step = match start(rules) {
-            Start::OffBound => (t.abs() + self.origin.abs().dot(self.direction.abs())) * (T::of(16.0) * T::ULP),
+            Start::OffBound => {
+                (t.abs() + self.origin.abs().dot(self.direction.abs())) * (T::of(16.0) * T::ULP)
+            }
             _ => rules.epsilon::<T>().greatest(t.abs() * T::ULP),
         };
         Self { t_min: t + step, ..*self }
@@ -127,9 +139,15 @@ impl<T: Real> Ray<T> {
         Self { t_min: self.t_min, t_max: self.t_max, ..*other }
     }
 
-    /// Has `found` told of every crossing: `first` gives the first in the interval of a ray like this one.
+    /// Has `found` told of every crossing: `first` gives the first in the interval of a ray like
+    /// this one.
     #[inline(always)]
-    pub fn cross<R: RuleSource>(&self, rules: R, first: impl Fn(&Self) -> Option<T>, mut found: impl FnMut(T)) {
+    pub fn cross<R: RuleSource>(
+        &self,
+        rules: R,
+        first: impl Fn(&Self) -> Option<T>,
+        mut found: impl FnMut(T),
+    ) {
         let mut rest = *self;
         while let Some(t) = first(&rest) {
             found(t);
@@ -176,8 +194,8 @@ impl<T: Real> Ray<T> {
     }
 }
 
-/// How rays get away from surfaces. A negative epsilon, the mistake of counting what lies behind, moves no origin in any style; where none is
-/// needed a mistaken one still counts.
+/// How rays get away from surfaces. A negative epsilon, the mistake of counting what lies behind,
+/// moves no origin in any style; where none is needed a mistaken one still counts.
 #[inline(always)]
 fn start<R: RuleSource>(rules: R) -> Start {
     let epsilon = match rules.get().epsilon {

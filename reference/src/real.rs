@@ -8,8 +8,8 @@ use cases::maths;
 
 /// f32 or f64.
 ///
-/// Platform-dependent functions come from [`cases::maths`], those of f32 by way of f64 and one rounding, so that every machine
-/// computes the same bits.
+/// Platform-dependent functions come from [`cases::maths`], those of f32 by way of f64 and one
+/// rounding, so that every machine computes the same bits.
 pub trait Real:
     Copy
     + Debug
@@ -38,9 +38,11 @@ pub trait Real:
     const ULP: Self;
     /// Below this parameter an intersection does not count. [rule 21]
     const RAY_EPSILON: Self;
-    /// Least and greatest amount of a product that a certified formula trusts: between them a further product neither over- nor underflows.
+    /// Least and greatest amount of a product that a certified formula trusts: between them a
+    /// further product neither over- nor underflows.
     const SAFE: [Self; 2];
-    /// How many times its error bound a value must be for its own digits to be trusted, beyond its sign.
+    /// How many times its error bound a value must be for its own digits to be trusted, beyond its
+    /// sign.
     const MARGIN: Self;
 
     /// The nearest number to `x`.
@@ -158,7 +160,9 @@ mod tests {
 
     #[test]
     fn scaling_takes_the_exponent_along() {
-        for (x, e) in [(1.5, 0), (-3.0, 1), (0.75, -1), (1e-200, -665), (0.0, -1023), (f64::INFINITY, 1024)] {
+        for (x, e) in
+            [(1.5, 0), (-3.0, 1), (0.75, -1), (1e-200, -665), (0.0, -1023), (f64::INFINITY, 1024)]
+        {
             assert_eq!(exponent(x), e, "{x}");
         }
         assert_eq!(scaled(3.0, -1074), f64::from_bits(3));

@@ -18,7 +18,8 @@ use crate::world::World;
 
 /// Side of a tile in pixels.
 const TILE: u32 = 16;
-/// Side of the part of a tile in pixels whose rays are searched for together, at one ray a pixel as many as a packet holds.
+/// Side of the part of a tile in pixels whose rays are searched for together, at one ray a pixel as
+/// many as a packet holds.
 const BLOCK: u32 = 4;
 const _: () = assert!((BLOCK * BLOCK) as usize == packet::MOST && TILE.is_multiple_of(BLOCK));
 
@@ -49,8 +50,8 @@ impl Options {
 pub struct Stats {
     /// Rays by kind.
     pub rays: Counts,
-    /// Greatest weight of the rays that some pixel left out for depth or threshold, channel by channel; [`crate::cutoff`] says what that
-    /// bounds. [rule 13]
+    /// Greatest weight of the rays that some pixel left out for depth or threshold, channel by
+    /// channel; [`crate::cutoff`] says what that bounds. [rule 13]
     pub left_out: [f64; 3],
     /// Greatest light of lamps that some pixel did not follow for its weakness, channel by channel.
     pub faint_light: [f64; 3],
@@ -58,14 +59,20 @@ pub struct Stats {
 
 impl Stats {
     fn of(notes: &Notes) -> Self {
-        Self { rays: notes.rays, left_out: notes.left_out.to_array(), faint_light: notes.faint_light.to_array() }
+        Self {
+            rays: notes.rays,
+            left_out: notes.left_out.to_array(),
+            faint_light: notes.faint_light.to_array(),
+        }
     }
 }
 
-/// [`render`] by rules and effects known only now, by the kernel that is made for them: the same picture, bit for bit.
+/// [`render`] by rules and effects known only now, by the kernel that is made for them: the same
+/// picture, bit for bit.
 ///
-/// Kernels are made for the rules of the lecture alone, and among those for the few sets of effects where it pays: a kernel that spawns no rays
-/// is a loop, not a recursion. Where rays are spawned, they cost so much that the branches which others would need are not to be measured
+/// Kernels are made for the rules of the lecture alone, and among those for the few sets of effects
+/// where it pays: a kernel that spawns no rays is a loop, not a recursion. Where rays are spawned,
+/// they cost so much that the branches which others would need are not to be measured
 /// (docs/decisions/006).
 pub fn render_by<T: Real>(
     world: &World<T>,
@@ -102,7 +109,8 @@ pub fn count_by<T: Real>(
     (image, Stats::of(&notes), work)
 }
 
-/// The picture, and what it cost, by the kernel that can do everything. Runs in the current `rayon` pool; `progress` is told the pixels of each tile that is done.
+/// The picture, and what it cost, by the kernel that can do everything. Runs in the current `rayon`
+/// pool; `progress` is told the pixels of each tile that is done.
 ///
 /// Tiles and the order of every sum are fixed, so that the number of threads changes nothing.
 pub fn render<T: Real, R: RuleSource>(
@@ -111,7 +119,8 @@ pub fn render<T: Real, R: RuleSource>(
     options: &Options,
     progress: impl Fn(u64) + Sync,
 ) -> (Image, Stats) {
-    let (image, notes) = render_under::<T, R, _, Notes>(world, rules, options.any(), options, progress);
+    let (image, notes) =
+        render_under::<T, R, _, Notes>(world, rules, options.any(), options, progress);
     (image, Stats::of(&notes))
 }
 
@@ -138,7 +147,9 @@ pub fn render_under<T: Real, R: RuleSource, E: EffectSource, B: Book>(
     let image = Image::from_fn(width, height, |i, j| {
         let (column, row) = (i / TILE, j / TILE);
         let tile_width = span(column, width).len();
-        tiles[(row * n_columns + column) as usize].0[(j % TILE) as usize * tile_width + (i % TILE) as usize].f64()
+        tiles[(row * n_columns + column) as usize].0
+            [(j % TILE) as usize * tile_width + (i % TILE) as usize]
+            .f64()
     });
     (image, tiles.into_iter().fold(B::default(), |all, (_, book)| all.plus(book)))
 }
@@ -178,14 +189,16 @@ fn render_in_blocks<T: Real, R: RuleSource, E: EffectSource>(
         for i in columns.clone().step_by(BLOCK as usize) {
             let block = (i..(i + BLOCK).min(columns.end), j..(j + BLOCK).min(rows.end));
             render_block(kernel, samples, block, book, |(i, j), colour| {
-                pixels[(j - rows.start) as usize * columns.len() + (i - columns.start) as usize] = colour;
+                pixels[(j - rows.start) as usize * columns.len() + (i - columns.start) as usize] =
+                    colour;
             });
         }
     }
     pixels
 }
 
-/// The pixels of a block, told to `tell`: the rays of one pixel after those of another, as many together as a packet holds.
+/// The pixels of a block, told to `tell`: the rays of one pixel after those of another, as many
+/// together as a packet holds.
 fn render_block<T: Real, R: RuleSource, E: EffectSource>(
     kernel: &Kernel<'_, T, R, E>,
     samples: u32,
@@ -194,7 +207,8 @@ fn render_block<T: Real, R: RuleSource, E: EffectSource>(
     mut tell: impl FnMut((u32, u32), Vec3<T>),
 ) {
     let pixels = rows.flat_map(|j| columns.clone().map(move |i| (i, j)));
-    let mut points = pixels.clone().flat_map(|pixel| grid(samples).map(move |at| (pixel, at))).peekable();
+    let mut points =
+        pixels.clone().flat_map(|pixel| grid(samples).map(move |at| (pixel, at))).peekable();
     let (mut done, mut sum, mut n_rays) = (pixels, Vec3::ZERO, 0);
     while points.peek().is_some() {
         kernel.eyes(points.by_ref().take(packet::MOST), book, |book, colour| {

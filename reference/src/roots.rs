@@ -6,7 +6,9 @@ use crate::real::Real;
 use crate::two::Two;
 
 /// What a quadratic can be solved in.
-pub trait Number: Copy + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Div<Output = Self> {
+pub trait Number:
+    Copy + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Div<Output = Self>
+{
     /// 0.
     const ZERO: Self;
     /// √x; NaN below 0.
@@ -30,11 +32,14 @@ impl Number for Two {
     }
 }
 
-/// The real roots of a t² − 2 b t + c = 0 in ascending order, given `disc` = b² − a c; `None` where there is none. [rule 14]
+/// The real roots of a t² − 2 b t + c = 0 in ascending order, given `disc` = b² − a c; `None` where
+/// there is none. [rule 14]
 ///
 /// - The discriminant is the caller's, who often knows a form of it that does not cancel.
-/// - One root comes from q = b ± √disc with the sign that does not cancel, the other from c / q: their product is c / a.
-/// - A double root is given twice. With a = 0 the one root is c / 2b and the other infinite. NaN gives `None`.
+/// - One root comes from q = b ± √disc with the sign that does not cancel, the other from c / q:
+///   their product is c / a.
+/// - A double root is given twice. With a = 0 the one root is c / 2b and the other infinite. NaN
+///   gives `None`.
 #[inline(always)]
 pub fn ascending<T: Number>(a: T, b: T, c: T, disc: T) -> Option<[T; 2]> {
     let is_real = disc >= T::ZERO; // false for NaN
@@ -50,8 +55,8 @@ pub fn ascending<T: Number>(a: T, b: T, c: T, disc: T) -> Option<[T; 2]> {
     Some(if one <= other { [one, other] } else { [other, one] })
 }
 
-/// The same roots by the textbook, (2b ± √((2b)² − 4 a c)) / 2a: where b² is much greater than a c the small one loses its digits.
-/// With a = 0 as [`ascending`].
+/// The same roots by the textbook, (2b ± √((2b)² − 4 a c)) / 2a: where b² is much greater than a c
+/// the small one loses its digits. With a = 0 as [`ascending`].
 pub fn textbook<T: Real>(a: T, b: T, c: T) -> Option<[T; 2]> {
     if a == T::ZERO {
         return ascending(a, b, c, b * b);
@@ -64,7 +69,8 @@ pub fn textbook<T: Real>(a: T, b: T, c: T) -> Option<[T; 2]> {
     is_real.then_some(if one <= other { [one, other] } else { [other, one] })
 }
 
-/// The places at distance √`square` to either side of `middle`, in ascending order; `None` where `square` is negative or NaN.
+/// The places at distance √`square` to either side of `middle`, in ascending order; `None` where
+/// `square` is negative or NaN.
 pub fn about<T: Real>(middle: T, square: T) -> Option<[T; 2]> {
     let is_real = square >= T::ZERO; // false for NaN
     let half = square.sqrt();
@@ -79,7 +85,11 @@ mod tests {
         assert_eq!(ascending(a, b, c, b * b - a * c), expected, "{a} t² − 2 · {b} t + {c}");
         assert_eq!(textbook(a, b, c), expected, "by the textbook, {a} t² − 2 · {b} t + {c}");
         if a > 0.0 {
-            assert_eq!(about(b / a, (b * b - a * c) / (a * a)), expected, "from the middle, {a} t² − 2 · {b} t + {c}");
+            assert_eq!(
+                about(b / a, (b * b - a * c) / (a * a)),
+                expected,
+                "from the middle, {a} t² − 2 · {b} t + {c}"
+            );
         }
     }
 
@@ -103,6 +113,9 @@ mod tests {
         let [near, far] = ascending(1.0, 5e7, 1.0, 25e14 - 1.0).unwrap();
         assert_eq!((near, far), (1e-8, 1e8));
         let [rough, _] = textbook(1.0, 5e7, 1.0).unwrap();
-        assert!((rough - 7.45e-9).abs() < 1e-11, "the difference of two numbers near 5e7 is {rough}");
+        assert!(
+            (rough - 7.45e-9).abs() < 1e-11,
+            "the difference of two numbers near 5e7 is {rough}"
+        );
     }
 }

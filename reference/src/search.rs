@@ -1,4 +1,5 @@
-//! What a ray meets of a world: the nearest hit, whether anything is in the way, all that it crosses. [rule 2] [rule 5] [rule 6]
+//! What a ray meets of a world: the nearest hit, whether anything is in the way, all that it
+//! crosses. [rule 2] [rule 5] [rule 6]
 
 use std::ops::Deref;
 
@@ -25,14 +26,24 @@ pub struct Crossings<T> {
 
 impl<T: Real> World<T> {
     /// The nearest hit in the ray's interval; at one t the earlier object wins. [rule 2]
-    pub fn nearest<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> Option<Hit<T>> {
+    pub fn nearest<R: RuleSource>(
+        &self,
+        rules: R,
+        ray: &Ray<T>,
+        tally: &mut impl Tally,
+    ) -> Option<Hit<T>> {
         let found = self.first(rules, ray, tally)?;
         Some(self.hit(rules, ray, found, true, tally))
     }
 
     /// The object of the nearest hit, and where; without the normals.
     #[inline(always)]
-    pub fn first<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> Option<(usize, Meeting<T>)> {
+    pub fn first<R: RuleSource>(
+        &self,
+        rules: R,
+        ray: &Ray<T>,
+        tally: &mut impl Tally,
+    ) -> Option<(usize, Meeting<T>)> {
         match self.has_frames {
             true => self.first_of::<R, _, true>(rules, ray, tally),
             false => self.first_of::<R, _, false>(rules, ray, tally),
@@ -74,17 +85,31 @@ impl<T: Real> World<T> {
     }
 
     #[inline(always)]
-    fn occluded_by<R: RuleSource, Y: Tally, const FRAMES: bool>(&self, rules: R, ray: &Ray<T>, tally: &mut Y) -> bool {
+    fn occluded_by<R: RuleSource, Y: Tally, const FRAMES: bool>(
+        &self,
+        rules: R,
+        ray: &Ray<T>,
+        tally: &mut Y,
+    ) -> bool {
         let (mut by_tree, mut by_list) = (false, false);
         if self.tree.is_some() {
-            self.each_of_tree(ray, tally, ByCall(Any::<_, _, FRAMES> { world: self, rules, ray, found: &mut by_tree }));
+            self.each_of_tree(
+                ray,
+                tally,
+                ByCall(Any::<_, _, FRAMES> { world: self, rules, ray, found: &mut by_tree }),
+            );
             return by_tree;
         }
-        self.each_of_list::<_, true>(ray, tally, Any::<_, _, FRAMES> { world: self, rules, ray, found: &mut by_list });
+        self.each_of_list::<_, true>(
+            ray,
+            tally,
+            Any::<_, _, FRAMES> { world: self, rules, ray, found: &mut by_list },
+        );
         by_list
     }
 
-    /// Whether the ray crosses no object that `blocks`; then `all`, which holds none before, holds every crossing with a surface. [rule 6]
+    /// Whether the ray crosses no object that `blocks`; then `all`, which holds none before, holds
+    /// every crossing with a surface. [rule 6]
     #[inline(always)]
     pub fn crossings<R: RuleSource>(
         &self,
@@ -96,17 +121,32 @@ impl<T: Real> World<T> {
     ) -> bool {
         let mut is_blocked = false;
         if self.has_frames {
-            let visitor = All::<_, _, _, true> { world: self, rules, ray, blocks, all, is_blocked: &mut is_blocked };
+            let visitor = All::<_, _, _, true> {
+                world: self,
+                rules,
+                ray,
+                blocks,
+                all,
+                is_blocked: &mut is_blocked,
+            };
             self.each(ray, tally, visitor);
         } else {
-            let visitor = All::<_, _, _, false> { world: self, rules, ray, blocks, all, is_blocked: &mut is_blocked };
+            let visitor = All::<_, _, _, false> {
+                world: self,
+                rules,
+                ray,
+                blocks,
+                all,
+                is_blocked: &mut is_blocked,
+            };
             self.each(ray, tally, visitor);
         }
         all.sort();
         !is_blocked
     }
 
-    /// Has `visitor` visit every object that the ray may meet before the limit; it returns −∞ to end the search.
+    /// Has `visitor` visit every object that the ray may meet before the limit; it returns −∞ to
+    /// end the search.
     #[inline(always)]
     fn each<Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, visitor: impl Visit<T, Y>) {
         match self.tree.is_some() {
@@ -117,7 +157,12 @@ impl<T: Real> World<T> {
 
     /// The same where there is no tree, and the search ends early only if it `ENDS`.
     #[inline(always)]
-    fn each_of_list<Y: Tally, const ENDS: bool>(&self, ray: &Ray<T>, tally: &mut Y, mut visitor: impl Visit<T, Y>) {
+    fn each_of_list<Y: Tally, const ENDS: bool>(
+        &self,
+        ray: &Ray<T>,
+        tally: &mut Y,
+        mut visitor: impl Visit<T, Y>,
+    ) {
         let mut limit = ray.t_max;
         for i in 0..self.objects.len() as u32 {
             tally.did(Work::Object);
@@ -147,7 +192,8 @@ impl<T: Real> World<T> {
     }
 }
 
-/// Calls the visitor, in the place of being made of it: the walk through a tree stands in the program for each set of instructions.
+/// Calls the visitor, in the place of being made of it: the walk through a tree stands in the
+/// program for each set of instructions.
 struct ByCall<V>(V);
 
 impl<T, Y, V: Visit<T, Y>> Visit<T, Y> for ByCall<V> {
@@ -184,7 +230,13 @@ impl<T: Real, R: RuleSource, Y: Tally, const FRAMES: bool> Visit<T, Y> for First
                 *best = Some((i, met));
             }
         };
-        self.world.objects[i].meet::<R, FRAMES>(self.rules, self.ray, &self.world.meshes, tally, note);
+        self.world.objects[i].meet::<R, FRAMES>(
+            self.rules,
+            self.ray,
+            &self.world.meshes,
+            tally,
+            note,
+        );
         limit
     }
 }
@@ -201,7 +253,8 @@ impl<T: Real, R: RuleSource, Y: Tally, const FRAMES: bool> Visit<T, Y> for Any<'
     #[inline(always)]
     fn visit(&mut self, tally: &mut Y, i: u32, limit: T) -> T {
         let object = &self.world.objects[i as usize];
-        *self.found = *self.found || object.is_met::<R, FRAMES>(self.rules, self.ray, &self.world.meshes, tally);
+        *self.found = *self.found
+            || object.is_met::<R, FRAMES>(self.rules, self.ray, &self.world.meshes, tally);
         if *self.found { -T::INFINITY } else { limit }
     }
 }
@@ -227,7 +280,8 @@ impl<T: Real, R: RuleSource, Y: Tally, B: Fn(usize) -> bool, const FRAMES: bool>
             return -T::INFINITY;
         }
         if (self.blocks)(i) {
-            *self.is_blocked = object.is_met::<R, FRAMES>(self.rules, self.ray, &world.meshes, tally);
+            *self.is_blocked =
+                object.is_met::<R, FRAMES>(self.rules, self.ray, &world.meshes, tally);
             return if *self.is_blocked { -T::INFINITY } else { limit };
         }
         let all = &mut *self.all;

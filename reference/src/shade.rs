@@ -2,7 +2,9 @@
 
 use crate::lights::Light;
 use crate::real::Real;
-use crate::rules::{Ambient, Diffuse, Emission, Facing, Highlight, InsideBy, Power, RuleSource, Turning};
+use crate::rules::{
+    Ambient, Diffuse, Emission, Facing, Highlight, InsideBy, Power, RuleSource, Turning,
+};
 use crate::vec3::Vec3;
 use crate::work::{Tally, Work};
 use crate::world::Material;
@@ -11,7 +13,11 @@ use crate::world::Material;
 ///
 /// A ray along the surface (d·N = 0) is outside.
 #[inline(always)]
-pub fn facing_normal<T: Real, R: RuleSource>(rules: R, d: Vec3<T>, normal: Vec3<T>) -> (Vec3<T>, bool) {
+pub fn facing_normal<T: Real, R: RuleSource>(
+    rules: R,
+    d: Vec3<T>,
+    normal: Vec3<T>,
+) -> (Vec3<T>, bool) {
     let is_inside = is_inside(rules, d, normal);
     (if turns(rules, is_inside) { -normal } else { normal }, is_inside)
 }
@@ -30,7 +36,11 @@ pub fn turns<R: RuleSource>(rules: R, is_inside: bool) -> bool {
 
 /// ke, as often as it counts among `n_lights` lights. [rule 3]
 #[inline(always)]
-pub fn emission<T: Real, R: RuleSource>(rules: R, material: &Material<T>, n_lights: usize) -> Vec3<T> {
+pub fn emission<T: Real, R: RuleSource>(
+    rules: R,
+    material: &Material<T>,
+    n_lights: usize,
+) -> Vec3<T> {
     match rules.get().emission {
         Emission::Once => material.ke,
         Emission::PerLight => material.ke * T::of(n_lights as f64),
@@ -38,7 +48,8 @@ pub fn emission<T: Real, R: RuleSource>(rules: R, material: &Material<T>, n_ligh
     }
 }
 
-/// ka Ia_j, times kt from inside, for the light with index `j`; whatever hides or weakens the light. [rule 3] [rule 12]
+/// ka Ia_j, times kt from inside, for the light with index `j`; whatever hides or weakens the
+/// light. [rule 3] [rule 12]
 #[inline(always)]
 pub fn ambient<T: Real, R: RuleSource>(
     rules: R,
@@ -57,9 +68,15 @@ pub fn ambient<T: Real, R: RuleSource>(
     if is_inside && rules.get().ambient_inside { outside * material.kt } else { outside }
 }
 
-/// Whether a light in direction `to_light` adds anything to a surface of that material and normal: B_j. [rule 3]
+/// Whether a light in direction `to_light` adds anything to a surface of that material and normal:
+/// B_j. [rule 3]
 #[inline(always)]
-pub fn is_lit<T: Real, R: RuleSource>(rules: R, material: &Material<T>, normal: Vec3<T>, to_light: Vec3<T>) -> bool {
+pub fn is_lit<T: Real, R: RuleSource>(
+    rules: R,
+    material: &Material<T>,
+    normal: Vec3<T>,
+    to_light: Vec3<T>,
+) -> bool {
     let is_before = normal.dot(to_light) > T::ZERO;
     match rules.get().facing {
         Facing::OnlyFront => is_before,
@@ -68,7 +85,8 @@ pub fn is_lit<T: Real, R: RuleSource>(rules: R, material: &Material<T>, normal: 
     }
 }
 
-/// Whether what comes from a light adds nothing whatever it is: on a surface with neither kd nor ks. [rule 3]
+/// Whether what comes from a light adds nothing whatever it is: on a surface with neither kd nor
+/// ks. [rule 3]
 ///
 /// Other rules than the lecture's highlight may give no number at all, times 0.
 #[inline(always)]
@@ -84,7 +102,8 @@ pub fn is_bounded<R: RuleSource>(rules: R) -> bool {
 
 /// S_j A_j I_j B_j [kd (N·L_j) + ks (N·H_j)₊^ns]. [rule 3]
 ///
-/// `arriving` is S_j A_j I_j; all directions are unit vectors. Where L = −V there is no half vector, and no highlight.
+/// `arriving` is S_j A_j I_j; all directions are unit vectors. Where L = −V there is no half
+/// vector, and no highlight.
 #[inline(always)]
 pub fn light_term<T: Real, R: RuleSource>(
     rules: R,
@@ -115,7 +134,14 @@ pub fn light_term<T: Real, R: RuleSource>(
 
 /// (N·H)₊^ns. [rule 3]
 #[inline(always)]
-fn highlight<T: Real, R: RuleSource>(rules: R, ns: T, n: Vec3<T>, v: Vec3<T>, l: Vec3<T>, tally: &mut impl Tally) -> T {
+fn highlight<T: Real, R: RuleSource>(
+    rules: R,
+    ns: T,
+    n: Vec3<T>,
+    v: Vec3<T>,
+    l: Vec3<T>,
+    tally: &mut impl Tally,
+) -> T {
     let sum = l + v;
     if sum == Vec3::ZERO {
         return T::ZERO;
@@ -133,7 +159,8 @@ fn highlight<T: Real, R: RuleSource>(rules: R, ns: T, n: Vec3<T>, v: Vec3<T>, l:
     }
 }
 
-/// x^ns. Of 0 it is known without a function: 0, and 1 for 0^0; the logarithm serves above 0 only. [rule 3]
+/// x^ns. Of 0 it is known without a function: 0, and 1 for 0^0; the logarithm serves above 0 only.
+/// [rule 3]
 #[inline(always)]
 fn power<T: Real, R: RuleSource>(rules: R, x: T, ns: T, tally: &mut impl Tally) -> T {
     if x == T::ZERO && ns >= T::ZERO {

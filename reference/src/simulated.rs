@@ -11,8 +11,8 @@ pub trait EffectSource: Copy + Send + Sync {
     fn light_cutoff(self) -> f64;
 }
 
-/// Effects to be simulated, all of them among `MOST`, the [bits](Effects::bits) of those that the kernel can do. What is not among `MOST` is
-/// not in the program: it costs nothing.
+/// Effects to be simulated, all of them among `MOST`, the [bits](Effects::bits) of those that the
+/// kernel can do. What is not among `MOST` is not in the program: it costs nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct Within<const MOST: u16> {
     effects: Effects,
@@ -36,7 +36,8 @@ pub type EyeAlone = Within<{ LOCAL.bits() }>;
 pub type WithShadows = Within<{ LOCAL.with(Effect::Shadows).bits() }>;
 
 impl<const MOST: u16> Within<MOST> {
-    /// Those effects, light followed down to `light_cutoff`; none where a kernel of this kind cannot do that.
+    /// Those effects, light followed down to `light_cutoff`; none where a kernel of this kind
+    /// cannot do that.
     pub fn new(effects: Effects, light_cutoff: f64) -> Option<Self> {
         let can_cut = MOST == Effects::ALL.bits();
         let is_within = effects.intersection(Effects::from_bits(MOST)) == effects;

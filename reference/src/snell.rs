@@ -4,14 +4,16 @@ use crate::real::{Real, exponent, scaled};
 use crate::two::{Two, Two3};
 use crate::vec3::Vec3;
 
-/// The unit vector T for a ray along `d` through a surface with the normal `n`, of any length; `None` beyond the critical angle, or without
-/// direction or normal. Exactly at the critical angle it runs along the surface.
+/// The unit vector T for a ray along `d` through a surface with the normal `n`, of any length;
+/// `None` beyond the critical angle, or without direction or normal. Exactly at the critical angle
+/// it runs along the surface.
 ///
-/// With m = d × N and w = ‖d‖‖N‖, K = (η_t w)² − (η_i ‖m‖)² decides: as a product where θ_i is small, and in the form of D13 where it is not, it does
-/// not cancel but near the critical angle. T = (η_i N × m − √K N) / (η_t ‖N‖² ‖d‖).
+/// With m = d × N and w = ‖d‖‖N‖, K = (η_t w)² − (η_i ‖m‖)² decides: as a product where θ_i is
+/// small, and in the form of D13 where it is not, it does not cancel but near the critical angle. T
+/// = (η_i N × m − √K N) / (η_t ‖N‖² ‖d‖).
 ///
-/// With u half a ulp, m is off by 4u w at most and so K by 24u (η_i² + η_t²) w² in either form. Where K is not far greater than twice that, the
-/// question is put again in two words.
+/// With u half a ulp, m is off by 4u w at most and so K by 24u (η_i² + η_t²) w² in either form.
+/// Where K is not far greater than twice that, the question is put again in two words.
 #[inline(always)]
 pub fn transmitted<T: Real>(d: Vec3<T>, n: Vec3<T>, eta_i: T, eta_t: T) -> Option<Vec3<T>> {
     let (dd, nn, along) = (d.dot(d), n.dot(n), d.dot(n));
@@ -25,7 +27,11 @@ pub fn transmitted<T: Real>(d: Vec3<T>, n: Vec3<T>, eta_i: T, eta_t: T) -> Optio
         (eta_t - eta_i) * (eta_t + eta_i) * ww + (eta_i * along) * (eta_i * along)
     };
     let doubt = (eta_i * eta_i + eta_t * eta_t) * ww * (T::of(32.0) * T::ULP);
-    let is_certain = k.abs() > doubt * T::MARGIN && doubt.is_safe() && dd.is_safe() && nn.is_safe() && eta_t.is_safe();
+    let is_certain = k.abs() > doubt * T::MARGIN
+        && doubt.is_safe()
+        && dd.is_safe()
+        && nn.is_safe()
+        && eta_t.is_safe();
     if !is_certain {
         return settled(d, n, eta_i, eta_t);
     }
@@ -81,7 +87,8 @@ mod tests {
     #[test]
     fn directions_worked_out_on_paper() {
         check([0.0, -1.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.5], Some([0.0, -1.0, 0.0]));
-        check([4.0, -3.0, 0.0], [0.0, 2.0, 0.0], [3.0, 4.0], Some([0.6, -0.8, 0.0])); // sin 4/5 becomes 3/5
+        // sin 4/5 becomes 3/5
+        check([4.0, -3.0, 0.0], [0.0, 2.0, 0.0], [3.0, 4.0], Some([0.6, -0.8, 0.0]));
         check([3.0, -4.0, 0.0], [0.0, 1.0, 0.0], [1.5, 1.5], Some([0.6, -0.8, 0.0]));
         check([4.0, -3.0, 0.0], [0.0, 1.0, 0.0], [5.0, 3.0], None);
         check([0.0; 3], [0.0, 1.0, 0.0], [1.0, 1.5], None);
@@ -93,6 +100,11 @@ mod tests {
         check(d, n, [5.0, 4.0], Some([1.0, 0.0, 0.0])); // sin 4/5 becomes 1
         check(d, n, [5.0, 4f64.next_down()], None);
         check([4.0, (-3f64).next_up(), 0.0], n, [5.0, 4.0], None);
-        check(d.map(|x| scaled(x, 900)), n.map(|x| scaled(x, -900)), [5.0, 4.0], Some([1.0, 0.0, 0.0]));
+        check(
+            d.map(|x| scaled(x, 900)),
+            n.map(|x| scaled(x, -900)),
+            [5.0, 4.0],
+            Some([1.0, 0.0, 0.0]),
+        );
     }
 }

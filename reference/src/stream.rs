@@ -7,10 +7,11 @@ pub(crate) struct Stream(u64);
 impl Stream {
     /// The stream of a name (of a case, of a family) under a seed; that of one depends on no other.
     pub(crate) fn new(seed: u64, name: &str) -> Self {
-        // FNV-1a of the name, so that neighbouring seeds of one case and equal seeds of two have nothing to do with each other.
-        let name = name
-            .bytes()
-            .fold(0xCBF2_9CE4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3));
+        // FNV-1a of the name, so that neighbouring seeds of one case and equal seeds of two have
+        // nothing to do with each other.
+        let name = name.bytes().fold(0xCBF2_9CE4_8422_2325_u64, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3)
+        });
         Self(Self(seed).next() ^ name)
     }
 

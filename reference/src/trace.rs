@@ -1,29 +1,29 @@
 //! The kernel: rays, and the light they bring back. [rule 2] [rule 5] to [rule 13]
 
+mod direct;
+
 use arrayvec::ArrayVec;
 use cases::ray_tree::RayKind;
 use cases::{Effect, Effects};
 
 use crate::camera::Lens;
-use crate::lights::Light;
 use crate::optics;
 use crate::packet;
 use crate::ray::{Ray, Spot};
 use crate::real::Real;
 use crate::rules::{
-    Ambient, Cutoff, Depth, InsideBy, LightOrder, MirrorWeight, RuleSource, ShadowReach, Tint, TotalReflection,
-    TransmitWeight, Turning,
+    Cutoff, Depth, InsideBy, MirrorWeight, RuleSource, TotalReflection, TransmitWeight, Turning,
 };
-use crate::search::Crossings;
 use crate::shade;
 use crate::shapes::Meeting;
 use crate::simulated::{Any, EffectSource};
 use crate::vec3::Vec3;
 use crate::watch::{Met, Watch};
-use crate::work::{Tally, Work};
+use crate::work::Work;
 use crate::world::{Hit, Material, World};
 
-/// A world, the rules it is rendered by, and which effects are simulated: chosen once for a picture.
+/// A world, the rules it is rendered by, and which effects are simulated: chosen once for a
+/// picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel<'w, T, R, E = Any> {
     /// The world.
@@ -70,9 +70,16 @@ pub struct Seen<T> {
     pub material: usize,
 }
 
-/// Whether a ray of this depth and weight spawns more; a threshold of 0 switches the second test off. [rule 13]
+/// Whether a ray of this depth and weight spawns more; a threshold of 0 switches the second test
+/// off. [rule 13]
 #[inline(always)]
-pub fn goes_on<T: Real, R: RuleSource>(rules: R, depth: u32, max_depth: u32, weight: Vec3<T>, threshold: T) -> bool {
+pub fn goes_on<T: Real, R: RuleSource>(
+    rules: R,
+    depth: u32,
+    max_depth: u32,
+    weight: Vec3<T>,
+    threshold: T,
+) -> bool {
     is_shallow(rules, depth, max_depth) && !is_faint(rules, weight, threshold)
 }
 
@@ -112,14 +119,15 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         Self { world, rules, lens: Lens::new(rules, &world.camera, width, height), effects }
     }
 
-    /// The light through the point (`dx`, `dy`), both from 0 to 1, of the picture's pixel in column i from the left and row j from the top.
-    /// [rule 1]
+    /// The light through the point (`dx`, `dy`), both from 0 to 1, of the picture's pixel in column
+    /// i from the left and row j from the top. [rule 1]
     pub fn eye(&self, (i, j): (u32, u32), at: (T, T), watch: &mut impl Watch) -> Vec3<T> {
         self.trace(&self.eye_ray((i, j), at), Path::eye(0), watch)
     }
 
     fn eye_ray(&self, (i, j): (u32, u32), at: (T, T)) -> Ray<T> {
-        let row = if self.rules.get().picture_from_top { j } else { self.world.render.height - 1 - j };
+        let row =
+            if self.rules.get().picture_from_top { j } else { self.world.render.height - 1 - j };
         self.lens.eye_ray(self.rules, (i, row), at)
     }
 
@@ -128,15 +136,16 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         R::IS_LECTURE && self.world.gains_together()
     }
 
-    /// What [`Kernel::eye`] gives at each of some points, [`packet::MOST`] at most, by the rules of the lecture: what they see is searched for together,
-    /// then lit one after another.
+    /// What [`Kernel::eye`] gives at each of some points, [`packet::MOST`] at most, by the rules of
+    /// the lecture: what they see is searched for together, then lit one after another.
     pub(crate) fn eyes<W: Watch>(
         &self,
         points: impl Iterator<Item = Point<T>>,
         watch: &mut W,
         mut light: impl FnMut(&mut W, Vec3<T>),
     ) {
-        let rays: ArrayVec<Ray<T>, { packet::MOST }> = points.map(|(pixel, at)| self.eye_ray(pixel, at)).collect();
+        let rays: ArrayVec<Ray<T>, { packet::MOST }> =
+            points.map(|(pixel, at)| self.eye_ray(pixel, at)).collect();
         for (ray, found) in rays.iter().zip(self.world.first_together(&rays, watch)) {
             watch.enter(RayKind::Eye, 0, ray);
             let colour = self.light_of(ray, Path::eye(0), found, watch);
@@ -164,25 +173,42 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         watch: &mut impl Watch,
     ) -> Vec3<T> {
         let Some(found) = found else { return self.world.background };
-        let hit = self.world.hit(self.rules, ray, found, self.effects.has(Effect::SmoothNormals), watch);
+        let hit =
+            self.world.hit(self.rules, ray, found, self.effects.has(Effect::SmoothNormals), watch);
         self.light_at(ray, path, hit, watch)
     }
 
-    fn light_at(&self, ray: &Ray<T>, path: Path<T>, hit: Hit<T>, watch: &mut impl Watch) -> Vec3<T> {
+    fn light_at(
+        &self,
+        ray: &Ray<T>,
+        path: Path<T>,
+        hit: Hit<T>,
+        watch: &mut impl Watch,
+    ) -> Vec3<T> {
         let d = ray.direction;
         let object = &self.world.objects[hit.object];
         let material = &self.world.materials[object.material];
         let (outwards, turned, is_inside) = self.turned(d, &hit);
         let (n_geom, n_shading) = turned;
-        let normal = if self.rules.get().turning == Turning::NotShading { outwards } else { n_shading };
+        let normal =
+            if self.rules.get().turning == Turning::NotShading { outwards } else { n_shading };
         let spot = hit.spot(n_geom);
         let seen = Seen { spot, normal, to_viewer: -d, is_inside, material: object.material };
         let mut colour = self.shade(&seen, path.weight, watch);
-        watch.met(|| Met { object: &object.name, t: hit.t, point: hit.point, normal, is_inside, direct: colour });
+        watch.met(|| Met {
+            object: &object.name,
+            t: hit.t,
+            point: hit.point,
+            normal,
+            is_inside,
+            direct: colour,
+        });
         if !self.goes_on(path) {
             if self.effects.has(Effect::Reflection) || self.effects.has(Effect::Refraction) {
                 let sent_on = || self.weight_sent_on(material, is_inside);
-                if is_shallow(self.rules, path.depth, self.world.render.max_depth) && sent_on() != Vec3::ZERO {
+                if is_shallow(self.rules, path.depth, self.world.render.max_depth)
+                    && sent_on() != Vec3::ZERO
+                {
                     watch.did(Work::FaintPath);
                 }
                 watch.left_out(|| path.weight * sent_on());
@@ -194,7 +220,8 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         let kr = self.mirror_weight(material, is_inside);
         if kr.max_element() > T::ZERO {
             let r = optics::smooth_reflect(self.rules, d, n_geom, n_shading);
-            let is_black = self.rules.get().total_reflection == TotalReflection::Black && way_through().is_none();
+            let is_black = self.rules.get().total_reflection == TotalReflection::Black
+                && way_through().is_none();
             if !is_black {
                 let ray = Ray::spawned(self.rules, &spot, r);
                 colour += kr * self.spawn(RayKind::Reflected, &ray, path, kr, watch);
@@ -211,14 +238,23 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         colour
     }
 
-    /// The shading normal as it is stored; both normals turned against the ray; whether the ray is inside. [rule 11] [rule 19]
+    /// The shading normal as it is stored; both normals turned against the ray; whether the ray is
+    /// inside. [rule 11] [rule 19]
     #[inline(always)]
     fn turned(&self, d: Vec3<T>, hit: &Hit<T>) -> (Vec3<T>, (Vec3<T>, Vec3<T>), bool) {
         let n_shading = hit.n_shading;
-        let decides = if self.rules.get().inside_by == InsideBy::Interpolated { n_shading } else { hit.n_geom };
+        let decides = if self.rules.get().inside_by == InsideBy::Interpolated {
+            n_shading
+        } else {
+            hit.n_geom
+        };
         let is_inside = shade::is_inside(self.rules, d, decides);
         let turns = shade::turns(self.rules, is_inside);
-        (n_shading, if turns { (-hit.n_geom, -n_shading) } else { (hit.n_geom, n_shading) }, is_inside)
+        (
+            n_shading,
+            if turns { (-hit.n_geom, -n_shading) } else { (hit.n_geom, n_shading) },
+            is_inside,
+        )
     }
 
     fn goes_on(&self, path: Path<T>) -> bool {
@@ -227,7 +263,11 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
 
     /// 0 where no path ends for its weight.
     fn threshold(&self) -> T {
-        if self.effects.has(Effect::AdaptiveDepth) { T::of(self.world.render.threshold) } else { T::ZERO }
+        if self.effects.has(Effect::AdaptiveDepth) {
+            T::of(self.world.render.threshold)
+        } else {
+            T::ZERO
+        }
     }
 
     /// 0 where no ray is reflected. [rule 7]
@@ -248,7 +288,11 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
 
     /// kr + kt, of what is simulated.
     fn weight_sent_on(&self, material: &Material<T>, is_inside: bool) -> Vec3<T> {
-        let kt = if self.effects.has(Effect::Refraction) { self.transmit_weight(material) } else { Vec3::ZERO };
+        let kt = if self.effects.has(Effect::Refraction) {
+            self.transmit_weight(material)
+        } else {
+            Vec3::ZERO
+        };
         self.mirror_weight(material, is_inside) + kt
     }
 
@@ -260,9 +304,21 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         }
     }
 
-    /// What a ray brings back that a path sends on with `weight`. One that counts for nothing in the pixel is not cast.
-    fn spawn<W: Watch>(&self, kind: RayKind, ray: &Ray<T>, parent: Path<T>, weight: Vec3<T>, watch: &mut W) -> Vec3<T> {
-        let weight = if self.rules.get().cutoff == Cutoff::LastOnly { weight } else { parent.weight * weight };
+    /// What a ray brings back that a path sends on with `weight`. One that counts for nothing in
+    /// the pixel is not cast.
+    fn spawn<W: Watch>(
+        &self,
+        kind: RayKind,
+        ray: &Ray<T>,
+        parent: Path<T>,
+        weight: Vec3<T>,
+        watch: &mut W,
+    ) -> Vec3<T> {
+        let weight = if self.rules.get().cutoff == Cutoff::LastOnly {
+            weight
+        } else {
+            parent.weight * weight
+        };
         if weight == Vec3::ZERO && !W::SEES_ALL {
             return Vec3::ZERO;
         }
@@ -273,97 +329,5 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         }
         let path = Path { kind, depth: parent.depth + 1, weight };
         self.trace(ray, path, watch)
-    }
-
-    /// ke and the light of every lamp at a point, which counts for `weight` in the pixel. [rule 3]
-    pub fn shade(&self, seen: &Seen<T>, weight: Vec3<T>, watch: &mut impl Watch) -> Vec3<T> {
-        let material = &self.world.materials[seen.material];
-        let n_lights = self.world.lights.len();
-        let is_dull = shade::is_dull(self.rules, material);
-        let mut colour = shade::emission(self.rules, material, n_lights);
-        for n in 0..n_lights {
-            let j = if self.rules.get().style.lights == LightOrder::Reversed { n_lights - 1 - n } else { n };
-            let light = &self.world.lights[j];
-            let ambient = shade::ambient(self.rules, material, light, j, seen.is_inside);
-            if self.rules.get().ambient == Ambient::Shadowed {
-                for term in self.shadowed(seen, light, ambient, watch) {
-                    colour += term;
-                }
-                continue;
-            }
-            colour += ambient;
-            if is_dull || (shade::is_bounded(self.rules) && light.colour == Vec3::ZERO) {
-                continue;
-            }
-            let Some((to_light, r)) = light.seen_from(self.rules, seen.spot.point) else { continue };
-            if !shade::is_lit(self.rules, material, seen.normal, to_light) {
-                continue;
-            }
-            let weakened = light.attenuation(self.rules, r, watch);
-            if self.is_faint_light(|| light.colour * weakened * (material.kd + material.ks), weight, watch) {
-                continue;
-            }
-            let reaching = self.shadow(&seen.spot, to_light, r, watch) * weakened;
-            if reaching == Vec3::ZERO && shade::is_bounded(self.rules) {
-                continue;
-            }
-            let arriving = reaching * light.colour;
-            colour += shade::light_term(self.rules, material, arriving, seen.normal, seen.to_viewer, to_light, watch);
-        }
-        colour
-    }
-
-    /// The ambient and the direct term of a light where shadows take both.
-    fn shadowed(&self, seen: &Seen<T>, light: &Light<T>, ambient: Vec3<T>, watch: &mut impl Watch) -> [Vec3<T>; 2] {
-        let material = &self.world.materials[seen.material];
-        let Some((to_light, r)) = light.seen_from(self.rules, seen.spot.point) else { return [Vec3::ZERO; 2] };
-        let reaching = self.shadow(&seen.spot, to_light, r, watch) * light.attenuation(self.rules, r, watch);
-        let arriving = reaching * light.colour;
-        let direct = shade::light_term(self.rules, material, arriving, seen.normal, seen.to_viewer, to_light, watch);
-        [ambient * reaching, direct]
-    }
-
-    /// Whether a lamp whose light comes to `most` at most need not be followed.
-    #[inline(always)]
-    fn is_faint_light(&self, most: impl Fn() -> Vec3<T>, weight: Vec3<T>, watch: &mut impl Watch) -> bool {
-        let cutoff = T::of(self.effects.light_cutoff());
-        if cutoff > T::ZERO && most().max_element() < cutoff {
-            watch.did(Work::FaintLight);
-            watch.faint_light(|| weight * most());
-            return true;
-        }
-        false
-    }
-
-    /// S_j at a point of a surface, for a light in direction `to_light` at distance `r`. [rule 5] [rule 6]
-    pub fn shadow(&self, spot: &Spot<T>, to_light: Vec3<T>, r: T, watch: &mut impl Watch) -> Vec3<T> {
-        if !self.effects.has(Effect::Shadows) || !self.rules.get().casts_shadows {
-            return Vec3::ONE;
-        }
-        watch.shadow_ray();
-        let reach = if self.rules.get().shadow_reach == ShadowReach::Unbounded { T::INFINITY } else { r };
-        let ray = Ray::to_light(self.rules, spot, to_light, reach);
-        if self.effects.has(Effect::TintedShadows) && self.rules.get().tint != Tint::Opaque {
-            return self.tint(&ray, watch);
-        }
-        if self.world.occluded(self.rules, &ray, watch) { Vec3::ZERO } else { Vec3::ONE }
-    }
-
-    /// The product of kt over all crossings of the ray, in order of t. [rule 6]
-    fn tint(&self, ray: &Ray<T>, tally: &mut impl Tally) -> Vec3<T> {
-        let tint = self.rules.get().tint;
-        let kt = |object: usize| self.world.materials[self.world.objects[object].material].kt;
-        let blocks = |object| tint != Tint::FirstCrossing && kt(object) == Vec3::ZERO;
-        let mut crossings = Crossings::none();
-        if !self.world.crossings(self.rules, ray, blocks, &mut crossings, tally) {
-            return Vec3::ZERO;
-        }
-        let counts = |n: usize| match tint {
-            Tint::PerObject => crossings[..n].iter().all(|before| before.1 != crossings[n].1),
-            Tint::FirstCrossing => n == 0,
-            Tint::Clear => false,
-            Tint::PerCrossing | Tint::Opaque => true,
-        };
-        (0..crossings.len()).filter(|n| counts(*n)).fold(Vec3::ONE, |light, n| light * kt(crossings[n].1))
     }
 }

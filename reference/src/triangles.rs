@@ -17,9 +17,14 @@ pub(crate) enum Triangles {
 
 impl Triangles {
     /// Those with these numbers, in that order.
-    pub(crate) fn of<T: Real>(numbers: &[u32], triangle: impl Fn(&u32) -> Triangle<T> + Sync) -> Self {
+    pub(crate) fn of<T: Real>(
+        numbers: &[u32],
+        triangle: impl Fn(&u32) -> Triangle<T> + Sync,
+    ) -> Self {
         let is_single = |x: T| f64::from(x.f64() as f32) == x.f64();
-        let fits = |n: &u32| triangle(n).corners.iter().all(|c| is_single(c.x) && is_single(c.y) && is_single(c.z));
+        let fits = |n: &u32| {
+            triangle(n).corners.iter().all(|c| is_single(c.x) && is_single(c.y) && is_single(c.z))
+        };
         match numbers.par_iter().all(fits) {
             true => Self::Single(in_fours(numbers, triangle, |x| x.f64() as f32)),
             false => Self::Double(in_fours(numbers, triangle, |x| x.f64())),
@@ -35,7 +40,8 @@ impl Triangles {
         }
     }
 
-    /// A bit for each of the four from `first` on, a multiple of four, that the ray does not certainly miss.
+    /// A bit for each of the four from `first` on, a multiple of four, that the ray does not
+    /// certainly miss.
     #[inline(always)]
     pub(crate) fn left<P: Test>(&self, first: u32, ray: &Across) -> u32 {
         match self {
@@ -44,7 +50,8 @@ impl Triangles {
         }
     }
 
-    /// For each of the four from `first` on, a multiple of four, between which slopes its corners lie as seen from `origin`.
+    /// For each of the four from `first` on, a multiple of four, between which slopes its corners
+    /// lie as seen from `origin`.
     #[inline(always)]
     pub(crate) fn slopes(&self, first: u32, origin: [f64; 3], axes: [usize; 3]) -> Slopes {
         match self {
@@ -71,7 +78,8 @@ impl Triangles {
     }
 }
 
-/// Of four triangles seen from a point, two axes across and one along: how far their corners lie along the first two for each step along the third.
+/// Of four triangles seen from a point, two axes across and one along: how far their corners lie
+/// along the first two for each step along the third.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slopes {
     /// The least and the greatest along the first axis, then along the second.
@@ -81,7 +89,10 @@ pub(crate) struct Slopes {
 }
 
 #[inline(always)]
-#[allow(clippy::needless_range_loop, reason = "many lists side by side, which the compiler takes lane by lane")]
+#[allow(
+    clippy::needless_range_loop,
+    reason = "many lists side by side, which the compiler takes lane by lane"
+)]
 fn slopes<S: Real>(four: &Four<S>, origin: [f64; 3], [x, y, z]: [usize; 3]) -> Slopes {
     let nothing = [[f64::INFINITY; 4], [-f64::INFINITY; 4]];
     let mut all = Slopes { span: [nothing; 2], depth: nothing };
@@ -105,7 +116,9 @@ fn widen([least, most]: &mut [[f64; 4]; 2], lane: usize, x: f64) {
 
 #[inline(always)]
 fn one<S: Real, T: Real>(four: &Four<S>, lane: usize) -> Triangle<T> {
-    let corner = |[x, y, z]: &[[S; 4]; 3]| Vec3::new(T::of(x[lane].f64()), T::of(y[lane].f64()), T::of(z[lane].f64()));
+    let corner = |[x, y, z]: &[[S; 4]; 3]| {
+        Vec3::new(T::of(x[lane].f64()), T::of(y[lane].f64()), T::of(z[lane].f64()))
+    };
     Triangle { corners: [corner(&four[0]), corner(&four[1]), corner(&four[2])] }
 }
 

@@ -1,14 +1,16 @@
 //! Numbers in two words of f64, some 106 bits: for what one word cannot decide.
 //!
-//! A value is the unevaluated sum of two words, the second at most half a last place of the first. Relative error of an operation below
-//! 2⁻¹⁰⁰ (Joldes, Muller, Popescu 2017), as long as nothing leaves the range 1e-140 to 1e140: callers scale by powers of two first.
-//! No fused operation is used, so that every machine computes the same bits.
+//! A value is the unevaluated sum of two words, the second at most half a last place of the first.
+//! Relative error of an operation below 2⁻¹⁰⁰ (Joldes, Muller, Popescu 2017), as long as nothing
+//! leaves the range 1e-140 to 1e140: callers scale by powers of two first. No fused operation is
+//! used, so that every machine computes the same bits.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::vec3::Vec3;
 
-/// A sum of terms that is less than this share of the sum of their amounts counts as zero: some hundred roundings in two words.
+/// A sum of terms that is less than this share of the sum of their amounts counts as zero: some
+/// hundred roundings in two words.
 pub const DOUBT: f64 = f64::from_bits((1023 - 94) << 52);
 
 /// hi + lo.
@@ -56,7 +58,8 @@ impl Two {
         if self.hi < 0.0 { -self } else { self }
     }
 
-    /// The number itself, or 0 where `amounts`, the sum of what its terms amount to, leaves its sign in doubt.
+    /// The number itself, or 0 where `amounts`, the sum of what its terms amount to, leaves its
+    /// sign in doubt.
     #[inline]
     pub fn certain(self, amounts: f64) -> Self {
         if self.hi.abs() <= DOUBT * amounts { Self::ZERO } else { self }
@@ -244,7 +247,10 @@ mod tests {
     fn sums_and_products_lose_nothing() {
         assert_eq!(Two::sum(1.0, U / 4.0), Two { hi: 1.0, lo: U / 4.0 });
         // (1 + 2u)² = 1 + 4u + 4u²
-        assert_eq!(Two::product(1.0 + 2.0 * U, 1.0 + 2.0 * U), Two { hi: 1.0 + 4.0 * U, lo: 4.0 * U * U });
+        assert_eq!(
+            Two::product(1.0 + 2.0 * U, 1.0 + 2.0 * U),
+            Two { hi: 1.0 + 4.0 * U, lo: 4.0 * U * U }
+        );
         let rest = Two::sum(1e16, 1.0) * Two::of(1e16) - Two::product(1e16, 1e16); // (x + 1) x − x²
         assert_eq!(rest, Two::of(1e16));
     }

@@ -1,7 +1,9 @@
-//! The legal variations: other ways of computing the picture that the rules describe, as students may choose them.
+//! The legal variations: other ways of computing the picture that the rules describe, as students
+//! may choose them.
 //!
-//! A picture by one of them is as right as the reference's own. What they disagree about is what rounding decides: the envelope of
-//! all of them is what a right program may give. `docs/grading.md` publishes what is free: [`published`] is its table.
+//! A picture by one of them is as right as the reference's own. What they disagree about is what
+//! rounding decides: the envelope of all of them is what a right program may give.
+//! `docs/grading.md` publishes what is free: [`published`] is its table.
 
 use cases::film::Image;
 use cases::{Effects, Scene};
@@ -10,8 +12,8 @@ use serde::Serialize;
 use crate::real::Real;
 use crate::render::{self, Options};
 use crate::rules::{
-    CameraFormula, Epsilon, LightOrder, PlaneFormula, Power, Quadratic, Robustness, Rules, Snell, Start, Style,
-    ToLight, TriangleFormula,
+    CameraFormula, Epsilon, LightOrder, PlaneFormula, Power, Quadratic, Robustness, Rules, Snell,
+    Start, Style, ToLight, TriangleFormula,
 };
 use crate::world::World;
 
@@ -74,8 +76,9 @@ fn picture<T: Real>(rules: &Rules, scene: &Scene, effects: Effects) -> Image {
     render::render(&world, rules, &Options { effects, ..Options::of(&world) }, |_| {}).0
 }
 
-/// A row for each member of a precision, a column for each freedom: which of its ways. Any two ways of two freedoms meet in some
-/// row, and each way of one freedom stands in as many rows as any other.
+/// A row for each member of a precision, a column for each freedom: which of its ways. Any two ways
+/// of two freedoms meet in some row, and each way of one freedom stands in as many rows as any
+/// other.
 ///
 /// Columns: quadratic, triangle, start, epsilon, camera, to_light, plane, snell, power, lights.
 const PLAN: [[usize; 10]; 24] = [
@@ -107,20 +110,35 @@ const PLAN: [[usize; 10]; 24] = [
 
 /// How students get rays away from surfaces: with RAY_EPSILON, unlike the reference.
 const STARTS: [Start; 3] = [Start::Interval, Start::AlongNormal, Start::AlongRay];
-/// Directions of the nudges, taken in turn, from the other end for f32: the second half is the first one turned round.
-const NUDGES: [[f64; 2]; 8] =
-    [[1.0, 0.3], [-0.3, 1.0], [0.7, 0.7], [-0.7, 0.7], [-1.0, -0.3], [0.3, -1.0], [-0.7, -0.7], [0.7, -0.7]];
+/// Directions of the nudges, taken in turn, from the other end for f32: the second half is the
+/// first one turned round.
+const NUDGES: [[f64; 2]; 8] = [
+    [1.0, 0.3],
+    [-0.3, 1.0],
+    [0.7, 0.7],
+    [-0.7, 0.7],
+    [-1.0, -0.3],
+    [0.3, -1.0],
+    [-0.7, -0.7],
+    [0.7, -0.7],
+];
 /// Their sizes in pixels, taken in turn.
 const NUDGE_SIZES: [f64; 3] = [1e-3, 3e-3, 1e-2];
 
-/// The ways of computing pictures by the rules `base`, which are a student's to choose: 24 in f64, 24 in f32, and plain f32, the
-/// reference's own formulas rounded. The reference in f64 is not among them.
+/// The ways of computing pictures by the rules `base`, which are a student's to choose: 24 in f64,
+/// 24 in f32, and plain f32, the reference's own formulas rounded. The reference in f64 is not
+/// among them.
 pub fn variations(base: &Rules) -> Vec<Variation> {
     let plain = Variation::new(
         base,
         Precision::F32,
         1e-4,
-        Style { robustness: Robustness::Plain, start: Start::Interval, nudge: [0.0; 2], ..base.style },
+        Style {
+            robustness: Robustness::Plain,
+            start: Start::Interval,
+            nudge: [0.0; 2],
+            ..base.style
+        },
     );
     let planned = [Precision::F64, Precision::F32].into_iter().flat_map(|precision| {
         PLAN.iter().enumerate().map(move |(n, row)| {
@@ -187,17 +205,28 @@ pub fn published() -> String {
         ("sphere, cylinder, cone", all(Quadratic::ALL, Quadratic::says)),
         ("plane", all(PlaneFormula::ALL, PlaneFormula::says)),
         ("triangle", all(TriangleFormula::ALL, TriangleFormula::says)),
-        ("RAY_EPSILON", format!("{}, {}, in world space", range(Precision::F64), range(Precision::F32))),
+        (
+            "RAY_EPSILON",
+            format!("{}, {}, in world space", range(Precision::F64), range(Precision::F32)),
+        ),
         (
             "how a ray leaves a surface",
             format!(
-                "only hits at t > RAY_EPSILON count; or any at t > 0, from an origin {normal} (the geometric one, to the side where the ray goes) or {ray}, by RAY_EPSILON"
+                "only hits at t > RAY_EPSILON count; or any at t > 0, from an origin {normal} \
+                    (the geometric one, to the side where the ray goes) or {ray}, by RAY_EPSILON"
             ),
         ),
-        ("direction and length of a shadow ray from such an origin", all(ToLight::ALL, ToLight::says)),
+        (
+            "direction and length of a shadow ray from such an origin",
+            all(ToLight::ALL, ToLight::says),
+        ),
         (
             "eye ray",
-            format!("{}; off by up to {} pixels", all(CameraFormula::ALL, CameraFormula::says), NUDGE_SIZES[2]),
+            format!(
+                "{}; off by up to {} pixels",
+                all(CameraFormula::ALL, CameraFormula::says),
+                NUDGE_SIZES[2]
+            ),
         ),
         ("refraction", all(Snell::ALL, Snell::says)),
         ("highlight", all(Power::ALL, Power::says)),
@@ -232,7 +261,10 @@ mod tests {
         for (i, one) in n_ways.iter().enumerate() {
             for (j, other) in n_ways.iter().enumerate().skip(i + 1) {
                 for (a, b) in (0..*one).flat_map(|a| (0..*other).map(move |b| (a, b))) {
-                    assert!(PLAN.iter().any(|row| row[i] == a && row[j] == b), "way {a} of {i} never meets {b} of {j}");
+                    assert!(
+                        PLAN.iter().any(|row| row[i] == a && row[j] == b),
+                        "way {a} of {i} never meets {b} of {j}"
+                    );
                 }
             }
         }

@@ -199,7 +199,10 @@ impl<T: Real> Affine<T> {
     /// The nearest map to `map`.
     pub fn of(map: &DAffine3) -> Self {
         let rows = map.matrix3.transpose();
-        Self { rows: [rows.x_axis, rows.y_axis, rows.z_axis].map(Vec3::of), translation: Vec3::of(map.translation) }
+        Self {
+            rows: [rows.x_axis, rows.y_axis, rows.z_axis].map(Vec3::of),
+            translation: Vec3::of(map.translation),
+        }
     }
 
     /// A X + t.

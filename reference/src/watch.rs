@@ -24,7 +24,8 @@ pub struct Met<'a, T> {
 
 /// Is told of every ray, and of the work that rays make.
 pub trait Watch: Tally {
-    /// Whether it wants to see every ray that the rules cast, also one that cannot change the pixel.
+    /// Whether it wants to see every ray that the rules cast, also one that cannot change the
+    /// pixel.
     const SEES_ALL: bool = false;
     /// A ray is about to be traced.
     fn enter<T: Real>(&mut self, kind: RayKind, depth: u32, ray: &Ray<T>);
@@ -34,7 +35,8 @@ pub trait Watch: Tally {
     fn leave<T: Real>(&mut self, colour: Vec3<T>);
     /// A shadow ray is cast.
     fn shadow_ray(&mut self);
-    /// Rays are left out for depth or weight, which together would have had this weight at most. [rule 13]
+    /// Rays are left out for depth or weight, which together would have had this weight at most.
+    /// [rule 13]
     #[inline(always)]
     fn left_out<T: Real>(&mut self, _weight: impl FnOnce() -> Vec3<T>) {}
     /// The light of a lamp is not followed, which would have brought the pixel this much at most.
@@ -102,23 +104,27 @@ impl Watch for Counts {
 pub struct Notes {
     /// Rays by kind.
     pub rays: Counts,
-    /// Weight of the rays that the pixel at hand has left out so far, channel by channel, all its rays together.
+    /// Weight of the rays that the pixel at hand has left out so far, channel by channel, all its
+    /// rays together.
     open: DVec3,
     /// The greatest weight left out in any pixel, the mean over its rays, channel by channel.
     pub left_out: DVec3,
     /// Light of lamps that the pixel at hand has not followed so far, all its rays together.
     open_light: DVec3,
-    /// The most light of lamps that was not followed in any pixel, the mean over its rays, channel by channel.
+    /// The most light of lamps that was not followed in any pixel, the mean over its rays, channel
+    /// by channel.
     pub faint_light: DVec3,
 }
 
 impl Notes {
-    /// The pixel at hand is done, with so many rays from the eye; returns the weight that it has left out.
+    /// The pixel at hand is done, with so many rays from the eye; returns the weight that it has
+    /// left out.
     #[inline(always)]
     pub fn end_pixel(&mut self, n_rays: f64) -> DVec3 {
         let left_out = self.open / n_rays;
         (self.left_out, self.open) = (self.left_out.max(left_out), DVec3::ZERO);
-        (self.faint_light, self.open_light) = (self.faint_light.max(self.open_light / n_rays), DVec3::ZERO);
+        (self.faint_light, self.open_light) =
+            (self.faint_light.max(self.open_light / n_rays), DVec3::ZERO);
         left_out
     }
 

@@ -11,9 +11,11 @@ pub enum Work {
     ObjectNode,
     /// An object is asked where a ray meets it.
     Object,
-    /// A node of the tree over a mesh's triangles is visited: once for rays that are searched for together.
+    /// A node of the tree over a mesh's triangles is visited: once for rays that are searched for
+    /// together.
     MeshNode,
-    /// A triangle of a mesh is asked where a ray meets it: once for rays that are searched for together.
+    /// A triangle of a mesh is asked where a ray meets it: once for rays that are searched for
+    /// together.
     Triangle,
     /// A ray is moved into the space of an object with a matrix. [rule 20]
     MovedRay,

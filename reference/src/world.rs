@@ -1,4 +1,5 @@
-//! The scene made ready for rays: numbers in one precision, trees built, nearest hits found. [rule 2]
+//! The scene made ready for rays: numbers in one precision, trees built, nearest hits found. [rule
+//! 2]
 
 mod together;
 
@@ -18,7 +19,8 @@ use crate::shapes::Meeting;
 use crate::vec3::Vec3;
 use crate::work::{Tally, Work};
 
-/// A tree finds the nearest of objects that would cost more than this to ask, one after another, in units of `Object::cost`: measured on the public cases.
+/// A tree finds the nearest of objects that would cost more than this to ask, one after another, in
+/// units of `Object::cost`: measured on the public cases.
 const FEW: usize = 7;
 
 /// A scene made ready for rays.
@@ -151,7 +153,8 @@ impl<T: Real> World<T> {
         if inside.iter().map(|i| self.objects[*i as usize].cost()).sum::<usize>() <= FEW {
             return;
         }
-        let loss = self.objects.iter().filter_map(|object| object.frame.as_deref()).map(Frame::loss);
+        let loss =
+            self.objects.iter().filter_map(|object| object.frame.as_deref()).map(Frame::loss);
         let (tree, order) = Bvh::build(&bounds);
         let inside = order.into_iter().map(|n| inside[n as usize]).collect();
         self.tree = Some((inside, tree.with_loss(loss.fold(T::ONE, T::greatest).f64())));
@@ -160,13 +163,22 @@ impl<T: Real> World<T> {
 
     /// Bytes that lights, materials, objects, meshes and trees take; names are not counted.
     pub fn bytes(&self) -> usize {
-        let lists = size_of_val(&*self.lights) + size_of_val(&*self.materials) + size_of_val(&*self.objects);
-        let tree = self.tree.as_ref().map_or(0, |(inside, tree)| size_of_val(&**inside) + tree.bytes());
-        let frames = self.objects.iter().filter(|object| object.frame.is_some()).count() * size_of::<Frame<T>>();
-        lists + frames + self.meshes.iter().map(Mesh::bytes).sum::<usize>() + size_of_val(&*self.endless) + tree
+        let lists = size_of_val(&*self.lights)
+            + size_of_val(&*self.materials)
+            + size_of_val(&*self.objects);
+        let tree =
+            self.tree.as_ref().map_or(0, |(inside, tree)| size_of_val(&**inside) + tree.bytes());
+        let frames = self.objects.iter().filter(|object| object.frame.is_some()).count()
+            * size_of::<Frame<T>>();
+        lists
+            + frames
+            + self.meshes.iter().map(Mesh::bytes).sum::<usize>()
+            + size_of_val(&*self.endless)
+            + tree
     }
 
-    /// A meeting with an object, its place and normals worked out; the interpolated normal where `is_smooth`, else the geometric one.
+    /// A meeting with an object, its place and normals worked out; the interpolated normal where
+    /// `is_smooth`, else the geometric one.
     #[inline(always)]
     pub fn hit<R: RuleSource>(
         &self,
@@ -209,6 +221,13 @@ impl<T: Real> World<T> {
         };
         let to_world = |n| frame.map_or(n, |f| f.normal_to_world(rules, n));
         let Spot { point, error, n_geom } = spot;
-        Hit { t: met.t, point, error, n_geom, n_shading: n_shading.map_or(n_geom, to_world), object: index }
+        Hit {
+            t: met.t,
+            point,
+            error,
+            n_geom,
+            n_shading: n_shading.map_or(n_geom, to_world),
+            object: index,
+        }
     }
 }

@@ -33,7 +33,8 @@ fn auto_is_all_in_300_scenes_under_300_courses() {
             let scene = random::scene(&mut random, &course);
             let all = random::with(&scene, Effects::ALL);
             let n = n_different(&picture(&scene, &course), &picture(&all, &course));
-            let wrong = (n > 0).then(|| format!("seed {seed}: {n} pixels under {:?}", course.written()));
+            let wrong =
+                (n > 0).then(|| format!("seed {seed}: {n} pixels under {:?}", course.written()));
             (scene.effects, wrong)
         })
         .collect();
@@ -48,21 +49,26 @@ fn auto_is_all_in_300_scenes_under_300_courses() {
 
 const BALL: &str = "[render]\nsize = [64, 64]\n\
     [scene.camera]\neye = [0, 0, 4]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 20\n\
-    [scene.materials]\nchalk = { kd = [0.8, 0.8, 0.8] }\nglass = { kd = [0.1, 0.1, 0.1], kt = [0.5, 0.9, 0.5], index = 1.5 }\n\
+    [scene.materials]\nchalk = { kd = [0.8, 0.8, 0.8] }\n\
+    glass = { kd = [0.1, 0.1, 0.1], kt = [0.5, 0.9, 0.5], index = 1.5 }\n\
     [[scene.lights]]\ndirectional = { direction = [-1, -1, 0.5], colour = [1, 1, 1] }\n\
     [[scene.objects]]\nMATERIAL\nSHAPE\n";
 
 fn ball(shape: &str, material: &str, course: &Course) -> Scene {
-    let text = BALL.replace("MATERIAL", &format!("material = \"{material}\"")).replace("SHAPE", shape);
-    scene::parse("ball", &text, std::path::Path::new(""), course).unwrap_or_else(|problems| panic!("{problems}"))
+    let text =
+        BALL.replace("MATERIAL", &format!("material = \"{material}\"")).replace("SHAPE", shape);
+    scene::parse("ball", &text, std::path::Path::new(""), course)
+        .unwrap_or_else(|problems| panic!("{problems}"))
 }
 
-/// A convex solid that is lit from behind hides the light from its own far side. Without the course nothing
-/// in the scene says so.
+/// A convex solid that is lit from behind hides the light from its own far side. Without the course
+/// nothing in the scene says so.
 #[test]
 fn a_lone_solid_that_is_lit_from_behind_calls_for_shadows() {
     for shape in ["sphere = {}", "box = {}"] {
-        for (line, called_for) in [("two_sided = \"never\"", false), ("two_sided = \"always\"", true)] {
+        for (line, called_for) in
+            [("two_sided = \"never\"", false), ("two_sided = \"always\"", true)]
+        {
             let course = course::parse("course", line).unwrap();
             let scene = ball(shape, "chalk", &course);
             assert_eq!(scene.effects.has(Effect::Shadows), called_for, "{shape}, {line}");
@@ -76,7 +82,10 @@ fn a_lone_solid_that_is_lit_from_behind_calls_for_shadows() {
 #[test]
 fn what_a_course_does_to_glass_decides_about_its_shadows() {
     let table = [
-        ("tint = \"per_crossing\"", [Some("objects[0] can shadow itself"), Some("material \"glass\" has kt > 0")]),
+        (
+            "tint = \"per_crossing\"",
+            [Some("objects[0] can shadow itself"), Some("material \"glass\" has kt > 0")],
+        ),
         ("tint = \"opaque\"", [Some("objects[0] can shadow itself"), None]),
         ("tint = \"none\"", [None, None]),
     ];

@@ -1,4 +1,5 @@
-//! The catalogue of hard cases, case by case: decisions exact, values within what conditioning allows, in both precisions.
+//! The catalogue of hard cases, case by case: decisions exact, values within what conditioning
+//! allows, in both precisions.
 
 #[path = "common/catalogue.rs"]
 mod catalogue;
@@ -12,7 +13,8 @@ use reference::rules::{Lecture, Quadratic, Robustness, RuleSource, Rules, Style,
 
 /// Roundings that a well-made formula is allowed, before conditioning.
 const ROUNDINGS: f64 = 8.0;
-/// Where conditioning would excuse more than half of the digits, so many roundings must do: 1e-14 in double precision.
+/// Where conditioning would excuse more than half of the digits, so many roundings must do: 1e-14
+/// in double precision.
 const ROUNDINGS_WHERE_BADLY_CONDITIONED: f64 = 45.0;
 
 const NONE: [&str; 0] = [];
@@ -20,7 +22,11 @@ const NONE: [&str; 0] = [];
 /// The greatest relative error that the case allows in the precision `T`.
 fn allowed<T: Real>(kappa: f64) -> f64 {
     let allowed = (ROUNDINGS * (1.0 + kappa)).ceil() * T::ULP.f64();
-    if allowed > T::ULP.sqrt().f64() { ROUNDINGS_WHERE_BADLY_CONDITIONED * T::ULP.f64() } else { allowed }
+    if allowed > T::ULP.sqrt().f64() {
+        ROUNDINGS_WHERE_BADLY_CONDITIONED * T::ULP.f64()
+    } else {
+        allowed
+    }
 }
 
 /// What is wrong with the answer to a case in the precision `T`, if anything.
@@ -67,17 +73,30 @@ fn the_oracle_agrees_with_the_catalogue() {
             is_finite &= x.is_finite();
             x
         });
-        assert!(!is_finite || right(&in_single).is_some() == hard.is_hit_in_single, "{} in f32", hard.id);
+        assert!(
+            !is_finite || right(&in_single).is_some() == hard.is_hit_in_single,
+            "{} in f32",
+            hard.id
+        );
         let Some(found) = found else { continue };
         let near = |a: f64, b: f64, scale: f64| a == b || (a - b).abs() <= f64::EPSILON * scale;
         if let (Some(t), Some(expected)) = (&found.t, hard.t) {
-            assert!(near(t.f64(), expected, expected), "{}: t = {} is not {expected}", hard.id, t.f64());
+            assert!(
+                near(t.f64(), expected, expected),
+                "{}: t = {} is not {expected}",
+                hard.id,
+                t.f64()
+            );
         }
         for (found, expected) in [(found.vector, hard.vector), (found.weights, hard.weights)] {
             let (Some(found), Some(expected)) = (found, expected) else { continue };
             let found = found.map(|x| x.f64());
             let scale = expected.iter().map(|x| x.abs()).fold(0.0, f64::max);
-            assert!((0..3).all(|n| near(found[n], expected[n], scale)), "{}: {found:?} is not {expected:?}", hard.id);
+            assert!(
+                (0..3).all(|n| near(found[n], expected[n], scale)),
+                "{}: {found:?} is not {expected:?}",
+                hard.id
+            );
         }
     }
 }
@@ -92,10 +111,15 @@ fn every_case_is_met() {
 fn of_two_triangles_that_share_an_edge_one_is_met() {
     let cases = catalogue::hard();
     let is_met = |id: &str| {
-        let hard = cases.iter().find(|hard| hard.id == id).unwrap_or_else(|| panic!("no case {id}"));
-        [evaluate::<f64, _>(Lecture, &hard.question).is_some(), evaluate::<f32, _>(Lecture, &hard.question).is_some()]
+        let hard =
+            cases.iter().find(|hard| hard.id == id).unwrap_or_else(|| panic!("no case {id}"));
+        [
+            evaluate::<f64, _>(Lecture, &hard.question).is_some(),
+            evaluate::<f32, _>(Lecture, &hard.question).is_some(),
+        ]
     };
-    let pairs: Vec<_> = cases.iter().filter_map(|hard| Some((&hard.id, hard.pair.as_ref()?))).collect();
+    let pairs: Vec<_> =
+        cases.iter().filter_map(|hard| Some((&hard.id, hard.pair.as_ref()?))).collect();
     assert!(pairs.len() >= 4, "{pairs:?}");
     for (one, other) in pairs {
         for (one_met, other_met) in is_met(one).into_iter().zip(is_met(other)) {
@@ -107,14 +131,20 @@ fn of_two_triangles_that_share_an_edge_one_is_met() {
 #[test]
 fn textbook_formulas_fail_where_they_are_known_to() {
     let style = Style { robustness: Robustness::Plain, ..Style::REFERENCE };
-    let textbook = Style { quadratic: Quadratic::Textbook, triangle: TriangleFormula::MollerTrumbore, ..style };
+    let textbook = Style {
+        quadratic: Quadratic::Textbook,
+        triangle: TriangleFormula::MollerTrumbore,
+        ..style
+    };
     let rules = Rules { style: textbook, ..Rules::LECTURE };
     let wrong = all_wrong::<f64, _>(&rules);
     for id in ["S06", "S33", "S52", "S57", "S65", "X14", "F10"] {
         assert!(wrong.iter().any(|wrong| wrong == id), "{id} is no trap: {wrong:?}");
     }
     assert!(
-        !wrong.iter().any(|id| ["S40", "P01", "X01", "F01", "R01", "C01", "G01"].contains(&id.as_str())),
+        !wrong
+            .iter()
+            .any(|id| ["S40", "P01", "X01", "F01", "R01", "C01", "G01"].contains(&id.as_str())),
         "{wrong:?}"
     );
 }

@@ -1,4 +1,5 @@
-//! The catalogue's cases of light: attenuation and interpolation as they stand, shadows and mirrors as scenes made from its words.
+//! The catalogue's cases of light: attenuation and interpolation as they stand, shadows and mirrors
+//! as scenes made from its words.
 
 #[path = "common/catalogue.rs"]
 mod catalogue;
@@ -16,7 +17,10 @@ use serde_json::Value;
 
 /// What both precisions say, with the least relative error that is allowed each.
 fn answers(rules: &Rules, ask: &Ask) -> [(Answer, f64); 2] {
-    [(answer_in::<f64, _>(rules, ask), f64::EPSILON), (answer_in::<f32, _>(rules, ask), f64::from(f32::EPSILON))]
+    [
+        (answer_in::<f64, _>(rules, ask), f64::EPSILON),
+        (answer_in::<f32, _>(rules, ask), f64::from(f32::EPSILON)),
+    ]
 }
 
 fn check(case: &Value, rules: &Rules, ask: &Ask, expected: [f64; 3]) {
@@ -27,7 +31,9 @@ fn check(case: &Value, rules: &Rules, ask: &Ask, expected: [f64; 3]) {
             Answer::Value(found) => [found; 3],
             other => panic!("{}: {other:?}", id(case)),
         };
-        let is_near = |n: usize| (found[n] - expected[n]).abs() <= ulps * ulp * expected[n].abs().max(1e-300 / ulp);
+        let is_near = |n: usize| {
+            (found[n] - expected[n]).abs() <= ulps * ulp * expected[n].abs().max(1e-300 / ulp)
+        };
         assert!((0..3).all(is_near), "{}: {found:?} is not {expected:?} to {ulp:e}", id(case));
     }
 }
@@ -40,15 +46,21 @@ fn light_weakens_without_overflow() {
             position: DVec3::ZERO,
             colour: DVec3::ONE,
             ambient: DVec3::ZERO,
-            attenuation: Attenuation { quadratic: c, linear: b, constant: a }, // the letters of rule 4 are others
+            // the letters of rule 4 are others
+            attenuation: Attenuation { quadratic: c, linear: b, constant: a },
         };
         let ask = Ask::Attenuation { light, r };
         let expected = number(&case["expected"]["value"]);
-        if [a, b, c, r].iter().all(|x| x.abs() < f64::from(f32::MAX) && (*x == 0.0 || x.abs() > 1e-38)) {
+        if [a, b, c, r]
+            .iter()
+            .all(|x| x.abs() < f64::from(f32::MAX) && (*x == 0.0 || x.abs() > 1e-38))
+        {
             check(&case, &Rules::LECTURE, &ask, [expected; 3]);
             continue;
         }
-        let Answer::Value(found) = answer_in::<f64, _>(Lecture, &ask) else { panic!("{}: no value", id(&case)) };
+        let Answer::Value(found) = answer_in::<f64, _>(Lecture, &ask) else {
+            panic!("{}: no value", id(&case))
+        };
         assert!((found - expected).abs() <= 1e-300, "{}: {found} is not {expected}", id(&case));
     }
 }
@@ -58,7 +70,12 @@ fn normals_are_mixed_and_of_unit_length() {
     for case in catalogue::of("barycentric") {
         let weights = DVec3::from_array(three(&case["inputs"]["bary"]));
         let normals = [0, 1, 2].map(|n| DVec3::from_array(three(&case["inputs"]["normals"][n])));
-        check(&case, &Rules::LECTURE, &Ask::Interpolate { weights, normals }, three(&case["expected"]["normal"]));
+        check(
+            &case,
+            &Rules::LECTURE,
+            &Ask::Interpolate { weights, normals },
+            three(&case["expected"]["normal"]),
+        );
     }
 }
 
@@ -69,7 +86,8 @@ struct Shadow {
     materials: &'static str,
     objects: &'static str,
     at: [f64; 3],
-    /// The field of the catalogue that says S, and to which power: a closed surface is crossed twice.
+    /// The field of the catalogue that says S, and to which power: a closed surface is crossed
+    /// twice.
     field: &'static str,
     power: u32,
 }
@@ -78,7 +96,8 @@ const LAMP: &str = "point = { position = [0, 10, 0], colour = [1, 1, 1] }";
 const LOW_LAMP: &str = "point = { position = [0, 4, 0], colour = [1, 1, 1] }";
 const SUN: &str = "directional = { direction = [0, -1, 0], colour = [1, 1, 1] }";
 const LOW_SUN: &str = "directional = { direction = [-1, -0.001, 0], colour = [1, 1, 1] }";
-const PANES: &str = "transforms = [{ rotate = { axis = [1, 0, 0], angle_deg = 90 } }, { translate = [0, 5, 0] }]";
+const PANES: &str =
+    "transforms = [{ rotate = { axis = [1, 0, 0], angle_deg = 90 } }, { translate = [0, 5, 0] }]";
 
 const SHADOWS: &[Shadow] = &[
     Shadow {
@@ -94,7 +113,8 @@ const SHADOWS: &[Shadow] = &[
         id: "H04",
         light: LOW_LAMP,
         materials: "",
-        objects: "[[scene.objects]]\nsphere = { center = [0, 6, 0], radius = 1 }\nmaterial = \"chalk\"",
+        objects: "[[scene.objects]]\nsphere = { center = [0, 6, 0], radius = 1 }\n\
+            material = \"chalk\"",
         at: [0.0; 3],
         field: "attenuation",
         power: 1,
@@ -103,7 +123,8 @@ const SHADOWS: &[Shadow] = &[
         id: "H05",
         light: SUN,
         materials: "",
-        objects: "[[scene.objects]]\nsphere = { center = [0, 1e8, 0], radius = 1 }\nmaterial = \"chalk\"",
+        objects: "[[scene.objects]]\nsphere = { center = [0, 1e8, 0], radius = 1 }\n\
+            material = \"chalk\"",
         at: [0.0; 3],
         field: "attenuation",
         power: 1,
@@ -112,7 +133,8 @@ const SHADOWS: &[Shadow] = &[
         id: "H06",
         light: LAMP,
         materials: "tint = { kt = [0.5, 0.25, 1], index = 1.5 }",
-        objects: "[[scene.objects]]\nsphere = { center = [0, 5, 0], radius = 1 }\nmaterial = \"tint\"",
+        objects: "[[scene.objects]]\nsphere = { center = [0, 5, 0], radius = 1 }\n\
+            material = \"tint\"",
         at: [0.0; 3],
         field: "per_surface",
         power: 1,
@@ -120,8 +142,10 @@ const SHADOWS: &[Shadow] = &[
     Shadow {
         id: "H08",
         light: LAMP,
-        materials: "tint = { kt = [0.5, 1, 1], index = 1.5 }\nother = { kt = [1, 0.5, 0.25], index = 1.5 }",
-        objects: "[[scene.objects]]\nsphere = { center = [0, 3, 0], radius = 1 }\nmaterial = \"tint\"\n\
+        materials: "tint = { kt = [0.5, 1, 1], index = 1.5 }\n\
+            other = { kt = [1, 0.5, 0.25], index = 1.5 }",
+        objects: "[[scene.objects]]\nsphere = { center = [0, 3, 0], radius = 1 }\n\
+            material = \"tint\"\n\
             [[scene.objects]]\nsphere = { center = [0, 7, 0], radius = 1 }\nmaterial = \"other\"",
         at: [0.0; 3],
         field: "per_object",
@@ -131,7 +155,8 @@ const SHADOWS: &[Shadow] = &[
         id: "H10",
         light: LAMP,
         materials: "tint = { kt = [0.5, 0.5, 0.5], index = 1.5 }",
-        objects: "[[scene.objects]]\nsphere = { center = [0, 3, 0], radius = 1 }\nmaterial = \"tint\"\n\
+        objects: "[[scene.objects]]\nsphere = { center = [0, 3, 0], radius = 1 }\n\
+            material = \"tint\"\n\
             [[scene.objects]]\nplane = { normal = [0, 1, 0], k = 8 }\nmaterial = \"chalk\"",
         at: [0.0; 3],
         field: "attenuation",
@@ -141,7 +166,8 @@ const SHADOWS: &[Shadow] = &[
         id: "H11",
         light: LAMP,
         materials: "tint = { kt = [0.5, 0.5, 0.5], index = 1.5 }",
-        objects: "[[scene.objects]]\nsquare = {}\nmaterial = \"tint\"\nPANES\n[[scene.objects]]\nsquare = {}\nmaterial = \"tint\"\nPANES",
+        objects: "[[scene.objects]]\nsquare = {}\nmaterial = \"tint\"\nPANES\n[[scene.objects]]\n\
+            square = {}\nmaterial = \"tint\"\nPANES",
         at: [0.0; 3],
         field: "per_object",
         power: 1,
@@ -150,7 +176,8 @@ const SHADOWS: &[Shadow] = &[
         id: "H13",
         light: LAMP,
         materials: "tint = { kt = [0.5, 1, 1], index = 1.5 }",
-        objects: "[[scene.objects]]\nsphere = { center = [0, 0, 0], radius = 2 }\nmaterial = \"tint\"",
+        objects: "[[scene.objects]]\nsphere = { center = [0, 0, 0], radius = 2 }\n\
+            material = \"tint\"",
         at: [0.0; 3],
         field: "per_object",
         power: 1,
@@ -159,7 +186,8 @@ const SHADOWS: &[Shadow] = &[
         id: "H14",
         light: LOW_SUN,
         materials: "",
-        objects: "[[scene.objects]]\nsphere = { center = [0, 0, 0], radius = 1 }\nmaterial = \"chalk\"",
+        objects: "[[scene.objects]]\nsphere = { center = [0, 0, 0], radius = 1 }\n\
+            material = \"chalk\"",
         at: [0.0, 1.0, 0.0],
         field: "attenuation",
         power: 1,
@@ -171,7 +199,10 @@ fn shadows_are_those_of_the_paper() {
     let cases = catalogue::of("shadow");
     assert_eq!(cases.len(), SHADOWS.len() + 3, "three cases ask for a shade");
     for shadow in SHADOWS {
-        let case = cases.iter().find(|case| id(case) == shadow.id).unwrap_or_else(|| panic!("no case {}", shadow.id));
+        let case = cases
+            .iter()
+            .find(|case| id(case) == shadow.id)
+            .unwrap_or_else(|| panic!("no case {}", shadow.id));
         let text = format!(
             "[scene.materials]\nchalk = {{ kd = [0.5, 0.5, 0.5] }}\n{}\n[[scene.lights]]\n{}\n\
              [[scene.objects]]\nplane = {{ normal = [0, 1, 0], k = 0 }}\nmaterial = \"chalk\"\n{}",
@@ -179,21 +210,35 @@ fn shadows_are_those_of_the_paper() {
             shadow.light,
             shadow.objects.replace("PANES", PANES),
         );
-        let ask = Ask::Shadow { scene: Box::new(scene(&text)), light: 0, point: DVec3::from_array(shadow.at) };
-        let expected = three(&case["expected"][shadow.field]).map(|s| if shadow.power == 2 { s * s } else { s });
+        let ask = Ask::Shadow {
+            scene: Box::new(scene(&text)),
+            light: 0,
+            point: DVec3::from_array(shadow.at),
+        };
+        let expected = three(&case["expected"][shadow.field])
+            .map(|s| if shadow.power == 2 { s * s } else { s });
         check(case, &Rules::LECTURE, &ask, expected);
     }
 }
 
 fn shaded(id: &str, position: &str, normal: DVec3, to_viewer: DVec3) {
     let text = format!(
-        "[scene.materials]\ngloss = {{ kd = [1, 1, 1], ks = [1, 1, 1], kr = [0, 0, 0], ns = 2.5 }}\n\
+        "[scene.materials]\ngloss = {{ kd = [1, 1, 1], ks = [1, 1, 1], kr = [0, 0, 0], ns = 2.5 \
+            }}\n\
          [[scene.lights]]\npoint = {{ position = {position}, colour = [1, 1, 1] }}\n\
          [[scene.objects]]\nplane = {{ normal = [0, 1, 0], k = 0 }}\nmaterial = \"gloss\"",
     );
-    let case = catalogue::of("shadow").into_iter().find(|case| self::id(case) == id).expect("the case");
+    let case =
+        catalogue::of("shadow").into_iter().find(|case| self::id(case) == id).expect("the case");
     let point = DVec3::ZERO;
-    let ask = Ask::Shade { scene: Box::new(scene(&text)), object: 0, point, normal, to_viewer, inside: false };
+    let ask = Ask::Shade {
+        scene: Box::new(scene(&text)),
+        object: 0,
+        point,
+        normal,
+        to_viewer,
+        inside: false,
+    };
     check(&case, &Rules::LECTURE, &ask, [0.0; 3]);
 }
 
@@ -204,11 +249,14 @@ fn a_light_at_the_point_or_behind_it_gives_nothing() {
     shaded("H15", "[0, -5, 0]", DVec3::Y, DVec3::new(0.6, 0.8, 0.0));
 }
 
-/// Rule 19 shades with the interpolated normal; the light is behind the face itself, whose own normal leaves nothing.
+/// Rule 19 shades with the interpolated normal; the light is behind the face itself, whose own
+/// normal leaves nothing.
 #[test]
 fn a_light_below_the_face_is_seen_by_the_interpolated_normal() {
-    let case = catalogue::of("shadow").into_iter().find(|case| id(case) == "H16").expect("the case");
-    let text = "[scene.materials]\nchalk = { kd = [1, 1, 1] }\n[[scene.objects]]\nsphere = {}\nmaterial = \"chalk\"";
+    let case =
+        catalogue::of("shadow").into_iter().find(|case| id(case) == "H16").expect("the case");
+    let text = "[scene.materials]\nchalk = { kd = [1, 1, 1] }\n[[scene.objects]]\nsphere = {}\n\
+        material = \"chalk\"";
     let material = scene(text).materials[0].clone();
     let term = |normal| Ask::LightTerm {
         material: material.clone(),
@@ -226,7 +274,8 @@ fn a_light_below_the_face_is_seen_by_the_interpolated_normal() {
 /// Along the axis between two mirrors that shine with 1.
 fn between_mirrors(reflectivity: f64, max_depth: u64, threshold: f64) -> Ask {
     let text = format!(
-        "[scene.materials]\nmirror = {{ ke = [1, 1, 1], kr = [{reflectivity}, {reflectivity}, {reflectivity}] }}\n\
+        "[scene.materials]\nmirror = {{ ke = [1, 1, 1], kr = [{reflectivity}, {reflectivity}, \
+            {reflectivity}] }}\n\
          [[scene.objects]]\nplane = {{ normal = [0, 0, 1], k = 0 }}\nmaterial = \"mirror\"\n\
          [[scene.objects]]\nplane = {{ normal = [0, 0, -1], k = -1 }}\nmaterial = \"mirror\"",
     );
@@ -245,15 +294,24 @@ fn mirrors_give_the_geometric_series() {
         let radiance = number(&case["expected"]["radiance"]);
         let Some(max_depth) = case["inputs"]["max_depth"].as_u64() else {
             let ask = between_mirrors(reflectivity, 400, number(&case["inputs"]["threshold"]));
-            // The catalogue casts no ray below the threshold; we cast one and let it bring its own light [D16].
+            // The catalogue casts no ray below the threshold; we cast one and let it bring its own
+            // light [D16].
             let sparing = Rules { casts_faint_rays: false, ..Rules::LECTURE };
             check(&case, &sparing, &ask, [radiance; 3]);
             let n_rays = case["expected"]["rays"].as_u64().expect("a number of rays");
             let faint: f64 = (0..n_rays).map(|_| reflectivity).product();
             check(&case, &Rules::LECTURE, &ask, [radiance + faint; 3]);
-            assert!(faint < number(&case["expected"]["error"]), "the last ray brings the sum nearer to its limit");
+            assert!(
+                faint < number(&case["expected"]["error"]),
+                "the last ray brings the sum nearer to its limit"
+            );
             continue;
         };
-        check(&case, &Rules::LECTURE, &between_mirrors(reflectivity, max_depth, 0.0), [radiance; 3]);
+        check(
+            &case,
+            &Rules::LECTURE,
+            &between_mirrors(reflectivity, max_depth, 0.0),
+            [radiance; 3],
+        );
     }
 }

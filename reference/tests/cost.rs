@@ -23,7 +23,8 @@ fn scene(text: &str) -> Scene {
     stage::load_scene(&path, &cases::Course::default()).unwrap()
 }
 
-/// Every picture takes as many seconds as it has rays a side of a pixel; the measurement is stopped before picture number `stops_before`.
+/// Every picture takes as many seconds as it has rays a side of a pixel; the measurement is stopped
+/// before picture number `stops_before`.
 struct Still {
     now_s: f64,
     n_asked: usize,
@@ -55,11 +56,16 @@ impl Outside for Still {
 
 fn report_of(name: &str, n_rounds: usize, outside: &mut Still) -> Option<Report> {
     let scene = scene(SCENE);
-    let sweep = Sweep::of(&scene, &Axes { samples: vec![1, 2], truth_samples: 3, ..Axes::of(&scene) });
+    let sweep =
+        Sweep::of(&scene, &Axes { samples: vec![1, 2], truth_samples: 3, ..Axes::of(&scene) });
     let mut bench = Bench::new(&scene, &Rules::LECTURE);
     let measured = measure(&mut bench, &sweep, n_rounds, outside)?;
-    let machine =
-        Machine { processor: "a <fast> one".to_owned(), threads: 1, clock: "processor time", is_optimised: true };
+    let machine = Machine {
+        processor: "a <fast> one".to_owned(),
+        threads: 1,
+        clock: "processor time",
+        is_optimised: true,
+    };
     Some(Report::new(name, &scene, &Rules::LECTURE, machine, &sweep, &measured, n_rounds))
 }
 
@@ -69,9 +75,16 @@ fn the_sweep_crosses_what_matters_and_takes_the_rest_one_by_one() {
     let axes = Axes::of(&scene);
     let sweep = Sweep::of(&scene, &axes);
     let own = Setting::of(&scene);
-    assert_eq!((own.precision, own.formula, own.samples, own.max_depth), (Precision::F64, Formula::Robust, 1, 2));
-    let accuracy: Vec<Setting> =
-        sweep.subjects.iter().filter(|(_, about)| *about == About::Accuracy).map(|(setting, _)| *setting).collect();
+    assert_eq!(
+        (own.precision, own.formula, own.samples, own.max_depth),
+        (Precision::F64, Formula::Robust, 1, 2)
+    );
+    let accuracy: Vec<Setting> = sweep
+        .subjects
+        .iter()
+        .filter(|(_, about)| *about == About::Accuracy)
+        .map(|(setting, _)| *setting)
+        .collect();
     for samples in [1, 2, 4] {
         for precision in [Precision::F32, Precision::F64] {
             for formula in Formula::ALL {
@@ -79,7 +92,10 @@ fn the_sweep_crosses_what_matters_and_takes_the_rest_one_by_one() {
                 assert_eq!(accuracy.iter().filter(|s| **s == wanted).count(), 1, "{wanted}");
             }
         }
-        assert!(accuracy.contains(&Setting { samples, max_depth: 4, ..own }), "the exact one with as many rays");
+        assert!(
+            accuracy.contains(&Setting { samples, max_depth: 4, ..own }),
+            "the exact one with as many rays"
+        );
     }
     for max_depth in [0, 1, 2, 3, 4] {
         assert!(accuracy.contains(&Setting { max_depth, ..own }), "depth {max_depth}");
@@ -88,7 +104,8 @@ fn the_sweep_crosses_what_matters_and_takes_the_rest_one_by_one() {
         assert!(accuracy.contains(&Setting { threshold, ..own }), "threshold {threshold}");
     }
     assert_eq!(sweep.truth, Setting { samples: 8, max_depth: 4, ..own });
-    // 18 crossed, 4 other depths, 4 other thresholds, the exact ones of 2, 4 and 8, and by other numbers that of 1
+    // 18 crossed, 4 other depths, 4 other thresholds, the exact ones of 2, 4 and 8, and by other
+    // numbers that of 1
     assert_eq!(accuracy.len(), 18 + 4 + 4 + 3 + 5);
     let effects: Vec<About> =
         sweep.subjects.iter().map(|(_, about)| *about).filter(|a| *a != About::Accuracy).collect();
@@ -103,7 +120,10 @@ fn nothing_that_the_scene_does_not_call_for_is_swept() {
     let plain = SCENE.replace("kr = [0.3, 0.3, 0.3], ", "").replace(", kr = [0.4, 0.4, 0.4]", "");
     let scene = scene(&plain.replace("kt = [0.5, 0.5, 0.5], ", ""));
     let sweep = Sweep::of(&scene, &Axes::of(&scene));
-    assert!(sweep.subjects.iter().all(|(s, _)| s.max_depth == 2 && s.threshold == 0.0), "no ray is spawned");
+    assert!(
+        sweep.subjects.iter().all(|(s, _)| s.max_depth == 2 && s.threshold == 0.0),
+        "no ray is spawned"
+    );
     assert_eq!(sweep.subjects.len(), 18 + 1 + 2, "the truth; without shadows, and with everything");
 }
 
@@ -115,8 +135,11 @@ fn matrices_and_attenuation_are_left_out_one_by_one_too() {
     let mut bench = Bench::new(&scene, &Rules::LECTURE);
     let own = bench.render(&sweep.own);
     for effect in [Effect::Transforms, Effect::Attenuation] {
-        let (setting, _) =
-            sweep.subjects.iter().find(|(_, about)| *about == About::Without(effect)).expect("it is swept");
+        let (setting, _) = sweep
+            .subjects
+            .iter()
+            .find(|(_, about)| *about == About::Without(effect))
+            .expect("it is swept");
         assert_ne!(bench.render(setting).0, own.0, "without {effect}");
     }
     assert_eq!(bench.render(&sweep.own), own, "the scene is as it was");
@@ -127,11 +150,15 @@ fn errors_are_taken_from_the_truth_and_times_from_the_clock() {
     let mut outside = Still::until(usize::MAX);
     let report = report_of("a", 3, &mut outside).unwrap();
     let scene = scene(SCENE);
-    let sweep = Sweep::of(&scene, &Axes { samples: vec![1, 2], truth_samples: 3, ..Axes::of(&scene) });
+    let sweep =
+        Sweep::of(&scene, &Axes { samples: vec![1, 2], truth_samples: 3, ..Axes::of(&scene) });
     assert_eq!(outside.work, work(&sweep, 3), "what the bar is told comes to what it was promised");
     let row = |setting: Setting| report.row(&setting).unwrap();
     let (own, truth) = (row(report.own), row(report.truth));
-    assert_eq!((truth.error.rms_levels, truth.error.max_light, truth.error.changed), (0.0, 0.0, 0.0));
+    assert_eq!(
+        (truth.error.rms_levels, truth.error.max_light, truth.error.changed),
+        (0.0, 0.0, 0.0)
+    );
     assert!(own.error.rms_levels > 0.0 && own.error.changed > 0.0);
     let exact = row(Setting { samples: 1, ..report.truth });
     assert_eq!(exact.same_rays.max_light, 0.0);
@@ -150,7 +177,10 @@ fn errors_are_taken_from_the_truth_and_times_from_the_clock() {
         assert!(row.bytes > 12 * 9 * 12, "{}", row.name);
     }
     let plain = row(Setting { precision: Precision::F32, formula: Formula::Plain, ..report.own });
-    assert!(plain.same_rays.max_light > own.same_rays.max_light * 0.999, "f32 is no better than f64");
+    assert!(
+        plain.same_rays.max_light > own.same_rays.max_light * 0.999,
+        "f32 is no better than f64"
+    );
     assert!(plain.bytes < own.bytes);
     assert_eq!(own.rounding.map(|error| error.max_light), Some(0.0));
     let rounding = plain.rounding.unwrap();
@@ -158,14 +188,21 @@ fn errors_are_taken_from_the_truth_and_times_from_the_clock() {
         rounding.max_light > 0.0 && rounding.max_light < own.same_rays.max_light,
         "rounding alone, not depth: {rounding:?}"
     );
-    assert!(report.rows.iter().all(|row| row.rounding.is_some()), "everything has its exact sibling");
+    assert!(
+        report.rows.iter().all(|row| row.rounding.is_some()),
+        "everything has its exact sibling"
+    );
     // all take as long, so that only the most accurate can be on the front
     assert!(report.rows.iter().all(|row| row.is_on_front == (row.error.rms_levels == 0.0)));
     let shadows = report.effects.iter().find(|row| row.without == Some(Effect::Shadows)).unwrap();
     assert_eq!(shadows.rays.shadow, 0);
     assert!(shadows.error.changed > 0.0);
     let all = report.effects.iter().find(|row| row.without.is_none()).unwrap();
-    assert_eq!((all.error.max_light, all.more_ms), (0.0, 0.0), "what is not called for changes nothing");
+    assert_eq!(
+        (all.error.max_light, all.more_ms),
+        (0.0, 0.0),
+        "what is not called for changes nothing"
+    );
 }
 
 #[test]
@@ -174,11 +211,14 @@ fn what_is_stopped_keeps_the_rounds_that_are_done() {
     let whole = report_of("a", 2, &mut count).unwrap();
     let n_settings = whole.rows.len() + whole.effects.len();
     assert_eq!((whole.rounds, whole.is_cut_short, count.n_asked), (2, false, 3 * n_settings));
-    for (stops_before, rounds) in [(0, None), (n_settings, None), (2 * n_settings - 1, None), (2 * n_settings, Some(1))]
+    for (stops_before, rounds) in
+        [(0, None), (n_settings, None), (2 * n_settings - 1, None), (2 * n_settings, Some(1))]
     {
         let report = report_of("a", 2, &mut Still::until(stops_before));
         assert_eq!(report.as_ref().map(|report| report.rounds), rounds, "{stops_before}");
-        assert!(report.is_none_or(|report| report.is_cut_short && table::text(&report).contains("Stopped before")));
+        assert!(report.is_none_or(
+            |report| report.is_cut_short && table::text(&report).contains("Stopped before")
+        ));
     }
     let late = report_of("a", 2, &mut Still::until(3 * n_settings - 1)).unwrap();
     assert_eq!(late.rounds, 1, "a round that is not whole does not count");
@@ -189,7 +229,8 @@ const HOSTILE: &str = "=1+1,\"</title><script>alert('x')</script>\u{1b}[2J\u{202
 #[test]
 fn every_form_is_well_made_whatever_the_scene_is_called() {
     let report = report_of(HOSTILE, 1, &mut Still::until(usize::MAX)).unwrap();
-    let json: serde_json::Value = serde_json::from_slice(&serde_json::to_vec(&report).unwrap()).unwrap();
+    let json: serde_json::Value =
+        serde_json::from_slice(&serde_json::to_vec(&report).unwrap()).unwrap();
     assert_eq!(json["rows"].as_array().unwrap().len(), report.rows.len());
     assert_eq!(json["rows"][0]["precision"], "f64");
     let text = csv::csv(&report).unwrap();
@@ -201,14 +242,22 @@ fn every_form_is_well_made_whatever_the_scene_is_called() {
     let svgs = page::plots(&report).map(|plot| plot::svg(&plot, Place::File));
     let page = page::page(&report);
     for text in svgs.iter().chain([&page]) {
-        assert!(!text.contains("<script") && !text.contains('\u{1b}') && !text.contains('\u{202e}'), "{text}");
-        assert!(!text.contains("style=\"") && !text.contains("href") && !text.contains("src="), "{text}");
+        assert!(
+            !text.contains("<script") && !text.contains('\u{1b}') && !text.contains('\u{202e}'),
+            "{text}"
+        );
+        assert!(
+            !text.contains("style=\"") && !text.contains("href") && !text.contains("src="),
+            "{text}"
+        );
     }
     assert!(page.contains("{{ 7*7 }}") && page.contains("a &lt;fast&gt; one"));
     for svg in &svgs {
         well_formed(svg);
     }
-    assert!(!table::text(&report).contains("[2J\u{1b}") && table::text(&report).contains("\\u{1b}[2J"));
+    assert!(
+        !table::text(&report).contains("[2J\u{1b}") && table::text(&report).contains("\\u{1b}[2J")
+    );
 }
 
 #[test]
@@ -218,17 +267,27 @@ fn a_page_needs_nothing_and_allows_nothing_but_its_style() {
     let page = page::page(&report_of("a", 1, &mut Still::until(usize::MAX)).unwrap());
     let style = page.split("<style>").nth(1).unwrap().split("</style>").next().unwrap();
     let hash = base64::prelude::BASE64_STANDARD.encode(sha2::Sha256::digest(style));
-    let policy = page.split("Content-Security-Policy\" content=\"").nth(1).unwrap().split("\">").next().unwrap();
+    let policy = page
+        .split("Content-Security-Policy\" content=\"")
+        .nth(1)
+        .unwrap()
+        .split("\">")
+        .next()
+        .unwrap();
     let policy = policy.replace("&#x2f;", "/").replace("&#x27;", "'");
-    assert!(policy.starts_with(&format!("default-src 'none'; style-src 'sha256-{hash}';")), "{policy}");
+    assert!(
+        policy.starts_with(&format!("default-src 'none'; style-src 'sha256-{hash}';")),
+        "{policy}"
+    );
     assert_eq!(page.matches("<style>").count(), 1, "the pictures bring none along");
 }
 
 #[test]
 fn a_scene_in_another_size_has_the_same_picture() {
-    let scene = scene(
-        &SCENE.replace("ambient = [0.2, 0.2, 0.2]", "attenuation = { quadratic = 0.02, linear = 0.1, constant = 0.5 }"),
-    );
+    let scene = scene(&SCENE.replace(
+        "ambient = [0.2, 0.2, 0.2]",
+        "attenuation = { quadratic = 0.02, linear = 0.1, constant = 0.5 }",
+    ));
     let own = Setting::of(&scene);
     let (picture, _) = Bench::new(&scene, &Rules::LECTURE).render(&own);
     for factor in [1024.0, 1.0 / 1024.0, 1e3] {

@@ -22,7 +22,8 @@ fn rules(text: &str) -> Rules {
 
 fn case(id: &str) -> Case {
     let path = format!("{}/../cases/stages/{id}.toml", env!("CARGO_MANIFEST_DIR"));
-    stage::load_case(path.as_ref(), &cases::Course::default()).unwrap_or_else(|problems| panic!("{problems}"))
+    stage::load_case(path.as_ref(), &cases::Course::default())
+        .unwrap_or_else(|problems| panic!("{problems}"))
 }
 
 fn picture(case: &Case, rules: &Rules) -> Image {
@@ -43,11 +44,22 @@ fn what_is_a_mistake_in_one_course_is_the_picture_of_another() {
     for (text, mistake, id) in table {
         let (case, course) = (case(id), rules(text));
         let known = misconceptions::of(&Rules::LECTURE);
-        let mistake = known.iter().find(|known| known.id == mistake).unwrap_or_else(|| panic!("{mistake}"));
+        let mistake =
+            known.iter().find(|known| known.id == mistake).unwrap_or_else(|| panic!("{mistake}"));
         let by_course = picture(&case, &course);
-        assert!(by_course.pixels() == picture(&case, &mistake.on(&Rules::LECTURE)).pixels(), "{text}: {id}");
-        assert!(by_course.pixels() != picture(&case, &Rules::LECTURE).pixels(), "{text} changes nothing in {id}");
-        assert!(misconceptions::of(&course).iter().all(|known| known.id != mistake.id), "{} is asked for", mistake.id);
+        assert!(
+            by_course.pixels() == picture(&case, &mistake.on(&Rules::LECTURE)).pixels(),
+            "{text}: {id}"
+        );
+        assert!(
+            by_course.pixels() != picture(&case, &Rules::LECTURE).pixels(),
+            "{text} changes nothing in {id}"
+        );
+        assert!(
+            misconceptions::of(&course).iter().all(|known| known.id != mistake.id),
+            "{} is asked for",
+            mistake.id
+        );
     }
 }
 
@@ -59,13 +71,18 @@ fn the_default_course_is_rendered_by_the_kernel_of_the_lecture() {
     assert!(picture(&case, &Rules::of(&Course::default())).pixels() == lecture.pixels());
 }
 
-/// The picture stays upright: with rays through centres it is the same but for rounding, with rays through corners it moves by a row.
+/// The picture stays upright: with rays through centres it is the same but for rounding, with rays
+/// through corners it moves by a row.
 #[test]
 fn rows_from_the_bottom_leave_the_picture_upright() {
     let case = case("03_reflection/golden_ball");
     let n_different = |one: &str, other: &str| {
         let (one, other) = (picture(&case, &rules(one)), picture(&case, &rules(other)));
-        one.pixels().iter().zip(other.pixels()).filter(|(a, b)| (**a - **b).abs().max_element() > 1e-6).count()
+        one.pixels()
+            .iter()
+            .zip(other.pixels())
+            .filter(|(a, b)| (**a - **b).abs().max_element() > 1e-6)
+            .count()
     };
     assert!(n_different("# lecture", "row_0 = \"bottom\"") <= 3, "silhouettes apart");
     assert!(n_different("pixel = \"corner\"", "pixel = \"corner\"\nrow_0 = \"bottom\"") > 100);
@@ -87,7 +104,8 @@ fn rows_from_the_bottom_leave_the_picture_upright() {
     }
 }
 
-/// N·L = −0.6 and no highlight: |N·L| kd = 0.6 · 0.5 where the course lights the surface from behind.
+/// N·L = −0.6 and no highlight: |N·L| kd = 0.6 · 0.5 where the course lights the surface from
+/// behind.
 #[test]
 fn light_from_behind_is_for_those_whom_the_course_gives_it() {
     let term = |text: &str, kt: f64| {
@@ -120,27 +138,37 @@ fn light_from_behind_is_for_those_whom_the_course_gives_it() {
 
 #[test]
 fn answers_follow_the_course() {
-    let goes_on = Ask::GoesOn { depth: 3, max_depth: 3, weight: DVec3::new(0.5, 0.1, 0.5), threshold: 0.2 };
-    let shallow = Ask::GoesOn { depth: 2, max_depth: 3, weight: DVec3::new(0.5, 0.1, 0.5), threshold: 0.2 };
-    for (text, expected) in
-        [("# lecture", [false, true]), ("depth = \"<=\"", [true, true]), ("cutoff = \"any_channel\"", [false; 2])]
-    {
+    let goes_on =
+        Ask::GoesOn { depth: 3, max_depth: 3, weight: DVec3::new(0.5, 0.1, 0.5), threshold: 0.2 };
+    let shallow =
+        Ask::GoesOn { depth: 2, max_depth: 3, weight: DVec3::new(0.5, 0.1, 0.5), threshold: 0.2 };
+    for (text, expected) in [
+        ("# lecture", [false, true]),
+        ("depth = \"<=\"", [true, true]),
+        ("cutoff = \"any_channel\"", [false; 2]),
+    ] {
         let found = [&goes_on, &shallow].map(|ask| answer(&rules(text), ask));
         assert_eq!(found, expected.map(Answer::GoesOn), "{text}");
     }
     let indices = Ask::Indices { inside: true, index: 1.5 };
-    assert_eq!(answer(&rules("index_of_air = 1"), &indices), Answer::Indices { eta_i: 1.5, eta_t: 1.0 });
+    assert_eq!(
+        answer(&rules("index_of_air = 1"), &indices),
+        Answer::Indices { eta_i: 1.5, eta_t: 1.0 }
+    );
 }
 
-/// The answers on paper say for which courses they hold, so that one command sets up any legal course: each
-/// that differs from the lecture in one key, three keys together that a real course has, and random ones.
+/// The answers on paper say for which courses they hold, so that one command sets up any legal
+/// course: each that differs from the lecture in one key, three keys together that a real course
+/// has, and random ones.
 #[test]
 fn every_legal_course_has_answers_to_all_unit_checks() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
     let three = "highlight = \"phong\"\npixel = \"corner\"\nindex_of_air = 1.0";
     let mut courses = vec![("# lecture".to_owned(), Course::default())];
     courses.push((three.to_owned(), course::parse("three", three).unwrap()));
-    courses.extend(course::deviations().into_iter().map(|deviation| (deviation.line, deviation.course)));
+    courses.extend(
+        course::deviations().into_iter().map(|deviation| (deviation.line, deviation.course)),
+    );
     courses.extend((1..=40).map(|seed| {
         let course = random::course(&mut Random(0x9e37_79b9_7f4a_7c15u64.wrapping_mul(seed)));
         (format!("random course {seed}: {:?}", course.written()), course)
@@ -148,7 +176,8 @@ fn every_legal_course_has_answers_to_all_unit_checks() {
     let wrong: Vec<String> = courses
         .par_iter()
         .flat_map_iter(|(name, course)| {
-            let stages = stage::load_all(&folder, course).unwrap_or_else(|problems| panic!("{name}: {problems}"));
+            let stages = stage::load_all(&folder, course)
+                .unwrap_or_else(|problems| panic!("{name}: {problems}"));
             let rules = Rules::of(course);
             let checks = stages.iter().flat_map(|stage| &stage.checks);
             let failed = checks.filter_map(|check| expect::right_answer(check, &rules).err());
@@ -174,7 +203,11 @@ fn an_answer_on_paper_is_checked_where_it_holds() {
         (right.to_owned(), "index_of_air = 1", false),
         (format!("{right}\nunder = {{ index_of_air = 1.0003 }}"), "index_of_air = 1", true),
         (format!("{right}\nunder = {{ index_of_air = [1.0, 1.0003] }}"), "index_of_air = 1", false),
-        (format!("{right}\nunder = {{ index_of_air = 1.0003, tint = \"opaque\" }}"), "# lecture", true),
+        (
+            format!("{right}\nunder = {{ index_of_air = 1.0003, tint = \"opaque\" }}"),
+            "# lecture",
+            true,
+        ),
         (format!("{wrong}\nunder = {{ index_of_air = 1.0003 }}"), "# lecture", false),
         (format!("{wrong}\nunder = {{ index_of_air = 1.0003 }}"), "index_of_air = 1", true),
     ];
@@ -186,7 +219,8 @@ fn an_answer_on_paper_is_checked_where_it_holds() {
         std::fs::write(stage.join("stage.toml"), about).unwrap();
         std::fs::write(stage.join("checks/indices.toml"), text(&paper)).unwrap();
         let course = course::parse("course", line).unwrap();
-        let stages = stage::load_all(folder.path(), &course).unwrap_or_else(|problems| panic!("{problems}"));
+        let stages =
+            stage::load_all(folder.path(), &course).unwrap_or_else(|problems| panic!("{problems}"));
         let answered = expect::of_checks(folder.path(), &stages[0], &course);
         assert_eq!(answered.is_ok(), is_right, "{paper} under {line}: {answered:?}");
     }

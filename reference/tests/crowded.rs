@@ -13,7 +13,8 @@ use reference::rules::Lecture;
 use reference::work::Amounts;
 use reference::world::{Search, World};
 
-const CORNERS: [DVec3; 3] = [DVec3::new(-1.0, -1.0, -1.0), DVec3::new(1.0, -1.0, 0.5), DVec3::new(-0.5, 1.0, 1.0)];
+const CORNERS: [DVec3; 3] =
+    [DVec3::new(-1.0, -1.0, -1.0), DVec3::new(1.0, -1.0, 0.5), DVec3::new(-0.5, 1.0, 1.0)];
 
 /// A mesh in which every triangle has vertices of its own.
 fn mesh(triangles: impl Iterator<Item = [DVec3; 3]>) -> Mesh {
@@ -37,7 +38,8 @@ fn turned(n: usize) -> Mesh {
 /// Part of a globe, with so many times the same triangle before it, and bigger ones about it.
 fn among_others(n: usize) -> Mesh {
     let around = globe(20, || 2.0);
-    let others = around.triangles.iter().map(|corners| corners.map(|i| around.vertices[i as usize]));
+    let others =
+        around.triangles.iter().map(|corners| corners.map(|i| around.vertices[i as usize]));
     let others: Vec<_> = others.filter(|corners| corners.iter().all(|v| v.z < 1.0)).collect();
     let bigger = [1.5, 1.25].map(|size| CORNERS.map(|v| v * size));
     mesh(bigger.into_iter().chain(others).chain((0..n).map(|_| CORNERS)).chain(bigger))
@@ -52,14 +54,18 @@ fn nested(n: usize) -> Mesh {
 }
 
 fn world<T: Real>(mesh: &Mesh, search: Search) -> World<T> {
-    World::with_search(&lone(Shape::Mesh { mesh: 0 }, vec![mesh.clone()], DAffine3::IDENTITY), search)
+    World::with_search(
+        &lone(Shape::Mesh { mesh: 0 }, vec![mesh.clone()], DAffine3::IDENTITY),
+        search,
+    )
 }
 
 /// Rays of the scene's camera, and what they hit; and the work that this takes.
 fn seen<T: Real>(world: &World<T>) -> (Vec<String>, Amounts) {
     let lens = Lens::<T>::new(Lecture, &world.camera, 24, 18);
     let pixels = (0..18).flat_map(|j| (0..24).map(move |i| (i, j)));
-    let rays: Vec<Ray<T>> = pixels.map(|pixel| lens.eye_ray(Lecture, pixel, (T::HALF, T::HALF))).collect();
+    let rays: Vec<Ray<T>> =
+        pixels.map(|pixel| lens.eye_ray(Lecture, pixel, (T::HALF, T::HALF))).collect();
     let mut work = Amounts::default();
     let alone: Vec<String> = rays
         .iter()
@@ -71,7 +77,8 @@ fn seen<T: Real>(world: &World<T>) -> (Vec<String>, Amounts) {
         .collect();
     for (rays, alone) in rays.chunks(MOST).zip(alone.chunks(MOST)) {
         let together = rays.iter().zip(world.first_together(rays, &mut work));
-        let hits = together.map(|(ray, found)| found.map(|found| world.hit(Lecture, ray, found, true, &mut ())));
+        let hits = together
+            .map(|(ray, found)| found.map(|found| world.hit(Lecture, ray, found, true, &mut ())));
         assert!(hits.map(|hit| format!("{hit:?}")).eq(alone.iter().cloned()));
     }
     (alone, work)

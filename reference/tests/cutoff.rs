@@ -10,11 +10,14 @@ use reference::trace::Kernel;
 use reference::watch::Notes;
 use reference::world::World;
 
-/// From the middle of a ball that glows by `glow` and mirrors `kr`: every ray meets it, straight on.
+/// From the middle of a ball that glows by `glow` and mirrors `kr`: every ray meets it, straight
+/// on.
 fn mirror_ball(glow: f64, kr: f64, max_depth: u32, threshold: f64) -> Scene {
     let text = format!(
-        "[render]\nsize = [2, 2]\nmax_depth = {max_depth}\nthreshold = {threshold}\n[scene.camera]\neye = [0, 0, 0]\nlook_at = [0, 0, -1]\n\
-         up = [0, 1, 0]\nfov_y_deg = 40\n[scene.materials]\nm = {{ ke = [{glow}, {glow}, {glow}], kd = [0, 0, 0], kr = [{kr}, {kr}, {kr}] }}\n\
+        "[render]\nsize = [2, 2]\nmax_depth = {max_depth}\nthreshold = {threshold}\n\
+            [scene.camera]\neye = [0, 0, 0]\nlook_at = [0, 0, -1]\n\
+         up = [0, 1, 0]\nfov_y_deg = 40\n[scene.materials]\n\
+         m = {{ ke = [{glow}, {glow}, {glow}], kd = [0, 0, 0], kr = [{kr}, {kr}, {kr}] }}\n\
          [[scene.objects]]\nsphere = {{ radius = 1 }}\nmaterial = \"m\"\n"
     );
     load(&text)
@@ -60,7 +63,8 @@ fn the_figures_worked_out_on_paper() {
     assert_eq!(n_rays, 4 * 51);
     near(limits.of_weight(all[0].1).x, 10.0 - 9.9536160231341);
     near(limits.of_depth(50).x, 10.0 - 9.9536160231341);
-    // 0.9^53 = 0.00376 is the first power below 1/256: that ray is still cast, the next one, of weight 0.9^54, is not
+    // 0.9^53 = 0.00376 is the first power below 1/256: that ray is still cast, the next one, of
+    // weight 0.9^54, is not
     let (cut, n_rays) = pixels(&scene, 1000, 1.0 / 256.0);
     assert_eq!(n_rays, 4 * 54);
     near(10.0 - cut[0].0.x, 0.03381391913523);
@@ -73,7 +77,10 @@ fn the_figures_worked_out_on_paper() {
 fn what_does_not_fade_has_no_bound() {
     let limits = |scene: &Scene| Limits::of(scene, &Rules::LECTURE, scene.effects);
     let endless = limits(&mirror_ball(1.0, 1.0, 3, 0.0));
-    assert_eq!((endless.light().x, endless.of_weight(DVec3::ONE).x), (f64::INFINITY, f64::INFINITY));
+    assert_eq!(
+        (endless.light().x, endless.of_weight(DVec3::ONE).x),
+        (f64::INFINITY, f64::INFINITY)
+    );
     assert_eq!(endless.of_weight(DVec3::ZERO), DVec3::ZERO, "nothing was left out");
     let scene = mirror_ball(2.0, 1.0, 3, 0.0);
     let dull = Limits::of(&scene, &Rules::LECTURE, Effects::NONE);
@@ -81,17 +88,25 @@ fn what_does_not_fade_has_no_bound() {
     assert_eq!(dull.of_depth(0), DVec3::ZERO);
 }
 
-/// For each way of cutting short, no pixel is off by more than the bound; in some pixel of one of the ways the error is at least `share` of it.
+/// For each way of cutting short, no pixel is off by more than the bound; in some pixel of one of
+/// the ways the error is at least `share` of it.
 #[track_caller]
 fn check(name: &str, scene: &Scene, deepest: u32, share: f64) {
     let limits = Limits::of(scene, &Rules::LECTURE, scene.effects);
     let (truth, _) = pixels(scene, deepest, 0.0);
-    let rest = truth.iter().map(|(_, weight)| limits.of_weight(*weight).max_element()).fold(0.0, f64::max);
+    let rest =
+        truth.iter().map(|(_, weight)| limits.of_weight(*weight).max_element()).fold(0.0, f64::max);
     assert!(rest < 1e-3, "{name}: {deepest} is not deep: {rest} may be missing");
     let mut best = 0.0f64;
-    for (max_depth, threshold) in
-        [(0, 0.0), (1, 0.0), (2, 0.0), (4, 0.0), (deepest, 0.3), (deepest, 0.05), (deepest, 1.0 / 256.0)]
-    {
+    for (max_depth, threshold) in [
+        (0, 0.0),
+        (1, 0.0),
+        (2, 0.0),
+        (4, 0.0),
+        (deepest, 0.3),
+        (deepest, 0.05),
+        (deepest, 1.0 / 256.0),
+    ] {
         let (cut, _) = pixels(scene, max_depth, threshold);
         let most = limits.of_depth(max_depth);
         for (n, ((exact, _), (light, weight))) in truth.iter().zip(&cut).enumerate() {
@@ -136,7 +151,8 @@ fn no_pixel_of_a_public_case_is_darker_than_the_bound_allows() {
     ] {
         check(
             id,
-            &stage::load_scene(&stages.join(format!("{id}.toml")), &cases::Course::default()).unwrap(),
+            &stage::load_scene(&stages.join(format!("{id}.toml")), &cases::Course::default())
+                .unwrap(),
             deepest,
             share,
         );
@@ -145,11 +161,15 @@ fn no_pixel_of_a_public_case_is_darker_than_the_bound_allows() {
 
 #[test]
 fn nor_of_glass_in_glass_where_rays_branch() {
-    let text = "[render]\nsize = [24, 18]\nmax_depth = 3\n[scene.camera]\neye = [0, 0, 4]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 40\n\
+    let text = "[render]\nsize = [24, 18]\nmax_depth = 3\n[scene.camera]\neye = [0, 0, 4]\n\
+        look_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 40\n\
         [scene]\nbackground = [0.4, 0.5, 0.7]\n\
-        [scene.materials]\nouter = { kd = [0.1, 0.1, 0.1], kt = [0.4, 0.3, 0.4], kr = [0.2, 0.2, 0.1], index = 1.5 }\n\
+        [scene.materials]\nouter = { kd = [0.1, 0.1, 0.1], kt = [0.4, 0.3, 0.4], kr = [0.2, 0.2, \
+        0.1], index = 1.5 }\n\
         inner = { kd = [0.2, 0.1, 0.1], kt = [0.3, 0.3, 0.3], kr = [0.3, 0.3, 0.2], index = 1.2 }\n\
-        [[scene.lights]]\ndirectional = { direction = [0, -1, -1], colour = [1, 1, 1], ambient = [0.2, 0.2, 0.2] }\n\
-        [[scene.objects]]\nsphere = { radius = 1 }\nmaterial = \"outer\"\n[[scene.objects]]\nsphere = { radius = 0.6 }\nmaterial = \"inner\"\n";
+        [[scene.lights]]\ndirectional = { direction = [0, -1, -1], colour = [1, 1, 1], ambient = \
+        [0.2, 0.2, 0.2] }\n\
+        [[scene.objects]]\nsphere = { radius = 1 }\nmaterial = \"outer\"\n[[scene.objects]]\n\
+        sphere = { radius = 0.6 }\nmaterial = \"inner\"\n";
     check("glass in glass", &load(text), 14, 0.05);
 }

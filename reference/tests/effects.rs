@@ -1,4 +1,5 @@
-//! What a scene does not call for is not done, by count; what is counted shows up where it is called for.
+//! What a scene does not call for is not done, by count; what is counted shows up where it is
+//! called for.
 
 use std::path::Path;
 
@@ -71,7 +72,9 @@ fn an_effect_that_is_switched_off_makes_nothing() {
 #[test]
 fn counting_changes_no_picture_and_no_count() {
     let cases = cases();
-    assert!(Effect::ALL.iter().all(|effect| cases.iter().any(|case| case.scene.effects.has(*effect))));
+    assert!(
+        Effect::ALL.iter().all(|effect| cases.iter().any(|case| case.scene.effects.has(*effect)))
+    );
     cases.par_iter().for_each(|case| {
         let world = World::<f64>::new(&case.scene);
         let options = Options::of(&world);

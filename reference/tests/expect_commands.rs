@@ -1,4 +1,5 @@
-//! `reference expect` from outside: a set of answers is written as a whole or not at all, and belongs to its cases.
+//! `reference expect` from outside: a set of answers is written as a whole or not at all, and
+//! belongs to its cases.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -24,7 +25,8 @@ objects = [{ sphere = {}, material = "chalk" }]
 fn check(t: &str) -> String {
     format!(
         "[[check]]\nname = \"ahead\"\nabout = \"a\"\nrules = [14]\n\
-         ask = {{ fn = \"sphere\", ray = {{ origin = [0, 0, 2], direction = [0, 0, -1] }}, center = [0, 0, 0], radius = 0.5 }}\n\
+         ask = {{ fn = \"sphere\", ray = {{ origin = [0, 0, 2], direction = [0, 0, -1] }}, center \
+         = [0, 0, 0], radius = 0.5 }}\n\
          paper = {{ hit = {{ t = {t}, normal = [0, 0, 1] }} }}\n"
     )
 }
@@ -78,15 +80,19 @@ fn one_wrong_answer_on_paper_keeps_every_file_as_it_was() {
     assert_eq!(content(folder.path()), before);
 }
 
-/// No file may have more than a kibibyte, which the answer to a case has: as on a full disk, it can be
-/// created, but not filled.
+/// No file may have more than a kibibyte, which the answer to a case has: as on a full disk, it can
+/// be created, but not filled.
 #[test]
 fn a_file_that_cannot_be_filled_keeps_every_other_as_it_was() {
     let folder = folder();
     let before = content(folder.path());
     let script = "trap '' XFSZ; ulimit -f 1; exec \"$0\" expect";
     let binary = env!("CARGO_BIN_EXE_reference");
-    let output = Command::new("bash").args(["-c", script, binary]).current_dir(folder.path()).output().unwrap();
+    let output = Command::new("bash")
+        .args(["-c", script, binary])
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
     let text = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(3), "{text}");
     assert!(text.contains("nothing was changed"), "{text}");
@@ -103,9 +109,19 @@ fn one_command_sets_up_another_course() {
     fs::write(at("phong.toml"), "highlight = \"phong\"\n").unwrap();
     expect(folder.path(), &["expect"], 0, "8 written");
     let lecture = content(folder.path());
-    expect(folder.path(), &["expect", "01_one/ball", "--course", "phong.toml"], 2, "sets up a whole folder of stages");
+    expect(
+        folder.path(),
+        &["expect", "01_one/ball", "--course", "phong.toml"],
+        2,
+        "sets up a whole folder of stages",
+    );
     assert_eq!(content(folder.path()), lecture);
-    expect(folder.path(), &["expect", "--check", "--course", "phong.toml"], 1, "course.toml differs");
+    expect(
+        folder.path(),
+        &["expect", "--check", "--course", "phong.toml"],
+        1,
+        "course.toml differs",
+    );
     expect(folder.path(), &["expect", "--course", "phong.toml"], 0, "written");
     assert_eq!(fs::read_to_string(at("cases/course.toml")).unwrap(), "highlight = \"phong\"\n");
     assert!(fs::read_to_string(at("docs/course.md")).unwrap().contains("`\"phong\"`"));
@@ -126,15 +142,22 @@ fn another_course_for_one_of_two_sets_changes_nothing_of_the_other() {
     fs::write(at("phong.toml"), "highlight = \"phong\"\n").unwrap();
     fs::create_dir_all(at("cases/hidden/01_one")).unwrap();
     for file in ["stage.toml", "ball.toml"] {
-        fs::copy(at("cases/stages/01_one").join(file), at("cases/hidden/01_one").join(file)).unwrap();
+        fs::copy(at("cases/stages/01_one").join(file), at("cases/hidden/01_one").join(file))
+            .unwrap();
     }
     expect(folder.path(), &["expect"], 0, "written");
     let public = content(folder.path());
     for _ in 0..2 {
         expect(folder.path(), &["expect", "cases/hidden", "--course", "phong.toml"], 0, "written");
-        assert_eq!(fs::read_to_string(at("cases/hidden/course.toml")).unwrap(), "highlight = \"phong\"\n");
+        assert_eq!(
+            fs::read_to_string(at("cases/hidden/course.toml")).unwrap(),
+            "highlight = \"phong\"\n"
+        );
         let now = content(folder.path());
-        assert!(public.iter().all(|(path, bytes)| now[path] == *bytes), "a file of the public set changed");
+        assert!(
+            public.iter().all(|(path, bytes)| now[path] == *bytes),
+            "a file of the public set changed"
+        );
     }
 }
 
@@ -152,7 +175,8 @@ fn a_stage_is_named_by_its_folder() {
     assert_eq!(here.status.code(), Some(1), "{}", String::from_utf8_lossy(&here.stderr));
 }
 
-/// A word in a title or a description is in no answer; a number of the scene, of the question, or of the course is.
+/// A word in a title or a description is in no answer; a number of the scene, of the question, or
+/// of the course is.
 #[test]
 fn an_answer_belongs_to_what_it_was_made_from() {
     let stale = |path: &str, from: &str, to: &str| {
@@ -170,9 +194,15 @@ fn an_answer_belongs_to_what_it_was_made_from() {
         ("cases/stages/01_one/ball.toml", "Grey in the middle", "Grey", 0),
         ("cases/stages/01_one/stage.toml", "about = \"a\"", "about = \"b\"", 0),
         ("cases/stages/01_one/checks/sphere.toml", "about = \"a\"", "about = \"b\"", 0),
-        // The numbers of the picture stay the same to the byte; only what they were made from differs.
+        // The numbers of the picture stay the same to the byte; only what they were made from
+        // differs.
         ("cases/stages/01_one/ball.toml", "ns = 5", "ns = 5, index = 1.5", 1),
-        ("cases/stages/01_one/checks/sphere.toml", "radius = 0.5", "radius = 0.5000000000000001", 1),
+        (
+            "cases/stages/01_one/checks/sphere.toml",
+            "radius = 0.5",
+            "radius = 0.5000000000000001",
+            1,
+        ),
         ("cases/stages/course.toml", "", "refract_by = \"geometric\"", 5),
     ] {
         assert_eq!(stale(path, from, to), n, "{path}: {from} to {to}");

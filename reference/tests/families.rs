@@ -1,6 +1,8 @@
-//! The families of hard questions: no wrong decision, and errors within each family's bound, in both precisions.
+//! The families of hard questions: no wrong decision, and errors within each family's bound, in
+//! both precisions.
 //!
-//! The same at a million draws: `reference cost --functions --formulas robust --draws 1000000 --rounds 1`.
+//! The same at a million draws:
+//! `reference cost --functions --formulas robust --draws 1000000 --rounds 1`.
 
 use reference::hard::families::Bound;
 use reference::hard::oracle::right;
@@ -8,16 +10,23 @@ use reference::hard::question::Line;
 use reference::hard::survey::{Comparison, compare};
 use reference::hard::{FAMILIES, Family, Question, Tally, evaluate, survey};
 use reference::real::Real;
-use reference::rules::{Lecture, PlaneFormula, Quadratic, Robustness, Rules, Snell, Style, TriangleFormula};
+use reference::rules::{
+    Lecture, PlaneFormula, Quadratic, Robustness, Rules, Snell, Style, TriangleFormula,
+};
 
 const N_DRAWS: u64 = 100_000;
 const SEED: u64 = 1;
 
 /// What is wrong with a tally, if anything; prints it as a line of a table.
-fn wrong<T: Real>(family: &Family, precision: &str, [most_t, most_vector]: Bound) -> Option<String> {
+fn wrong<T: Real>(
+    family: &Family,
+    precision: &str,
+    [most_t, most_vector]: Bound,
+) -> Option<String> {
     let tally = survey::<T, _>(family, Lecture, N_DRAWS, SEED);
     println!(
-        "{:32} {precision}  hits {:6}  wrong {}  doubtful {}  t {:8.1e}  vector {:8.1e}  {:8.1} ulp",
+        "{:32} {precision}  hits {:6}  wrong {}  doubtful {}  t {:8.1e}  vector {:8.1e}  {:8.1} \
+            ulp",
         family.name,
         tally.n_hits,
         tally.wrong(),
@@ -48,7 +57,10 @@ fn no_family_is_decided_wrongly() {
 
 /// The tally of a family by the formulas of `style` without a second step.
 fn plain<T: Real>(name: &str, style: Style) -> Tally {
-    let family = FAMILIES.iter().find(|family| family.name == name).unwrap_or_else(|| panic!("no family `{name}`"));
+    let family = FAMILIES
+        .iter()
+        .find(|family| family.name == name)
+        .unwrap_or_else(|| panic!("no family `{name}`"));
     let rules = Rules { style: Style { robustness: Robustness::Plain, ..style }, ..Rules::LECTURE };
     survey::<T, _>(family, &rules, 20_000, SEED)
 }
@@ -76,7 +88,11 @@ fn textbook_formulas_decide_wrongly_where_they_are_known_to() {
         assert!(tally.first_wrong.is_some());
     }
     let generic = plain::<f64>("sphere, generic", textbook);
-    assert_eq!((generic.wrong(), generic.doubtful), (0, 0), "the textbook does where nothing is hard");
+    assert_eq!(
+        (generic.wrong(), generic.doubtful),
+        (0, 0),
+        "the textbook does where nothing is hard"
+    );
 }
 
 #[test]
@@ -87,12 +103,17 @@ fn a_tally_is_the_same_each_time_and_other_seeds_ask_other_questions() {
     assert_ne!(of(1).max_t, of(2).max_t);
 }
 
-/// Found by a million draws: area, depth and 1/d_z multiplied leave the range of single precision, though each of them and t are within it.
+/// Found by a million draws: area, depth and 1/d_z multiplied leave the range of single precision,
+/// though each of them and t are within it.
 #[test]
 fn a_huge_triangle_is_met_by_a_short_direction() {
     let line = Line {
         origin: [-122_906_255_360.0, -1_810_572_115_968.0, 106_111_336_448.0],
-        direction: [5.165_996_117_284_521_5e-5, 1.676_740_503_171_458_8e-4, -1.023_024_833_557_428_8e-5],
+        direction: [
+            5.165_996_117_284_521_5e-5,
+            1.676_740_503_171_458_8e-4,
+            -1.023_024_833_557_428_8e-5,
+        ],
     };
     let corners = [
         [359_960_838_144.0, 175_454_715_904.0, -30_798_911_488.0],

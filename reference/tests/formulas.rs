@@ -8,8 +8,8 @@ use reference::camera::Lens;
 use reference::optics::refract;
 use reference::ray::{Ray, Spot};
 use reference::rules::{
-    CameraFormula, Epsilon, Lecture, PlaneFormula, Power, Quadratic, Rules, Snell, Start, Style, ToLight,
-    TriangleFormula,
+    CameraFormula, Epsilon, Lecture, PlaneFormula, Power, Quadratic, Rules, Snell, Start, Style,
+    ToLight, TriangleFormula,
 };
 use reference::shade::light_term;
 use reference::shapes::{Meeting, Plane, Round, Shear, Solid, Sphere, Triangle};
@@ -33,24 +33,35 @@ fn vec(v: DVec3) -> Vec3<f64> {
 fn check(what: &str, ours: Option<Meeting<f64>>, theirs: Option<Meeting<f64>>) {
     let is_same = match (&ours, &theirs) {
         (Some(a), Some(b)) => {
-            (a.t - b.t).abs() <= CLOSE * a.t && (a.weights - b.weights).length() <= CLOSE && a.part == b.part
+            (a.t - b.t).abs() <= CLOSE * a.t
+                && (a.weights - b.weights).length() <= CLOSE
+                && a.part == b.part
         }
         _ => ours == theirs,
     };
     assert!(is_same, "{what}: {theirs:?} is not the reference's {ours:?}");
 }
 
-/// A ray that starts a few units away from `aim` and runs through it, its direction of any length, as in object space.
+/// A ray that starts a few units away from `aim` and runs through it, its direction of any length,
+/// as in object space.
 fn ray_through(random: &mut Random, aim: DVec3) -> Ray<f64> {
     let way = random.unit();
-    Ray::leaving(Lecture, vec(aim - way * (2.0 + random.share())), vec(way * (0.5 + random.share())))
+    Ray::leaving(
+        Lecture,
+        vec(aim - way * (2.0 + random.share())),
+        vec(way * (0.5 + random.share())),
+    )
 }
 
 fn check_solid(random: &mut Random, solid: &Solid<f64>, aim: DVec3) -> bool {
     let ray = ray_through(random, aim);
     let ours = solid.meet(Lecture, &ray);
     for quadratic in Quadratic::ALL {
-        check(quadratic.says(), ours, solid.meet(&with(|style| style.quadratic = *quadratic), &ray));
+        check(
+            quadratic.says(),
+            ours,
+            solid.meet(&with(|style| style.quadratic = *quadratic), &ray),
+        );
     }
     for plane in PlaneFormula::ALL {
         check(plane.says(), ours, solid.meet(&with(|style| style.plane = *plane), &ray));
@@ -72,8 +83,18 @@ fn spheres() {
         let from_center = Ray::leaving(Lecture, vec(center), vec(out * 0.7));
         for quadratic in Quadratic::ALL {
             let rules = with(|style| style.quadratic = *quadratic);
-            assert_eq!(sphere(radius).meet(&rules, &beside), None, "{}: the ray passes by", quadratic.says());
-            assert_eq!(sphere(0.0).meet(&rules, &beside), None, "{}: there is no sphere", quadratic.says());
+            assert_eq!(
+                sphere(radius).meet(&rules, &beside),
+                None,
+                "{}: the ray passes by",
+                quadratic.says()
+            );
+            assert_eq!(
+                sphere(0.0).meet(&rules, &beside),
+                None,
+                "{}: there is no sphere",
+                quadratic.says()
+            );
             let far = sphere(radius).meet(Lecture, &from_center);
             check(quadratic.says(), far, sphere(radius).meet(&rules, &from_center));
         }
@@ -87,8 +108,10 @@ fn cylinders_cones_and_planes() {
     for _ in 0..N_DRAWS {
         let (bottom_radius, top_radius) = (0.2 + random.share(), random.share());
         let is_capped = random.signed() > 0.0;
-        let round = Solid::Round(Round { bottom_radius, top_radius, z_min: -1.0, z_max: 1.0, is_capped });
-        let near_axis = DVec3::new(random.signed() * 0.1, random.signed() * 0.1, random.signed() * 0.5);
+        let round =
+            Solid::Round(Round { bottom_radius, top_radius, z_min: -1.0, z_max: 1.0, is_capped });
+        let near_axis =
+            DVec3::new(random.signed() * 0.1, random.signed() * 0.1, random.signed() * 0.5);
         n_hits += usize::from(check_solid(&mut random, &round, near_axis));
         let (normal, k) = (random.unit(), random.signed());
         let plane = Solid::Plane(Plane { normal: vec(normal), k });
@@ -99,7 +122,12 @@ fn cylinders_cones_and_planes() {
     let floor = Solid::Plane(Plane { normal: Vec3::axis(1), k: 1.0 });
     let along = Ray::leaving(Lecture, vec(DVec3::ZERO), vec(DVec3::X));
     for plane in PlaneFormula::ALL {
-        assert_eq!(floor.meet(&with(|style| style.plane = *plane), &along), None, "{}: parallel", plane.says());
+        assert_eq!(
+            floor.meet(&with(|style| style.plane = *plane), &along),
+            None,
+            "{}: parallel",
+            plane.says()
+        );
     }
 }
 
@@ -129,10 +157,15 @@ fn triangles() {
         check_triangle(corners, &ray, true);
         n_met += 1;
         for beside in [a * 1.1 - inside * 0.1, a + b - inside, b + c - inside, c + a - inside] {
-            let is_outside =
-                reference::shapes::barycentric(Lecture, corners.map(vec), vec(beside)).min_element() < -1e-3;
+            let is_outside = reference::shapes::barycentric(Lecture, corners.map(vec), vec(beside))
+                .min_element()
+                < -1e-3;
             assert!(is_outside);
-            check_triangle(corners, &Ray { origin: ray.origin + vec(beside - inside), ..ray }, false);
+            check_triangle(
+                corners,
+                &Ray { origin: ray.origin + vec(beside - inside), ..ray },
+                false,
+            );
         }
     }
 }
@@ -160,13 +193,20 @@ fn eye_rays() {
             let ours = Lens::new(Lecture, &camera, 24, 18).eye_ray(Lecture, pixel, (0.5, 0.5));
             let theirs = Lens::new(&rules, &camera, 24, 18).eye_ray(&rules, pixel, (0.5, 0.5));
             let error = (ours.direction - theirs.direction).length();
-            assert!(error <= CLOSE && ours.origin == theirs.origin, "{}: off by {error}", formula.says());
+            assert!(
+                error <= CLOSE && ours.origin == theirs.origin,
+                "{}: off by {error}",
+                formula.says()
+            );
         }
     }
     let nudged = with(|style| style.nudge = [0.25, -0.125]);
     let theirs = Lens::<f64>::new(&nudged, &camera, 24, 18).eye_ray(&nudged, (3, 4), (0.5, 0.5));
     let ours = Lens::<f64>::new(Lecture, &camera, 24, 18).eye_ray(Lecture, (3, 4), (0.75, 0.375));
-    assert!((ours.direction - theirs.direction).length() <= CLOSE, "to the right and down is along i and j");
+    assert!(
+        (ours.direction - theirs.direction).length() <= CLOSE,
+        "to the right and down is along i and j"
+    );
 }
 
 #[test]
@@ -216,7 +256,10 @@ fn rays_get_away_from_surfaces() {
         (ray.origin, ray.contains(0.125), ray.contains(0.13), ray.contains(1e-9))
     };
     let off_bound = spawned(Start::OffBound, -slanted).0;
-    assert!((off_bound + up * 0.25).length() < 1e-15, "the bound goes along N, to the side of the ray: {off_bound:?}");
+    assert!(
+        (off_bound + up * 0.25).length() < 1e-15,
+        "the bound goes along N, to the side of the ray: {off_bound:?}"
+    );
     assert_eq!(spawned(Start::Interval, slanted), (Vec3::ZERO, false, true, false));
     assert_eq!(spawned(Start::AlongNormal, slanted), (up * 0.125, true, true, true));
     assert_eq!(spawned(Start::AlongNormal, -slanted), (-up * 0.125, true, true, true));
@@ -230,6 +273,13 @@ fn rays_get_away_from_surfaces() {
     };
     let end = |ray: Ray<f64>| ray.at(ray.t_max) - slanted * 5.0;
     assert!(end(to_light(ToLight::FromStart, 5.0)).length() <= CLOSE, "it ends at the light");
-    assert!((end(to_light(ToLight::FromPoint, 5.0)) - up * 0.125).length() <= CLOSE, "it is as long and runs beside");
-    assert_eq!(to_light(ToLight::FromStart, f64::INFINITY).direction, slanted, "all rays to a far light are parallel");
+    assert!(
+        (end(to_light(ToLight::FromPoint, 5.0)) - up * 0.125).length() <= CLOSE,
+        "it is as long and runs beside"
+    );
+    assert_eq!(
+        to_light(ToLight::FromStart, f64::INFINITY).direction,
+        slanted,
+        "all rays to a far light are parallel"
+    );
 }

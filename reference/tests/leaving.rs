@@ -1,4 +1,5 @@
-//! Rays that leave a surface: none meets it again at once, none slips through it, and none jumps over more than rounding makes it.
+//! Rays that leave a surface: none meets it again at once, none slips through it, and none jumps
+//! over more than rounding makes it.
 
 mod common;
 
@@ -27,7 +28,8 @@ enum Kind {
     Mesh,
 }
 
-const KINDS: [Kind; 7] = [Kind::Sphere, Kind::Plane, Kind::Square, Kind::Box, Kind::Cylinder, Kind::Cone, Kind::Mesh];
+const KINDS: [Kind; 7] =
+    [Kind::Sphere, Kind::Plane, Kind::Square, Kind::Box, Kind::Cylinder, Kind::Cone, Kind::Mesh];
 
 impl Kind {
     /// Whether it has an inside.
@@ -41,14 +43,21 @@ impl Kind {
         match self {
             Self::Sphere => Shape::Sphere { center: beside, radius: 0.7 * scale },
             // not quite of unit length, as rounding leaves it
-            Self::Plane => {
-                Shape::Plane { normal: random.unit() * (1.0 + 1e-7 * random.signed()), k: random.signed() * scale }
-            }
+            Self::Plane => Shape::Plane {
+                normal: random.unit() * (1.0 + 1e-7 * random.signed()),
+                k: random.signed() * scale,
+            },
             Self::Square => Shape::Square {},
-            Self::Box => Shape::Box { min: beside - scale * DVec3::new(0.3, 0.5, 0.7), max: beside + scale * 0.6 },
-            Self::Cylinder => {
-                Shape::Cylinder { radius: 0.6 * scale, z_min: -0.4 * scale, z_max: 0.7 * scale, capped: true }
-            }
+            Self::Box => Shape::Box {
+                min: beside - scale * DVec3::new(0.3, 0.5, 0.7),
+                max: beside + scale * 0.6,
+            },
+            Self::Cylinder => Shape::Cylinder {
+                radius: 0.6 * scale,
+                z_min: -0.4 * scale,
+                z_max: 0.7 * scale,
+                capped: true,
+            },
             Self::Cone => Shape::Cone {
                 bottom_radius: 0.8 * scale,
                 top_radius: if random.signed() > 0.0 { 0.0 } else { 0.3 * scale },
@@ -61,7 +70,8 @@ impl Kind {
     }
 }
 
-/// A map that turns, stretches by up to ten to one and moves; the size of what it makes of a thing of size 1 is `scale` or so.
+/// A map that turns, stretches by up to ten to one and moves; the size of what it makes of a thing
+/// of size 1 is `scale` or so.
 fn affine(scale: f64, random: &mut Random) -> DAffine3 {
     let mut turn = || {
         let angle = 3.0 * random.signed();
@@ -82,20 +92,33 @@ struct Tally {
     re_hits: usize,
     /// Inwards, and no far side was met, though it lies farther away than a ray may jump.
     leaks: usize,
-    /// As many of these as left a place so near to an edge that the start lies beyond the other face, along which the ray runs.
+    /// As many of these as left a place so near to an edge that the start lies beyond the other
+    /// face, along which the ray runs.
     at_edges: usize,
     /// The longest way from a hit to the start of a new ray, over the size of the object.
     skipped: f64,
 }
 
-/// `direction` is at an angle to `n` whose cosine lies between 0 and 1: half of the time uniform, half of the time grazing.
+/// `direction` is at an angle to `n` whose cosine lies between 0 and 1: half of the time uniform,
+/// half of the time grazing.
 fn direction(random: &mut Random, n: DVec3) -> DVec3 {
     let along = random.unit().cross(n).normalize();
-    let cosine = if random.signed() > 0.0 { random.share().max(1e-3) } else { maths::pow(10.0, -3.0 * random.share()) };
+    let cosine = if random.signed() > 0.0 {
+        random.share().max(1e-3)
+    } else {
+        maths::pow(10.0, -3.0 * random.share())
+    };
     n * cosine + along * (1.0 - cosine * cosine).sqrt()
 }
 
-fn leave<T: Real, R: RuleSource>(rules: R, kind: Kind, frame: bool, scale: f64, n: usize, most: f64) -> Tally {
+fn leave<T: Real, R: RuleSource>(
+    rules: R,
+    kind: Kind,
+    frame: bool,
+    scale: f64,
+    n: usize,
+    most: f64,
+) -> Tally {
     let mut random = Random(0x1ea_5e0f_5afe + scale.to_bits() + kind as u64);
     let mut tally = Tally::default();
     while tally.n < n {
@@ -109,7 +132,9 @@ fn leave<T: Real, R: RuleSource>(rules: R, kind: Kind, frame: bool, scale: f64, 
         let (world, sharp) = (World::<T>::new(&scene), World::<f64>::new(&scene));
         let wanted = (tally.n + n / 20 + 1).min(n);
         while tally.n < wanted {
-            let inside = map.transform_point3(DVec3::new(random.signed(), random.signed(), random.signed()) * of_shape);
+            let inside = map.transform_point3(
+                DVec3::new(random.signed(), random.signed(), random.signed()) * of_shape,
+            );
             let from = inside + random.unit() * scale * maths::pow(10.0, 2.0 * random.share());
             let aimed = Ray::leaving(rules, Vec3::of(from), Vec3::of((inside - from).normalize()));
             let Some(hit) = world.nearest(rules, &aimed, &mut ()) else { continue };
@@ -144,7 +169,8 @@ fn both_sides<T: Real, R: RuleSource>(
         } else if met.is_none() {
             let true_ray = Ray::leaving(Lecture, Vec3::of(hit.point.f64()), Vec3::of(way));
             let far = sharp.nearest(Lecture, &true_ray, &mut ()).map_or(0.0, |far| far.t / scale);
-            let as_started = Ray::leaving(Lecture, Vec3::of(ray.origin.f64()), Vec3::of(ray.direction.f64()));
+            let as_started =
+                Ray::leaving(Lecture, Vec3::of(ray.origin.f64()), Vec3::of(ray.direction.f64()));
             let is_right = sharp.nearest(Lecture, &as_started, &mut ()).is_none();
             tally.leaks += usize::from(far > most && !is_right);
             tally.at_edges += usize::from(far > most && is_right);
@@ -152,7 +178,8 @@ fn both_sides<T: Real, R: RuleSource>(
     }
 }
 
-/// `most` is the greatest share of an object that a ray may jump over, and of rays that start beyond an edge.
+/// `most` is the greatest share of an object that a ray may jump over, and of rays that start
+/// beyond an edge.
 fn check<T: Real>(most: f64) {
     let mut at_edges = 0;
     for kind in KINDS {
@@ -160,14 +187,21 @@ fn check<T: Real>(most: f64) {
             for scale in SCALES {
                 let tally = leave::<T, _>(Lecture, kind, frame, scale, N_PAIRS / 8, most);
                 println!("{kind:?} in a frame: {frame}, scale {scale:e}: {tally:?}");
-                assert_eq!((tally.re_hits, tally.leaks), (0, 0), "{kind:?} {frame} {scale:e}: {tally:?}");
+                assert_eq!(
+                    (tally.re_hits, tally.leaks),
+                    (0, 0),
+                    "{kind:?} {frame} {scale:e}: {tally:?}"
+                );
                 assert!(tally.skipped < most, "{kind:?} {frame} {scale:e}: {tally:?}");
                 at_edges += tally.at_edges;
             }
         }
     }
     let n_rays = KINDS.len() * N_PAIRS;
-    assert!(at_edges as f64 <= most * n_rays as f64 / 10.0, "{at_edges} of {n_rays} rays start beyond an edge");
+    assert!(
+        at_edges as f64 <= most * n_rays as f64 / 10.0,
+        "{at_edges} of {n_rays} rays start beyond an edge"
+    );
 }
 
 #[test]
@@ -180,7 +214,8 @@ fn in_single_precision_no_ray_is_lost_or_caught() {
     check::<f32>(1e-4);
 }
 
-/// The bound grows with a matrix that nearly loses a dimension, where the way to object space and back loses as many digits.
+/// The bound grows with a matrix that nearly loses a dimension, where the way to object space and
+/// back loses as many digits.
 #[test]
 fn through_matrices_that_are_nearly_singular_no_ray_is_caught() {
     let mut random = Random(0x5_1a7);
@@ -196,11 +231,13 @@ fn through_matrices_that_are_nearly_singular_no_ray_is_caught() {
             for _ in 0..2000 {
                 let to = map.transform_point3(random.unit() * 0.7);
                 let from = to + random.unit() * 3.0;
-                let aimed = Ray::leaving(Lecture, Vec3::of(from), Vec3::of((to - from).normalize()));
+                let aimed =
+                    Ray::leaving(Lecture, Vec3::of(from), Vec3::of((to - from).normalize()));
                 let Some(hit) = world.nearest(Lecture, &aimed, &mut ()) else { continue };
                 let cosine = 0.01 + 0.99 * random.share();
                 let n = hit.n_geom.f64();
-                let way = n * cosine + random.unit().cross(n).normalize() * (1.0 - cosine * cosine).sqrt();
+                let way = n * cosine
+                    + random.unit().cross(n).normalize() * (1.0 - cosine * cosine).sqrt();
                 let ray = Ray::spawned(Lecture, &hit.spot(hit.n_geom), Vec3::of(way));
                 tally.n += 1;
                 tally.re_hits += usize::from(world.nearest(Lecture, &ray, &mut ()).is_some());
@@ -211,11 +248,17 @@ fn through_matrices_that_are_nearly_singular_no_ray_is_caught() {
     }
 }
 
-/// What the bound replaces: a start that is not moved meets its own surface, and one that is moved by a constant does so at large scales.
+/// What the bound replaces: a start that is not moved meets its own surface, and one that is moved
+/// by a constant does so at large scales.
 #[test]
 fn a_constant_is_wrong_at_some_scale() {
-    let rules = |start, epsilon| Rules { epsilon, style: Style { start, ..Style::PLAIN }, ..Rules::LECTURE };
-    let tally = |rules: &Rules, scale| leave::<f32, _>(rules, Kind::Sphere, false, scale, 2000, 1e-3);
+    let rules = |start, epsilon| Rules {
+        epsilon,
+        style: Style { start, ..Style::PLAIN },
+        ..Rules::LECTURE
+    };
+    let tally =
+        |rules: &Rules, scale| leave::<f32, _>(rules, Kind::Sphere, false, scale, 2000, 1e-3);
     let fixed = reference::rules::Epsilon::Fixed;
     assert!(tally(&rules(Start::Interval, fixed(0.0)), 1.0).re_hits > 200);
     assert!(tally(&rules(Start::Interval, fixed(1e-4)), 1e6).re_hits > 200);

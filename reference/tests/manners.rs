@@ -1,15 +1,20 @@
-//! The program from outside: exit codes as `--help` promises them, streams whose reader has gone, scenes on standard input.
+//! The program from outside: exit codes as `--help` promises them, streams whose reader has gone,
+//! scenes on standard input.
 
 use std::fs;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-const SCENE: &str = "[render]\nsize = [8, 6]\nmax_depth = 1\n[scene.camera]\neye = [0, 0, 4]\nlook_at = [0, 0, 0]\n\
-    up = [0, 1, 0]\nfov_y_deg = 40\n[scene.materials]\nm = { kd = [0.5, 0.5, 0.5] }\n[[scene.lights]]\n\
-    directional = { direction = [0, 0, -1], colour = [1, 1, 1] }\n[[scene.objects]]\nsquare = {}\nmaterial = \"m\"\n";
+const SCENE: &str = "[render]\nsize = [8, 6]\nmax_depth = 1\n[scene.camera]\neye = [0, 0, 4]\n\
+    look_at = [0, 0, 0]\n\
+    up = [0, 1, 0]\nfov_y_deg = 40\n[scene.materials]\nm = { kd = [0.5, 0.5, 0.5] }\n\
+    [[scene.lights]]\n\
+    directional = { direction = [0, 0, -1], colour = [1, 1, 1] }\n[[scene.objects]]\nsquare = {}\n\
+    material = \"m\"\n";
 
-/// A folder with a scene, and the stages `stages/01_one` (a case without its answer) and `bad/01_one`.
+/// A folder with a scene, and the stages `stages/01_one` (a case without its answer) and
+/// `bad/01_one`.
 fn place() -> tempfile::TempDir {
     let place = tempfile::tempdir().unwrap();
     let write = |name: &str, text: &str| {
@@ -38,7 +43,8 @@ fn call(place: &Path, args: &[&str]) -> Command {
 
 fn run(place: &Path, args: &[&str], input: &str) -> Output {
     let mut child = call(place, args).spawn().unwrap();
-    let _ = child.stdin.take().unwrap().write_all(input.as_bytes()); // a program that reads nothing may be gone
+    // a program that reads nothing may be gone
+    let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
     child.wait_with_output().unwrap()
 }
 
@@ -84,7 +90,8 @@ fn every_call_ends_as_help_says() {
     for (line, code, part) in CALLS {
         let args: Vec<&str> = line.split_whitespace().collect();
         let output = run(place.path(), &args, "");
-        let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+        let text = String::from_utf8_lossy(&output.stdout).into_owned()
+            + &String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(*code), "reference {line}: {text}");
         assert!(text.contains(part), "reference {line}: no {part:?} in\n{text}");
     }
@@ -95,20 +102,33 @@ fn every_call_ends_as_help_says() {
 fn every_command_and_every_code_of_its_help_is_in_the_table() {
     let place = tempfile::tempdir().unwrap();
     // What takes a disk that fails, or minutes.
-    let excused = [("render", 3), ("cost", 3), ("expect", 3), ("vary", 3), ("vary", 0), ("vary", 1)];
+    let excused =
+        [("render", 3), ("cost", 3), ("expect", 3), ("vary", 3), ("vary", 0), ("vary", 1)];
     let help = String::from_utf8(run(place.path(), &["--help"], "").stdout).unwrap();
     let commands = help.split("Commands:").nth(1).unwrap().split("Options:").next().unwrap();
-    let names: Vec<&str> = commands.lines().filter_map(|line| line.strip_prefix("  ")?.split(' ').next()).collect();
-    let names: Vec<&str> = names.into_iter().filter(|name| !name.is_empty() && *name != "help").collect();
+    let names: Vec<&str> =
+        commands.lines().filter_map(|line| line.strip_prefix("  ")?.split(' ').next()).collect();
+    let names: Vec<&str> =
+        names.into_iter().filter(|name| !name.is_empty() && *name != "help").collect();
     assert!(names.len() > 9, "{names:?}");
     for name in names {
         let help = String::from_utf8(run(place.path(), &[name, "--help"], "").stdout).unwrap();
-        let promised = help.split("Exit codes:").nth(1).unwrap_or_else(|| panic!("{name} --help names no exit code"));
+        let promised = help
+            .split("Exit codes:")
+            .nth(1)
+            .unwrap_or_else(|| panic!("{name} --help names no exit code"));
         let is_code = |word: &&str| ["0", "1", "2", "3"].contains(word);
-        for code in promised.split_whitespace().filter(is_code).map(|code| code.parse::<i32>().unwrap()) {
-            let is_called = CALLS.iter().any(|(call, ends, _)| call.split(' ').next() == Some(name) && *ends == code);
+        for code in
+            promised.split_whitespace().filter(is_code).map(|code| code.parse::<i32>().unwrap())
+        {
+            let is_called = CALLS
+                .iter()
+                .any(|(call, ends, _)| call.split(' ').next() == Some(name) && *ends == code);
             let is_excused = excused.contains(&(name, code));
-            assert!(is_called != is_excused, "{name} ends with {code}: no call, or excused for nothing");
+            assert!(
+                is_called != is_excused,
+                "{name} ends with {code}: no call, or excused for nothing"
+            );
         }
     }
 }
@@ -125,7 +145,20 @@ fn no_output_panics_where_its_reader_has_gone() {
         (&["explain", "scene.toml", "4", "3"], 0),
         (&["render", "scene.toml", "-o", "-", "--stats"], 0),
         (&["render", "missing", "-o", "-"], 2),
-        (&["cost", "scene.toml", "--rounds", "1", "--samples", "1", "--precisions", "f32", "--no-effects"], 0),
+        (
+            &[
+                "cost",
+                "scene.toml",
+                "--rounds",
+                "1",
+                "--samples",
+                "1",
+                "--precisions",
+                "f32",
+                "--no-effects",
+            ],
+            0,
+        ),
     ];
     for (args, code) in table {
         let mut child = call(place.path(), args).spawn().unwrap();
@@ -137,7 +170,12 @@ fn no_output_panics_where_its_reader_has_gone() {
 #[test]
 fn a_full_disk_behind_the_output_stream_is_the_machines_failure() {
     let place = place();
-    for args in [&["schema"][..], &["man"], &["effects", "scene.toml"], &["explain", "scene.toml", "4", "3"]] {
+    for args in [
+        &["schema"][..],
+        &["man"],
+        &["effects", "scene.toml"],
+        &["explain", "scene.toml", "4", "3"],
+    ] {
         let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
         let output = call(place.path(), args).stdout(full).output().unwrap();
         let text = String::from_utf8_lossy(&output.stderr);
@@ -151,7 +189,12 @@ fn a_scene_may_come_on_standard_input() {
     let place = place();
     let picture = |args: &[&str], input: &str| {
         let output = run(place.path(), &[&["render"], args, &["-o", "-"]].concat(), input);
-        assert_eq!(output.status.code(), Some(0), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
+        assert_eq!(
+            output.status.code(),
+            Some(0),
+            "{args:?}: {}",
+            String::from_utf8_lossy(&output.stderr)
+        );
         output.stdout
     };
     let expected = picture(&["scene.toml"], "");
@@ -159,7 +202,9 @@ fn a_scene_may_come_on_standard_input() {
     assert_eq!(picture(&["-", "--max-depth", "0"], SCENE), expected, "the square mirrors nothing");
     let explained = run(place.path(), &["explain", "-", "4", "3"], SCENE);
     assert!(String::from_utf8_lossy(&explained.stdout).starts_with("eye ray"), "{explained:?}");
-    for (input, part) in [("", "standard input"), ("[render", "standard input"), ("{", "standard input:1")] {
+    for (input, part) in
+        [("", "standard input"), ("[render", "standard input"), ("{", "standard input:1")]
+    {
         let output = run(place.path(), &["effects", "-"], input);
         let text = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{input:?}: {text}");

@@ -1,4 +1,5 @@
-//! Every classic mistake is seen: it changes the picture of some case or the answer to some unit check.
+//! Every classic mistake is seen: it changes the picture of some case or the answer to some unit
+//! check.
 
 use cases::Course;
 use cases::course::{self, DECISIONS, Decision, Deviation, Legal};
@@ -12,8 +13,11 @@ use reference::rules::{Depth, Lecture, RuleSource, Rules};
 use reference::world::World;
 
 fn stages() -> Vec<Stage> {
-    stage::load_all(concat!(env!("CARGO_MANIFEST_DIR"), "/../cases/stages").as_ref(), &cases::Course::default())
-        .unwrap()
+    stage::load_all(
+        concat!(env!("CARGO_MANIFEST_DIR"), "/../cases/stages").as_ref(),
+        &cases::Course::default(),
+    )
+    .unwrap()
 }
 
 /// The cases of all stages, small, with the pictures that the lecture's rules give.
@@ -40,7 +44,8 @@ fn n_changed(one: &Image, other: &Image) -> usize {
     one.pixels().iter().zip(other.pixels()).filter(|pair| differs(*pair)).count()
 }
 
-/// A normal that faces away from the viewer, as an interpolated one may near a silhouette: N·H = −0.2/√0.4 < 0.
+/// A normal that faces away from the viewer, as an interpolated one may near a silhouette: N·H =
+/// −0.2/√0.4 < 0.
 fn turned_away() -> Ask {
     let material = r#"{"name":"gloss","ke":[0,0,0],"ka":[0,0,0],"kd":[0,0,0],"ks":[1,1,1],"kt":[0,0,0],"kr":[0,0,0],"ns":2,"index":1}"#;
     Ask::LightTerm {
@@ -56,19 +61,28 @@ fn turned_away() -> Ask {
 fn every_misconception_changes_some_case_or_check() {
     let stages = stages();
     let worlds = worlds(&stages);
-    let asks: Vec<_> = stages.iter().flat_map(|stage| &stage.checks).map(|check| &check.ask).collect();
+    let asks: Vec<_> =
+        stages.iter().flat_map(|stage| &stage.checks).map(|check| &check.ask).collect();
     let turned_away = turned_away();
     for (id, world, lecture) in &worlds {
         let mine = picture(world, &reference::rules::Rules::LECTURE);
-        assert_eq!(mine.pixels(), lecture.pixels(), "{id}: rules as a value give other bits than rules as a constant");
+        assert_eq!(
+            mine.pixels(),
+            lecture.pixels(),
+            "{id}: rules as a value give other bits than rules as a constant"
+        );
     }
     let is_unseen = |m: &&'static Misconception| {
         let rules = m.on(&Rules::LECTURE);
         let mut asks = asks.iter().copied().chain([&turned_away]);
         let asked = asks.any(|ask| answer(&rules, ask) != answer(Lecture, ask));
-        !asked && worlds.iter().all(|(_, world, lecture)| n_changed(&picture(world, &rules), lecture) == 0)
+        !asked
+            && worlds
+                .iter()
+                .all(|(_, world, lecture)| n_changed(&picture(world, &rules), lecture) == 0)
     };
-    let unseen: Vec<_> = misconceptions::of(&Rules::LECTURE).into_iter().filter(is_unseen).map(|m| m.id).collect();
+    let unseen: Vec<_> =
+        misconceptions::of(&Rules::LECTURE).into_iter().filter(is_unseen).map(|m| m.id).collect();
     assert!(unseen.is_empty(), "no case and no check shows {unseen:?}");
 }
 
@@ -96,7 +110,9 @@ fn everywhere() -> Vec<&'static Misconception> {
     let mut all = misconceptions::of(&Rules::LECTURE);
     for deviation in deviations() {
         let more = misconceptions::of(&Rules::of(&deviation.course));
-        all.extend(more.into_iter().filter(|new| all.iter().all(|m| m.id != new.id)).collect::<Vec<_>>());
+        all.extend(
+            more.into_iter().filter(|new| all.iter().all(|m| m.id != new.id)).collect::<Vec<_>>(),
+        );
     }
     all
 }
@@ -111,7 +127,8 @@ fn in_every_course_each_mistake_is_one_and_no_two_are_the_same() {
     for Deviation { line: name, course, .. } in deviations() {
         let rules = Rules::of(&course);
         assert_ne!(rules, Rules::LECTURE, "{name} changes nothing");
-        let mistaken: Vec<_> = misconceptions::of(&rules).into_iter().map(|m| (m.id, m.on(&rules))).collect();
+        let mistaken: Vec<_> =
+            misconceptions::of(&rules).into_iter().map(|m| (m.id, m.on(&rules))).collect();
         for (n, (id, mistake)) in mistaken.iter().enumerate() {
             assert_ne!(*mistake, rules, "{id} is what the course with {name} asks for");
             for (other, same) in &mistaken[..n] {
@@ -121,22 +138,31 @@ fn in_every_course_each_mistake_is_one_and_no_two_are_the_same() {
     }
 }
 
-/// Anything else that a course could have chosen is a mistake, but for what students may choose themselves. A
-/// program that counts rows from the other end draws the picture upside down, and one that allows a bounce
-/// more does so at max_depth 0 too.
+/// Anything else that a course could have chosen is a mistake, but for what students may choose
+/// themselves. A program that counts rows from the other end draws the picture upside down, and one
+/// that allows a bounce more does so at max_depth 0 too.
 #[test]
 fn every_other_choice_of_a_course_is_a_mistake_in_it() {
-    let is_free = |decision: &&Decision| !["epsilon", "bytes", "always_simulated"].contains(&decision.key);
+    let is_free =
+        |decision: &&Decision| !["epsilon", "bytes", "always_simulated"].contains(&decision.key);
     let of = |text: &str| Rules::of(&course::parse("course.toml", text).unwrap());
     for decision in DECISIONS.iter().filter(is_free) {
-        let Legal::OneOf(values) = decision.legal else { panic!("{} is no choice among values", decision.key) };
-        let courses: Vec<Rules> = values.iter().map(|(value, _)| of(&format!("{} = {value}", decision.key))).collect();
+        let Legal::OneOf(values) = decision.legal else {
+            panic!("{} is no choice among values", decision.key)
+        };
+        let courses: Vec<Rules> =
+            values.iter().map(|(value, _)| of(&format!("{} = {value}", decision.key))).collect();
         for (rules, (value, _)) in courses.iter().zip(values) {
             let wrong: Vec<Rules> = misconceptions::of(rules).iter().map(|m| m.on(rules)).collect();
             for other in courses.iter().filter(|other| *other != rules) {
-                let depth = if other.depth == Depth::OneMore { Depth::LessOrEqual } else { other.depth };
+                let depth =
+                    if other.depth == Depth::OneMore { Depth::LessOrEqual } else { other.depth };
                 let program = Rules { picture_from_top: rules.picture_from_top, depth, ..*other };
-                assert!(wrong.contains(&program), "{} = {value}: another choice is no known mistake", decision.key);
+                assert!(
+                    wrong.contains(&program),
+                    "{} = {value}: another choice is no known mistake",
+                    decision.key
+                );
             }
         }
     }
@@ -147,7 +173,12 @@ fn every_function_to_look_at_is_one_of_the_template() {
     let template = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../student_template/src");
     for m in everywhere() {
         let (file, function) = m.look_at.split_once(' ').unwrap();
-        let text = std::fs::read_to_string(template.join(file)).unwrap_or_else(|why| panic!("{}: {file}: {why}", m.id));
-        assert!(text.contains(&format!("pub fn {function}(")), "{}: {file} has no {function}", m.id);
+        let text = std::fs::read_to_string(template.join(file))
+            .unwrap_or_else(|why| panic!("{}: {file}: {why}", m.id));
+        assert!(
+            text.contains(&format!("pub fn {function}(")),
+            "{}: {file} has no {function}",
+            m.id
+        );
     }
 }

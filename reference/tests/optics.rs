@@ -39,14 +39,18 @@ fn a_transmitted_ray_obeys_snell_and_none_is_lost_below_the_critical_angle() {
             None => assert!(sin_t > 1.0 - 1e-14, "lost at sin θ_t = {sin_t}"),
             Some(t) => {
                 assert!((t.length() - 1.0).abs() < 1e-14, "length {}", t.length());
-                assert!((t.cross(n) * eta_t - d.cross(n) * eta_i).length() < 1e-13, "Snell, as vectors: co-planar too");
+                assert!(
+                    (t.cross(n) * eta_t - d.cross(n) * eta_i).length() < 1e-13,
+                    "Snell, as vectors: co-planar too"
+                );
                 assert!(t.dot(n) <= 0.0, "goes to the other side");
             }
         }
     }
 }
 
-/// Grazing rays, normals up to edge on and beyond, indices up to the critical angle: R leaves the surface and T crosses it, to the last place.
+/// Grazing rays, normals up to edge on and beyond, indices up to the critical angle: R leaves the
+/// surface and T crosses it, to the last place.
 #[test]
 fn smooth_rays_go_to_the_side_they_should() {
     let mut random = Random(0xabcd_ef01_9abc_def1);
@@ -57,12 +61,14 @@ fn smooth_rays_go_to_the_side_they_should() {
         let share = cases::maths::pow(10.0, -18.0 * random.share());
         let d = if random.share() < 0.5 { (across + d * share).normalize() } else { d };
         let d = if d.dot(n) > 0.0 { d - n * (2.0 * d.dot(n)) } else { d };
-        let n_shading = if random.share() < 0.3 { n } else { (n + random.unit() * random.share()).normalize() };
+        let n_shading =
+            if random.share() < 0.3 { n } else { (n + random.unit() * random.share()).normalize() };
         let [d, n, n_shading] = [d, n, n_shading].map(Vec3::<f64>::of);
         let r = smooth_reflect(Lecture, d, n, n_shading);
         assert!(r.dot(n) > 0.0, "R = {r:?} of {d:?} at {n:?}");
         assert!((r.length() - 1.0).abs() < 1e-14);
-        let critical = if random.share() < 0.5 { d.cross(n_shading).length() * eta_i } else { eta_t };
+        let critical =
+            if random.share() < 0.5 { d.cross(n_shading).length() * eta_i } else { eta_t };
         let Some(t) = smooth_refract(Lecture, d, n, n_shading, (eta_i, critical)) else { continue };
         assert!(t.dot(n) < 0.0, "T = {t:?} of {d:?} at {n:?}");
         assert!((t.length() - 1.0).abs() < 1e-14);

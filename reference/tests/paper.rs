@@ -108,16 +108,24 @@ fn glass_tints_a_shadow_on_the_way_in_and_on_the_way_out() {
         sphere = { center = [0, 9, 0] }
         material = "chalk"
     "#;
-    let shadow = |x| colour(&Ask::Shadow { scene: Box::new(scene(text)), light: 0, point: DVec3::new(x, -1.0, 0.0) });
+    let shadow = |x| {
+        colour(&Ask::Shadow {
+            scene: Box::new(scene(text)),
+            light: 0,
+            point: DVec3::new(x, -1.0, 0.0),
+        })
+    };
     check(shadow(0.0), [0.25, 0.0625, 1.0]); // the ball behind the lamp hides nothing
     check(shadow(4.0), [1.0, 1.0, 1.0]);
 }
 
 /// S at (0, 0, −1) of a lamp at (0, 0, 4) behind unit squares in one place, z = 0.
 fn behind_squares(materials: [&str; 2]) -> DVec3 {
-    let head = "[scene.materials]\nglass = { kt = [0.5, 0.25, 1], index = 1.5 }\nwood = { kd = [1, 1, 1] }\n";
+    let head = "[scene.materials]\nglass = { kt = [0.5, 0.25, 1], index = 1.5 }\n\
+        wood = { kd = [1, 1, 1] }\n";
     let lamp = "[[scene.lights]]\npoint = { position = [0, 0, 4], colour = [1, 1, 1] }\n";
-    let squares = materials.map(|m| format!("[[scene.objects]]\nsquare = {{}}\nmaterial = \"{m}\"\n"));
+    let squares =
+        materials.map(|m| format!("[[scene.objects]]\nsquare = {{}}\nmaterial = \"{m}\"\n"));
     let scene = scene(&format!("{head}{lamp}{}", squares.concat()));
     colour(&Ask::Shadow { scene: Box::new(scene), light: 0, point: DVec3::new(0.0, 0.0, -1.0) })
 }
@@ -188,9 +196,13 @@ fn a_slab_of_glass_shifts_a_ray_and_keeps_its_direction() {
 #[test]
 fn at_the_critical_angle_a_ray_still_leaves() {
     // sin θ_c = 3/5 between the indices 5 and 3
-    let refract = |direction| answer(Lecture, &Ask::Refract { direction, normal: DVec3::Y, eta_i: 5.0, eta_t: 3.0 });
+    let refract = |direction| {
+        answer(Lecture, &Ask::Refract { direction, normal: DVec3::Y, eta_i: 5.0, eta_t: 3.0 })
+    };
     // no unit vector of doubles has that angle, but (3, −4, 0) does
-    let Answer::Vector(along) = refract(DVec3::new(3.0, -4.0, 0.0)) else { panic!("exactly critical is transmitted") };
+    let Answer::Vector(along) = refract(DVec3::new(3.0, -4.0, 0.0)) else {
+        panic!("exactly critical is transmitted")
+    };
     assert!(along.distance(DVec3::X) < 1e-15, "{along}");
     assert_eq!(refract(DVec3::new(0.61, -(1.0f64 - 0.61 * 0.61).sqrt(), 0.0)), Answer::Miss(true));
 }
@@ -198,15 +210,18 @@ fn at_the_critical_angle_a_ray_still_leaves() {
 #[test]
 fn a_mirrored_ray_that_would_enter_the_object_is_mirrored_by_the_geometric_normal() {
     let direction = DVec3::new(0.8, -0.6, 0.0);
-    let reflect = |n_shading| answer(Lecture, &Ask::SmoothReflect { direction, n_geom: DVec3::Y, n_shading });
+    let reflect =
+        |n_shading| answer(Lecture, &Ask::SmoothReflect { direction, n_geom: DVec3::Y, n_shading });
     // About (0.8, 0.6, 0) the ray would go to (0.352, −0.936, 0), below the surface.
     assert_eq!(reflect(DVec3::new(0.8, 0.6, 0.0)), Answer::Vector(DVec3::new(0.8, 0.6, 0.0)));
-    let Answer::Vector(kept) = reflect(DVec3::new(-0.6, 0.8, 0.0)) else { panic!("a mirrored ray is always there") };
+    let Answer::Vector(kept) = reflect(DVec3::new(-0.6, 0.8, 0.0)) else {
+        panic!("a mirrored ray is always there")
+    };
     assert!(kept.distance(DVec3::new(-0.352, 0.936, 0.0)) < 1e-15, "{kept}"); // d·N = −0.96
 }
 
-/// The limit of 1/(a r² + b r + c): a term of coefficient 0 counts for nothing however far the light is, and any
-/// other one without end.
+/// The limit of 1/(a r² + b r + c): a term of coefficient 0 counts for nothing however far the
+/// light is, and any other one without end.
 #[test]
 fn attenuation_has_its_limit_infinitely_far_away() {
     let table = [

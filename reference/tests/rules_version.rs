@@ -1,5 +1,5 @@
-//! Whoever changes an answer of the reference raises `RULES_VERSION`, so that answers of the version
-//! before are refused wherever they are stored.
+//! Whoever changes an answer of the reference raises `RULES_VERSION`, so that answers of the
+//! version before are refused wherever they are stored.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -24,42 +24,52 @@ impl Progress for Unwatched {
     }
 }
 
-/// Returns a hash of the answers to the fixed questions in the lecture and in every course that differs
-/// from it in one key, without the digests in them, which have the version.
+/// Returns a hash of the answers to the fixed questions in the lecture and in every course that
+/// differs from it in one key, without the digests in them, which have the version.
 fn hash() -> String {
     let others = cases::course::deviations().into_iter().map(|deviation| deviation.course);
     let mut hasher = Sha256::new();
     for course in [Course::default()].into_iter().chain(others) {
-        let stages = stage::load_all(&data("rules"), &course).unwrap_or_else(|problems| panic!("{problems}"));
+        let stages = stage::load_all(&data("rules"), &course)
+            .unwrap_or_else(|problems| panic!("{problems}"));
         let set = Set::new(stages, &course);
-        let answers = expect::of_set(&data("rules"), &set, |_| true, &Unwatched).unwrap_or_else(|why| panic!("{why}"));
+        let answers = expect::of_set(&data("rules"), &set, |_| true, &Unwatched)
+            .unwrap_or_else(|why| panic!("{why}"));
         for case in &answers.cases {
             hasher.update(format!("{:?} {:?}", case.answer, case.wrong));
         }
         for check in set.stages.iter().flat_map(|stage| &stage.checks) {
             let answer = expect::of_check(check, &course).unwrap_or_else(|why| panic!("{why}"));
-            hasher.update(format!("{:?} {} {} {:?}", answer.answer, answer.allowed, answer.either, answer.wrong));
+            hasher.update(format!(
+                "{:?} {} {} {:?}",
+                answer.answer, answer.allowed, answer.either, answer.wrong
+            ));
         }
     }
     hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// A line of the file: a version of the rules, and the hash of the answers in it. `BLESS=1` adds the line of
-/// a new version, and never changes one.
+/// A line of the file: a version of the rules, and the hash of the answers in it. `BLESS=1` adds
+/// the line of a new version, and never changes one.
 #[test]
 fn other_answers_have_another_version() {
     let path = data("rules_versions.txt");
     let stored = || fs::read_to_string(&path).unwrap_or_default();
     let current = format!("{RULES_VERSION} {}", hash());
-    let of_version = |text: &str| text.lines().any(|line| line.starts_with(&format!("{RULES_VERSION} ")));
+    let of_version =
+        |text: &str| text.lines().any(|line| line.starts_with(&format!("{RULES_VERSION} ")));
     if std::env::var_os("BLESS").is_some() && !of_version(&stored()) {
         fs::write(&path, stored() + &current + "\n").unwrap();
     }
     let stored = stored();
-    assert!(of_version(&stored), "version {RULES_VERSION} of the rules is new: BLESS=1 notes the hash of its answers");
+    assert!(
+        of_version(&stored),
+        "version {RULES_VERSION} of the rules is new: BLESS=1 notes the hash of its answers"
+    );
     assert!(
         stored.lines().any(|line| line == current),
-        "the reference answers otherwise than in version {RULES_VERSION} of the rules: raise `RULES_VERSION` in \
+        "the reference answers otherwise than in version {RULES_VERSION} of the rules: raise \
+            `RULES_VERSION` in \
          cases/src/answer/digest.rs, then BLESS=1 notes the new hash"
     );
 }

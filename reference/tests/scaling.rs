@@ -1,4 +1,5 @@
-//! A scene times a power of two has meetings at t times that power: to the bit where the formulas have room, to a few last places where they have not.
+//! A scene times a power of two has meetings at t times that power: to the bit where the formulas
+//! have room, to a few last places where they have not.
 
 mod common;
 
@@ -12,7 +13,8 @@ use reference::vec3::Vec3;
 
 const N_DRAWS: usize = 300;
 
-/// Shapes in a scene of that scale, whatever their number; some of them are met from nearby, along a border, or not at all.
+/// Shapes in a scene of that scale, whatever their number; some of them are met from nearby, along
+/// a border, or not at all.
 fn shapes(random: &mut Random, e: i32) -> Vec<Solid<f64>> {
     let (at, size) = (random.unit() * 0.7, 0.1 + random.share());
     let (point, length) = (|v: DVec3| Vec3::of(v).map(|x| scaled(x, e)), |x: f64| scaled(x, e));
@@ -40,7 +42,9 @@ fn ts(seed: u64, e: i32) -> Vec<Option<f64>> {
     let length = |v: DVec3| Vec3::of(v).map(|x| scaled(x, e));
     let (origin, aim) = (random.unit() * 3.0, random.unit() * random.share());
     let ray = Ray::all_of(length(origin), Vec3::of((aim - origin).normalize()));
-    let corners = [random.unit(), random.unit(), if random.share() < 0.3 { aim } else { random.unit() }].map(length);
+    let corners =
+        [random.unit(), random.unit(), if random.share() < 0.3 { aim } else { random.unit() }]
+            .map(length);
     let triangle = Triangle { corners }.meet(Lecture, &ray, &Shear::of(&ray), 0);
     let solids = shapes(&mut random, e).into_iter().map(|solid| solid.meet(Lecture, &ray));
     solids.chain([triangle]).map(|met| met.map(|met| scaled(met.t, -e))).collect()
@@ -59,7 +63,10 @@ fn a_scene_times_a_power_of_two_is_met_there() {
             for (n, (t, there)) in here.iter().zip(ts(seed, e)).enumerate() {
                 assert_eq!(t.is_some(), there.is_some(), "draw {draw}, shape {n}, times 2^{e}");
                 let (t, there) = (t.unwrap_or(0.0), there.unwrap_or(0.0));
-                assert!((t - there).abs() <= 1e-11 * t, "draw {draw}, shape {n}, times 2^{e}: {there} is not {t}");
+                assert!(
+                    (t - there).abs() <= 1e-11 * t,
+                    "draw {draw}, shape {n}, times 2^{e}: {there} is not {t}"
+                );
             }
         }
         n_met += here.iter().flatten().count();
@@ -72,13 +79,21 @@ fn a_scene_times_a_power_of_two_is_met_there() {
 fn what_is_degenerate_is_a_number_or_a_miss() {
     let sphere = Solid::Sphere(Sphere { center: Vec3::ZERO, radius: 0.0 });
     let through = Ray::all_of(Vec3::new(0.0, 0.0, -5.0), Vec3::new(0.0, 0.0, 1.0));
-    let met = sphere.meet(Lecture, &through).expect("a ray through a sphere without radius meets it");
-    assert_eq!((met.t, sphere.normal_where(Lecture, &through, &met)), (5.0, Vec3::new(0.0, 0.0, -1.0)));
+    let met =
+        sphere.meet(Lecture, &through).expect("a ray through a sphere without radius meets it");
+    assert_eq!(
+        (met.t, sphere.normal_where(Lecture, &through, &met)),
+        (5.0, Vec3::new(0.0, 0.0, -1.0))
+    );
     let mut random = Random(0x1111_2222_3333_4444);
-    for direction in [Vec3::ZERO, Vec3::new(f64::NAN, 0.0, 1.0), Vec3::new(f64::INFINITY, 0.0, 1.0)] {
+    for direction in [Vec3::ZERO, Vec3::new(f64::NAN, 0.0, 1.0), Vec3::new(f64::INFINITY, 0.0, 1.0)]
+    {
         let ray = Ray::all_of(Vec3::new(0.1, 0.2, 0.3), direction);
         for solid in shapes(&mut random, 0) {
-            assert!(solid.meet(Lecture, &ray).is_none_or(|met| !met.t.is_nan()), "{solid:?} along {direction:?}");
+            assert!(
+                solid.meet(Lecture, &ray).is_none_or(|met| !met.t.is_nan()),
+                "{solid:?} along {direction:?}"
+            );
         }
     }
 }

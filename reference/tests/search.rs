@@ -1,4 +1,5 @@
-//! Trees find what a walk through the whole list finds, bit for bit; threads change nothing; single precision stays close.
+//! Trees find what a walk through the whole list finds, bit for bit; threads change nothing; single
+//! precision stays close.
 
 mod common;
 
@@ -22,7 +23,8 @@ use reference::world::{Search, World};
 /// Many shapes in disorder, some meshes with triangles that share edges, some without area.
 fn disorder(random: &mut Random) -> cases::Scene {
     let mut text = String::from(
-        "[scene.materials.m]\nkd = [0.5, 0.6, 0.7]\n[[scene.lights]]\ndirectional = { direction = [0, -1, -1], colour = [1, 1, 1] }\n",
+        "[scene.materials.m]\nkd = [0.5, 0.6, 0.7]\n[[scene.lights]]\n\
+            directional = { direction = [0, -1, -1], colour = [1, 1, 1] }\n",
     );
     let shapes = [
         "sphere = {}",
@@ -40,21 +42,27 @@ fn disorder(random: &mut Random) -> cases::Scene {
         let shape = shapes[n % shapes.len()];
         write!(
             text,
-            "[[scene.objects]]\n{shape}\nmaterial = \"m\"\ntransforms = [{{ scale = [{size}, 0.5, {size}] }}, {{ rotate = {{ axis = [1, 2, 3], angle_deg = {turn} }} }}, {{ translate = {at:?} }}]\n"
+            "[[scene.objects]]\n{shape}\nmaterial = \"m\"\n\
+                transforms = [{{ scale = [{size}, 0.5, {size}] }}, {{ rotate = {{ axis = [1, 2, \
+                3], angle_deg = {turn} }} }}, {{ translate = {at:?} }}]\n"
         )
         .unwrap();
     }
-    let vertices: Vec<[f64; 3]> = (0..60).map(|_| [random.signed(), random.signed(), random.signed()]).collect();
-    let triangles: Vec<[usize; 3]> = (0..58).map(|i| [i, i + 1, if i % 9 == 0 { i } else { i + 2 }]).collect();
+    let vertices: Vec<[f64; 3]> =
+        (0..60).map(|_| [random.signed(), random.signed(), random.signed()]).collect();
+    let triangles: Vec<[usize; 3]> =
+        (0..58).map(|i| [i, i + 1, if i % 9 == 0 { i } else { i + 2 }]).collect();
     write!(
         text,
-        "[[scene.objects]]\nmaterial = \"m\"\nmesh = {{ vertices = {vertices:?}, triangles = {triangles:?} }}\n"
+        "[[scene.objects]]\nmaterial = \"m\"\n\
+            mesh = {{ vertices = {vertices:?}, triangles = {triangles:?} }}\n"
     )
     .unwrap();
     scene(&text)
 }
 
-/// Flat things along the axes, in one place or side by side: boxes without thickness, faces that touch, triangles that lie on one another.
+/// Flat things along the axes, in one place or side by side: boxes without thickness, faces that
+/// touch, triangles that lie on one another.
 fn order() -> cases::Scene {
     let mut text = String::from("[scene.materials.m]\nkd = [0.5, 0.6, 0.7]\n");
     for n in 0..16 {
@@ -63,7 +71,8 @@ fn order() -> cases::Scene {
             0 => format!("box = {{ min = [{x}, {y}, 0], max = [{}, {}, 1] }}", x + 1, y + 1),
             1 => format!("square = {{}}\ntransforms = [{{ translate = [{x}.5, {y}.5, 0] }}]"),
             _ => format!(
-                "mesh = {{ vertices = [[{x}, {y}, 0], [{0}, {y}, 0], [{0}, {1}, 0], [{x}, {1}, 0]], triangles = [[0, 1, 2], [0, 2, 3], [0, 1, 3], [2, 1, 0]] }}",
+                "mesh = {{ vertices = [[{x}, {y}, 0], [{0}, {y}, 0], [{0}, {1}, 0], [{x}, {1}, \
+                    0]], triangles = [[0, 1, 2], [0, 2, 3], [0, 1, 3], [2, 1, 0]] }}",
                 x + 1,
                 y + 1
             ),
@@ -85,17 +94,24 @@ impl<T: Real> Ways<T> {
     fn of(scene: &cases::Scene) -> Self {
         let scan = World::with_search(scene, Search::Scan);
         let tree = World::with_search(scene, Search::Tree);
-        Self { scan, trees: Lanes::all().into_iter().map(|lanes| tree.clone().with_lanes(lanes)).collect() }
+        Self {
+            scan,
+            trees: Lanes::all().into_iter().map(|lanes| tree.clone().with_lanes(lanes)).collect(),
+        }
     }
 
-    /// Whether the ray meets anything: what it meets is the same to the bit in every way, and all trees take the same steps.
+    /// Whether the ray meets anything: what it meets is the same to the bit in every way, and all
+    /// trees take the same steps.
     fn meets(&self, ray: &Ray<T>) -> bool {
         let search = |world: &World<T>| {
             let mut work = Amounts::default();
             let hit = format!("{:?}", world.nearest(Lecture, ray, &mut work));
             let is_met = world.occluded(Lecture, ray, &mut work);
             let mut crossings = Crossings::none();
-            assert!(world.crossings(Lecture, ray, |_| false, &mut crossings, &mut work), "nothing blocks {ray:?}");
+            assert!(
+                world.crossings(Lecture, ray, |_| false, &mut crossings, &mut work),
+                "nothing blocks {ray:?}"
+            );
             ((hit, is_met, format!("{crossings:?}")), work)
         };
         let (found, _) = search(&self.scan);
@@ -141,13 +157,21 @@ fn trees_find_what_lists_find_along_axes_and_within_planes() {
 fn trees_find_what_lists_find_from_afar() {
     let ways = Ways::<f64>::of(&order());
     let mut n_hits = 0;
-    for (axis, distance) in (0..3).flat_map(|axis| [1e3_f64, -1e5, 1e7, -1e9].map(|distance| (axis, distance))) {
+    for (axis, distance) in
+        (0..3).flat_map(|axis| [1e3_f64, -1e5, 1e7, -1e9].map(|distance| (axis, distance)))
+    {
         let mut direction = DVec3::ZERO;
         direction[axis] = -distance.signum();
-        for (a, b) in (-8..=8).flat_map(|a| (-8..=8).map(move |b| (f64::from(a) / 4.0, f64::from(b) / 4.0))) {
+        for (a, b) in
+            (-8..=8).flat_map(|a| (-8..=8).map(move |b| (f64::from(a) / 4.0, f64::from(b) / 4.0)))
+        {
             let mut origin = DVec3::splat(distance);
             (origin[(axis + 1) % 3], origin[(axis + 2) % 3]) = (a, b);
-            n_hits += usize::from(ways.meets(&Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(direction))));
+            n_hits += usize::from(ways.meets(&Ray::leaving(
+                Lecture,
+                Vec3::of(origin),
+                Vec3::of(direction),
+            )));
         }
     }
     assert!(n_hits > 1000, "only {n_hits} rays hit anything: the scene tests nothing");
@@ -160,9 +184,17 @@ fn trees_find_what_lists_find_however_long_the_direction() {
     let mut n_hits = 0;
     for n in 0..4000 {
         let size = [1e-308, 4.6e-308, 1e-292, 1e-280, 1e-100, 1e100, 1e280, 1e300][n % 8];
-        let slopes = DVec3::new(1.0, [0.12, 0.01, 1e-9][n % 3], if n % 2 == 0 { 0.0 } else { random.signed() });
+        let slopes = DVec3::new(
+            1.0,
+            [0.12, 0.01, 1e-9][n % 3],
+            if n % 2 == 0 { 0.0 } else { random.signed() },
+        );
         let origin = DVec3::new(-3.0, random.signed() * 2.0, random.signed());
-        n_hits += usize::from(ways.meets(&Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(slopes * size))));
+        n_hits += usize::from(ways.meets(&Ray::leaving(
+            Lecture,
+            Vec3::of(origin),
+            Vec3::of(slopes * size),
+        )));
     }
     assert!(n_hits > 1000, "only {n_hits} rays hit anything: the scene tests nothing");
 }
@@ -177,8 +209,11 @@ fn trees_find_what_lists_find<T: Real>() {
         for n in 0..1500 {
             let origin = random.unit() * 4.0;
             // Half of the rays go anywhere, half straight at a vertex, where several triangles tie.
-            let direction =
-                if n % 2 == 0 { random.unit() } else { (vertices[n % vertices.len()] - origin).normalize() };
+            let direction = if n % 2 == 0 {
+                random.unit()
+            } else {
+                (vertices[n % vertices.len()] - origin).normalize()
+            };
             let ray = Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(direction));
             n_hits += usize::from(ways.meets(&ray));
         }
@@ -196,7 +231,8 @@ fn trees_find_what_lists_find_in_single_precision() {
     trees_find_what_lists_find::<f32>();
 }
 
-/// Rays from the eyes of all public cases, and from where they meet something in a direction that points anywhere.
+/// Rays from the eyes of all public cases, and from where they meet something in a direction that
+/// points anywhere.
 #[test]
 fn trees_find_what_lists_find_in_every_public_case() {
     let stages = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
@@ -211,7 +247,11 @@ fn trees_find_what_lists_find_in_every_public_case() {
                 let ray = lens.eye_ray(Lecture, pixel, (random.share(), random.share()));
                 n_hits += usize::from(ways.meets(&ray));
                 if let Some(hit) = ways.scan.nearest(Lecture, &ray, &mut ()) {
-                    ways.meets(&Ray::spawned(Lecture, &hit.spot(hit.n_geom), Vec3::of(random.unit())));
+                    ways.meets(&Ray::spawned(
+                        Lecture,
+                        &hit.spot(hit.n_geom),
+                        Vec3::of(random.unit()),
+                    ));
                 }
             }
         }
@@ -229,11 +269,13 @@ fn mapped(scene: &cases::Scene, map: DAffine3) -> cases::Scene {
     scene
 }
 
-/// Where rounding on the way to object space is large: far from the origin, at extreme sizes, through matrices that are nearly singular.
+/// Where rounding on the way to object space is large: far from the origin, at extreme sizes,
+/// through matrices that are nearly singular.
 fn trees_find_what_lists_find_in_far_and_flat_worlds<T: Real>() {
     let mut random = Random(0xfa5_7a4d_f1a7);
     let turn = DAffine3::from_axis_angle(DVec3::new(0.48, 0.6, 0.64), 0.8);
-    let flat = |least: f64| turn * DAffine3::from_scale(DVec3::new(1.0, 1.0, least)) * turn.inverse();
+    let flat =
+        |least: f64| turn * DAffine3::from_scale(DVec3::new(1.0, 1.0, least)) * turn.inverse();
     let far = |by: f64| DAffine3::from_translation(DVec3::new(by, -0.7 * by, 0.3 * by));
     let sized = |k: f64| DAffine3::from_scale(DVec3::splat(k));
     let maps = [far(1e4), far(1e6), far(1e8), sized(1e-8), sized(1e8), far(1e6) * sized(1e-3)];
@@ -282,7 +324,9 @@ fn single_precision_is_close_to_double() {
     let (single, _) = render(&single, Lecture, &Options::of(&single), |_| {});
     let (double, _) = render(&double, Lecture, &Options::of(&double), |_| {});
     let pairs = single.pixels().iter().zip(double.pixels());
-    let differs = |(a, b): &(&glam::DVec3, &glam::DVec3)| (0..3).any(|c| (level(a[c]) - level(b[c])).abs() > 0.5);
+    let differs = |(a, b): &(&glam::DVec3, &glam::DVec3)| {
+        (0..3).any(|c| (level(a[c]) - level(b[c])).abs() > 0.5)
+    };
     let n_out = pairs.filter(differs).count();
     assert!(n_out <= 4, "{n_out} of 432 pixels differ by more than half a level"); // at silhouettes
     assert_ne!(single, double, "both pictures are in the same precision");
@@ -294,7 +338,9 @@ fn a_ray_of_a_kind_that_is_off_is_never_cast() {
     scene.materials[0].kr = DVec3::splat(0.5);
     scene.materials[0].kt = DVec3::splat(0.5);
     let world = World::<f64>::new(&scene);
-    let rays = |effects| render(&world, Lecture, &Options { effects, ..Options::of(&world) }, |_| {}).1.rays;
+    let rays = |effects| {
+        render(&world, Lecture, &Options { effects, ..Options::of(&world) }, |_| {}).1.rays
+    };
     let all = rays(cases::Effects::all());
     assert!(all.shadow > 0 && all.reflected > 0 && all.refracted > 0, "{all:?}");
     let none = rays(cases::Effects::NONE);

@@ -1,5 +1,5 @@
-//! The kernel that is made for a scene gives the same picture as the one that can do everything, bit for bit: on every public case and on
-//! 1,000 others.
+//! The kernel that is made for a scene gives the same picture as the one that can do everything,
+//! bit for bit: on every public case and on 1,000 others.
 
 use std::path::{Path, PathBuf};
 
@@ -26,8 +26,9 @@ fn bits(image: &Image) -> Vec<[u64; 3]> {
     image.pixels().iter().map(|light| light.to_array().map(f64::to_bits)).collect()
 }
 
-/// Renders `case` in this size by its own effects and the kernel that is made for them, by the one that can do everything, by rules that are looked
-/// up, under a count, and with every effect that its stage allows: five times the same picture.
+/// Renders `case` in this size by its own effects and the kernel that is made for them, by the one
+/// that can do everything, by rules that are looked up, under a count, and with every effect that
+/// its stage allows: five times the same picture.
 #[track_caller]
 fn check(case: &Case, allowed: Effects, (width, height): (u32, u32)) {
     let mut scene = case.scene.clone();
@@ -41,8 +42,11 @@ fn check(case: &Case, allowed: Effects, (width, height): (u32, u32)) {
     let (counted, stats, _) = count_by(&world, &Rules::LECTURE, &own, |_| {});
     assert_eq!([special.1, looked_up.1, stats], [general.1; 3], "{}", case.id);
     let right = bits(&special.0);
-    let pictures = [general.0, looked_up.0, counted, render(&world, Lecture, &everything, |_| {}).0];
-    for (picture, how) in pictures.iter().zip(["in general", "by rules", "counted", "with everything"]) {
+    let pictures =
+        [general.0, looked_up.0, counted, render(&world, Lecture, &everything, |_| {}).0];
+    for (picture, how) in
+        pictures.iter().zip(["in general", "by rules", "counted", "with everything"])
+    {
         assert!(bits(picture) == right, "{} {how} is another picture:\n{scene:?}", case.id);
     }
 }
@@ -50,28 +54,37 @@ fn check(case: &Case, allowed: Effects, (width, height): (u32, u32)) {
 #[test]
 fn every_public_case_has_one_picture() {
     let stages = stages();
-    let all = || stages.iter().flat_map(|stage| stage.cases.iter().map(|case| (case, stage.allows)));
-    all().collect::<Vec<_>>().par_iter().for_each(|(case, allowed)| check(case, *allowed, (96, 72)));
+    let all =
+        || stages.iter().flat_map(|stage| stage.cases.iter().map(|case| (case, stage.allows)));
+    all()
+        .collect::<Vec<_>>()
+        .par_iter()
+        .for_each(|(case, allowed)| check(case, *allowed, (96, 72)));
     // each kind of kernel is chosen for some, or the test tests nothing
     let n = |is: &dyn Fn(Effects) -> bool| all().filter(|(case, _)| is(case.scene.effects)).count();
     let eye_alone = |effects| EyeAlone::new(effects, 0.0).is_some();
     let shadows = |effects| WithShadows::new(effects, 0.0).is_some();
     let figures = [n(&eye_alone), n(&|e| shadows(e) && !eye_alone(e)), n(&|e| !shadows(e))];
     assert!(figures.iter().all(|n| *n >= 8), "{figures:?}");
-    assert!(Effect::ALL.iter().all(|effect| n(&|e| e.has(*effect)) > 0 && n(&|e| !e.has(*effect)) > 0));
+    assert!(
+        Effect::ALL.iter().all(|effect| n(&|e| e.has(*effect)) > 0 && n(&|e| !e.has(*effect)) > 0)
+    );
 }
 
 #[test]
 fn a_thousand_others_have_one_picture_each() {
     let stages = stages();
-    let cases: Vec<(&Case, Effects)> =
-        stages.iter().flat_map(|stage| stage.cases.iter().map(|case| (case, stage.allows))).collect();
+    let cases: Vec<(&Case, Effects)> = stages
+        .iter()
+        .flat_map(|stage| stage.cases.iter().map(|case| (case, stage.allows)))
+        .collect();
     let n_seeds = 1000usize.div_ceil(cases.len()) as u64;
     cases.par_iter().for_each(|(case, allowed)| {
         let path = folder().join(format!("{}.toml", case.id));
         let text = std::fs::read_to_string(&path).unwrap();
         for seed in 0..n_seeds {
-            let drawn = draw_any(case, &path, &text, *allowed, seed).unwrap_or_else(|why| panic!("{why}"));
+            let drawn =
+                draw_any(case, &path, &text, *allowed, seed).unwrap_or_else(|why| panic!("{why}"));
             assert!(drawn.scene != case.scene, "{} does not move", case.id);
             check(&drawn, *allowed, (32, 24));
         }

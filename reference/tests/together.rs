@@ -20,7 +20,8 @@ fn stone(n: u32, rest: &str) -> cases::Scene {
     let mut random = Random(7);
     let mesh = "mesh = { vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles = [[0, 1, 2]] }";
     let mut scene = scene(&format!(
-        "[scene.materials.m]\nkd = [0.5, 0.6, 0.7]\n[[scene.objects]]\nmaterial = \"m\"\n{mesh}\n{rest}"
+        "[scene.materials.m]\nkd = [0.5, 0.6, 0.7]\n[[scene.objects]]\nmaterial = \"m\"\n{mesh}\n\
+            {rest}"
     ));
     scene.meshes[0] = globe(n, || 1.0 + 0.1 * random.signed());
     scene
@@ -39,14 +40,18 @@ impl<T: Real> Ways<T> {
         Self { scan: World::with_search(scene, Search::Scan), trees }
     }
 
-    /// How many of the rays meet something: each what it meets alone, by the same steps on every path.
+    /// How many of the rays meet something: each what it meets alone, by the same steps on every
+    /// path.
     fn check(&self, rays: &[Ray<T>]) -> usize {
-        let alone: Vec<_> = rays.iter().map(|ray| self.scan.nearest(Lecture, ray, &mut ())).collect();
+        let alone: Vec<_> =
+            rays.iter().map(|ray| self.scan.nearest(Lecture, ray, &mut ())).collect();
         let mut steps = vec![];
         for world in &self.trees {
             let mut work = Amounts::default();
             let together = rays.iter().zip(world.first_together(rays, &mut work));
-            let hit = |(ray, found): (&_, Option<_>)| found.map(|met| world.hit(Lecture, ray, met, true, &mut ()));
+            let hit = |(ray, found): (&_, Option<_>)| {
+                found.map(|met| world.hit(Lecture, ray, met, true, &mut ()))
+            };
             let together: Vec<_> = together.map(hit).collect();
             assert_eq!(format!("{together:?}"), format!("{alone:?}"), "along {rays:?}");
             steps.push(work);
@@ -60,10 +65,13 @@ fn to<T: Real>(origin: DVec3, targets: impl Iterator<Item = DVec3>) -> Vec<Ray<T
     targets.map(|to| Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(to - origin))).collect()
 }
 
-const BALL: &str = "[[scene.objects]]\nmaterial = \"m\"\nsphere = { center = [0.5, 0.5, 0.9], radius = 0.3 }\n";
-const TURNED: &str = "transforms = [{ scale = [1, 0.5, 2] }, { rotate = { axis = [1, 2, 3], angle_deg = 40 } }, { translate = [0.3, -0.2, 0.1] }]\n";
+const BALL: &str =
+    "[[scene.objects]]\nmaterial = \"m\"\nsphere = { center = [0.5, 0.5, 0.9], radius = 0.3 }\n";
+const TURNED: &str = "transforms = [{ scale = [1, 0.5, 2] }, { rotate = { axis = [1, 2, 3], \
+    angle_deg = 40 } }, { translate = [0.3, -0.2, 0.1] }]\n";
 
-/// Neighbouring rays from near and far, from within the mesh, and straight at corners and at the middles of edges.
+/// Neighbouring rays from near and far, from within the mesh, and straight at corners and at the
+/// middles of edges.
 fn neighbours_find_what_each_finds<T: Real>() {
     let mut random = Random(0x9ac_4e7);
     let (mut n_met, mut n_rays) = (0, 0);
@@ -86,7 +94,10 @@ fn neighbours_find_what_each_finds<T: Real>() {
             n_rays += rays.len();
         }
     }
-    assert!(n_met > n_rays / 3 && n_met < n_rays, "{n_met} of {n_rays} rays meet anything: it tests too little");
+    assert!(
+        n_met > n_rays / 3 && n_met < n_rays,
+        "{n_met} of {n_rays} rays meet anything: it tests too little"
+    );
 }
 
 #[test]
@@ -95,18 +106,25 @@ fn neighbours_find_what_each_finds_in_both_precisions() {
     neighbours_find_what_each_finds::<f32>();
 }
 
-/// Along axes and diagonals, with zeros of both signs, all from one point; among them rays that have nothing in common.
+/// Along axes and diagonals, with zeros of both signs, all from one point; among them rays that
+/// have nothing in common.
 #[test]
 fn rays_along_axes_find_what_each_finds() {
     let ways = Ways::<f64>::of(&stone(8, BALL));
     let steps = [-1.0, -0.0, 0.0, 1.0];
-    let all = || steps.into_iter().flat_map(move |x| steps.into_iter().flat_map(move |y| steps.map(|z| [x, y, z])));
+    let all = || {
+        steps
+            .into_iter()
+            .flat_map(move |x| steps.into_iter().flat_map(move |y| steps.map(|z| [x, y, z])))
+    };
     let mut n_met = 0;
     for origin in all().map(|[x, y, z]| DVec3::new(x, y, z) * 2.0) {
         let directions: Vec<DVec3> = all().map(DVec3::from).filter(|d| *d != DVec3::ZERO).collect();
         for directions in directions.chunks(5).chain(directions.chunks(1)) {
-            let rays: Vec<_> =
-                directions.iter().map(|d| Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(*d))).collect();
+            let rays: Vec<_> = directions
+                .iter()
+                .map(|d| Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(*d)))
+                .collect();
             n_met += ways.check(&rays);
         }
     }
@@ -117,7 +135,10 @@ fn rays_along_axes_find_what_each_finds() {
 #[test]
 fn rays_with_little_in_common_find_what_each_finds() {
     let ways = Ways::<f64>::of(&stone(8, BALL));
-    let rays = to::<f64>(DVec3::new(0.2, 0.1, 3.0), (0..MOST).map(|k| DVec3::new(0.01 * k as f64, 0.0, 0.0)));
+    let rays = to::<f64>(
+        DVec3::new(0.2, 0.1, 3.0),
+        (0..MOST).map(|k| DVec3::new(0.01 * k as f64, 0.0, 0.0)),
+    );
     let changed = |change: &dyn Fn(&mut Ray<f64>)| {
         let mut rays = rays.clone();
         rays.iter_mut().skip(5).for_each(change);
@@ -133,16 +154,22 @@ fn rays_with_little_in_common_find_what_each_finds() {
     assert_eq!(changed(&|ray| ray.direction = Vec3::ZERO), 5);
 }
 
-/// Meshes that fill their leaves or do not, and one without area; single precision holds their corners.
+/// Meshes that fill their leaves or do not, and one without area; single precision holds their
+/// corners.
 #[test]
 fn few_triangles_find_all_that_meet_them() {
-    let middle_and_rim = "[0, 0, 0], [1, 0, 0], [1, 1, 0.25], [0, 1, 0.5], [-1, 1, 0], [-1, 0, 0.25], [-1, -1, 0.5], [0, -1, 0], [1, -1, 0.25]";
+    let middle_and_rim = "[0, 0, 0], [1, 0, 0], [1, 1, 0.25], [0, 1, 0.5], [-1, 1, 0], [-1, 0, \
+        0.25], [-1, -1, 0.5], [0, -1, 0], [1, -1, 0.25]";
     let met = [0, 1, 2, 3, 4, 5, 6, 7].map(|n| {
         let fan: Vec<[usize; 3]> = (0..n).map(|k| [0, k + 1, k + 2]).chain([[0, 0, 1]]).collect();
         let mesh = format!("mesh = {{ vertices = [{middle_and_rim}], triangles = {fan:?} }}");
-        let text = format!("[scene.materials.m]\nkd = [1, 1, 1]\n[[scene.objects]]\nmaterial = \"m\"\n{mesh}\n");
-        let targets = [-0.75, -0.25, 0.25, 0.75].map(|x| [-0.7, -0.2, 0.3, 0.8].map(|y| DVec3::new(x, y, 0.2)));
-        Ways::<f64>::of(&scene(&text)).check(&to(DVec3::new(0.1, 0.2, 9.0), targets.into_iter().flatten()))
+        let text = format!(
+            "[scene.materials.m]\nkd = [1, 1, 1]\n[[scene.objects]]\nmaterial = \"m\"\n{mesh}\n"
+        );
+        let targets = [-0.75, -0.25, 0.25, 0.75]
+            .map(|x| [-0.7, -0.2, 0.3, 0.8].map(|y| DVec3::new(x, y, 0.2)));
+        Ways::<f64>::of(&scene(&text))
+            .check(&to(DVec3::new(0.1, 0.2, 9.0), targets.into_iter().flatten()))
     });
     assert!(met.is_sorted() && met[0] == 0 && met[1] > 0 && met[7] > 12, "{met:?}");
 }
@@ -153,7 +180,8 @@ fn steps_are_shared<T: Real>() {
     let (mut together, mut alone) = (Amounts::default(), Amounts::default());
     for n in 0..64 {
         let corner = DVec3::new(f64::from(n % 8) - 4.0, f64::from(n / 8) - 4.0, 0.0) * 0.2;
-        let targets = (0..MOST).map(|k| corner + DVec3::new((k % 4) as f64, (k / 4) as f64, 0.0) * 0.01);
+        let targets =
+            (0..MOST).map(|k| corner + DVec3::new((k % 4) as f64, (k / 4) as f64, 0.0) * 0.01);
         let rays = to::<T>(DVec3::new(0.1, 0.2, 4.0), targets);
         world.first_together(&rays, &mut together);
         for ray in &rays {
@@ -181,8 +209,10 @@ fn eye_rays_find_what_each_finds_in_every_public_case() {
             n_together += usize::from(ways.trees[0].gains_together());
             let lens = Lens::<f64>::new(Lecture, &case.scene.camera, 13, 10);
             for (i, j) in (0..13).step_by(4).flat_map(|i| (0..10).step_by(4).map(move |j| (i, j))) {
-                let pixels = (j..(j + 4).min(10)).flat_map(|j| (i..(i + 4).min(13)).map(move |i| (i, j)));
-                let rays: Vec<_> = pixels.map(|pixel| lens.eye_ray(Lecture, pixel, (0.5, 0.5))).collect();
+                let pixels =
+                    (j..(j + 4).min(10)).flat_map(|j| (i..(i + 4).min(13)).map(move |i| (i, j)));
+                let rays: Vec<_> =
+                    pixels.map(|pixel| lens.eye_ray(Lecture, pixel, (0.5, 0.5))).collect();
                 n_met += ways.check(&rays);
             }
         }
@@ -201,6 +231,10 @@ fn pictures_are_the_same_with_rays_together_and_one_by_one() {
         let options = Options { samples, ..Options::of(&world) };
         let alone = render(&world, &Rules::LECTURE, &options, |_| {});
         assert_eq!(render(&world, Lecture, &options, |_| {}), alone, "{samples} × {samples}");
-        assert_eq!(render_by(&world, &Rules::LECTURE, &options, |_| {}), alone, "{samples} × {samples}, chosen kernel");
+        assert_eq!(
+            render_by(&world, &Rules::LECTURE, &options, |_| {}),
+            alone,
+            "{samples} × {samples}, chosen kernel"
+        );
     }
 }

@@ -15,12 +15,14 @@ use reference::world::World;
 
 /// A pixel strays where a channel differs by more levels than this.
 const LEVELS: f64 = 2.0;
-/// A variation with a greater share of straying pixels is ill: its noise shows, or the case is unfair to it.
+/// A variation with a greater share of straying pixels is ill: its noise shows, or the case is
+/// unfair to it.
 const STRAY_SHARE: f64 = 0.01;
 
 static STAGES: LazyLock<Vec<Stage>> = LazyLock::new(|| {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
-    stage::load_all(&folder, &cases::Course::default()).unwrap_or_else(|problems| panic!("{}", problems.render(false)))
+    stage::load_all(&folder, &cases::Course::default())
+        .unwrap_or_else(|problems| panic!("{}", problems.render(false)))
 });
 
 fn n_stray(centre: &Image, other: &Image) -> usize {
@@ -34,7 +36,10 @@ fn n_stray(centre: &Image, other: &Image) -> usize {
 }
 
 /// For every variation the share of the pixels of a case on which it strays.
-fn stray_shares<'a>(case: &'a Case, variations: &'a [Variation]) -> Vec<(f64, &'a str, &'a Variation)> {
+fn stray_shares<'a>(
+    case: &'a Case,
+    variations: &'a [Variation],
+) -> Vec<(f64, &'a str, &'a Variation)> {
     let centre = World::<f64>::new(&case.scene);
     let centre = render(&centre, Lecture, &Options::of(&centre), |_| {}).0;
     let share = |v: &Variation| {
@@ -49,13 +54,21 @@ fn stray_shares<'a>(case: &'a Case, variations: &'a [Variation]) -> Vec<(f64, &'
 fn no_variation_strays_from_the_reference() {
     let variations = variations(&Rules::LECTURE);
     let cases: Vec<_> = STAGES.iter().flat_map(|stage| &stage.cases).collect();
-    let mut shares: Vec<_> = cases.par_iter().flat_map_iter(|case| stray_shares(case, &variations)).collect();
+    let mut shares: Vec<_> =
+        cases.par_iter().flat_map_iter(|case| stray_shares(case, &variations)).collect();
     shares.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let line = |(share, case, v): &(f64, &str, &Variation)| format!("{:6.2} %  {case}: {}", share * 100.0, v.name);
+    let line = |(share, case, v): &(f64, &str, &Variation)| {
+        format!("{:6.2} %  {case}: {}", share * 100.0, v.name)
+    };
     let table: Vec<_> = shares.iter().take(60).map(line).collect();
     println!("{}", table.join("\n"));
     let n_ill = shares.iter().filter(|(share, ..)| *share > STRAY_SHARE).count();
-    assert!(n_ill == 0, "{n_ill} stray on more than {} % of the pixels:\n{}", STRAY_SHARE * 100.0, table.join("\n"));
+    assert!(
+        n_ill == 0,
+        "{n_ill} stray on more than {} % of the pixels:\n{}",
+        STRAY_SHARE * 100.0,
+        table.join("\n")
+    );
 }
 
 #[test]
@@ -72,7 +85,10 @@ fn noise_that_is_too_large_strays() {
 fn there_are_enough_of_each_precision_and_all_differ() {
     let variations = variations(&Rules::LECTURE);
     for precision in [Precision::F32, Precision::F64] {
-        assert!(variations.iter().filter(|v| v.precision == precision).count() >= 24, "{precision:?}");
+        assert!(
+            variations.iter().filter(|v| v.precision == precision).count() >= 24,
+            "{precision:?}"
+        );
     }
     let names: BTreeSet<_> = variations.iter().map(|v| &v.name).collect();
     assert_eq!(names.len(), variations.len());
@@ -82,10 +98,15 @@ fn there_are_enough_of_each_precision_and_all_differ() {
 fn what_is_free_is_published() {
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/grading.md");
     let page = std::fs::read_to_string(page).unwrap();
-    assert!(page.contains(&published()), "docs/grading.md must hold this table:\n\n{}", published());
+    assert!(
+        page.contains(&published()),
+        "docs/grading.md must hold this table:\n\n{}",
+        published()
+    );
 }
 
-/// A mistake is one change to the rules, whatever else a student chooses: the case that shows it shows it in any style.
+/// A mistake is one change to the rules, whatever else a student chooses: the case that shows it
+/// shows it in any style.
 #[test]
 fn a_mistake_shows_in_any_style() {
     const SIZE: (u32, u32) = (48, 36);
@@ -95,7 +116,11 @@ fn a_mistake_shows_in_any_style() {
         scene
     };
     let scenes: Vec<_> = STAGES.iter().flat_map(|stage| &stage.cases).map(small).collect();
-    let lecture = Variation { name: "the reference".into(), precision: Precision::F64, rules: Rules::LECTURE };
+    let lecture = Variation {
+        name: "the reference".into(),
+        precision: Precision::F64,
+        rules: Rules::LECTURE,
+    };
     let styles: Vec<_> = variations(&Rules::LECTURE).into_iter().step_by(7).collect();
     misconceptions::of(&Rules::LECTURE).par_iter().for_each(|wrong| {
         let n_seen = |v: &Variation, scene: &cases::Scene| {

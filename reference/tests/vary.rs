@@ -47,7 +47,8 @@ material = "paper"
     )
 }
 
-/// A folder with the stages `cases/stages/01_one`: a case with these bounds, a check, and the mesh of the case.
+/// A folder with the stages `cases/stages/01_one`: a case with these bounds, a check, and the mesh
+/// of the case.
 fn folder(vary: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let stage = "cases/stages/01_one";
@@ -64,9 +65,11 @@ fn folder(vary: &str) -> tempfile::TempDir {
     folder
 }
 
-/// Runs the program in `folder`: its exit code, and what it says on the error stream and the output stream.
+/// Runs the program in `folder`: its exit code, and what it says on the error stream and the output
+/// stream.
 fn run(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {
-    let program = Command::new(env!("CARGO_BIN_EXE_reference")).current_dir(folder).args(args).output();
+    let program =
+        Command::new(env!("CARGO_BIN_EXE_reference")).current_dir(folder).args(args).output();
     let Output { status, stdout, stderr } = program.unwrap();
     (status.code(), String::from_utf8(stderr).unwrap(), String::from_utf8(stdout).unwrap())
 }
@@ -97,7 +100,11 @@ fn a_course_beside_the_set_decides_nothing() {
     assert_eq!(code, Some(0), "{errors}");
     let (code, errors, _) = run(folder.path(), &["expect", "--check", "b/hidden"]);
     assert_eq!(code, Some(0), "{errors}");
-    assert!(fs::read_to_string(folder.path().join("b/hidden/course.toml")).unwrap().starts_with("# The choices"));
+    assert!(
+        fs::read_to_string(folder.path().join("b/hidden/course.toml"))
+            .unwrap()
+            .starts_with("# The choices")
+    );
 }
 
 #[test]
@@ -106,18 +113,31 @@ fn writes_a_whole_set_with_its_answers() {
     let (code, errors, _) = run(folder.path(), &["vary", "--seed", "3"]);
     assert_eq!(code, Some(0), "{errors}");
     let set = folder.path().join("varied-3");
-    let names: Vec<String> =
-        files(&set).into_iter().map(|(path, _)| path[set.display().to_string().len() + 1..].to_owned()).collect();
-    let answers =
-        ["01_one/card.answer.exr", "01_one/card.expected.png", "01_one/checks.answers.json", "mistakes.answers.json"];
+    let names: Vec<String> = files(&set)
+        .into_iter()
+        .map(|(path, _)| path[set.display().to_string().len() + 1..].to_owned())
+        .collect();
+    let answers = [
+        "01_one/card.answer.exr",
+        "01_one/card.expected.png",
+        "01_one/checks.answers.json",
+        "mistakes.answers.json",
+    ];
     let (made, varied): (Vec<&str>, Vec<&str>) =
         names.iter().map(String::as_str).partition(|name| answers.contains(name));
     assert_eq!(made, answers);
-    let varied: Vec<&str> = varied.into_iter().map(|name| name.trim_start_matches("01_one/")).collect();
-    assert_eq!(varied, ["card.toml", "checks/sphere.toml", "stage.toml", "up/up/meshes/card.obj", "course.toml"]);
+    let varied: Vec<&str> =
+        varied.into_iter().map(|name| name.trim_start_matches("01_one/")).collect();
+    assert_eq!(
+        varied,
+        ["card.toml", "checks/sphere.toml", "stage.toml", "up/up/meshes/card.obj", "course.toml"]
+    );
     let text = fs::read_to_string(set.join("01_one/card.toml")).unwrap();
     assert!(text.contains("title = \"A card\" # of paper"), "comments stay: {text}");
-    assert!(text.contains("look_at = [0, 0, 0]") && text.contains("file = \"up/up/meshes/card.obj\""), "{text}");
+    assert!(
+        text.contains("look_at = [0, 0, 0]") && text.contains("file = \"up/up/meshes/card.obj\""),
+        "{text}"
+    );
     assert!(!text.contains("[vary]") && !text.contains("[0.125, 0, 4]"), "{text}");
     let (code, errors, _) = run(folder.path(), &["expect", "--check", "varied-3"]);
     assert_eq!(code, Some(0), "{errors}");
@@ -149,8 +169,18 @@ fn says_how_well_the_bounds_hold() {
 #[test]
 fn what_cannot_be_varied_is_an_error_that_says_why() {
     let table = [
-        ("", &["vary", "--seed", "1"][..], 2, "no case in cases/stages has a `[vary]`, so that nothing would change"),
-        ("\n[vary]\neye = 0.1\nindices = 0.1\n", &["vary", "--seed", "1"], 2, "`indices` moves nothing"),
+        (
+            "",
+            &["vary", "--seed", "1"][..],
+            2,
+            "no case in cases/stages has a `[vary]`, so that nothing would change",
+        ),
+        (
+            "\n[vary]\neye = 0.1\nindices = 0.1\n",
+            &["vary", "--seed", "1"],
+            2,
+            "`indices` moves nothing",
+        ),
         ("\n[vary]\nkeep = [\"card\"]\n", &["vary", "--seed", "1"], 2, "no key moves anything"),
         (
             "\n[vary]\nlook_at = [1000, 0, 0]\n",
@@ -158,9 +188,19 @@ fn what_cannot_be_varied_is_an_error_that_says_why() {
             1,
             "none of 50 draws will do; make its `[vary]` narrower",
         ),
-        ("\n[vary]\nlook_at = [1000, 0, 0]\n", &["vary", "--check", "--seeds", "2"], 1, "with seed 2 none of 50 draws"),
+        (
+            "\n[vary]\nlook_at = [1000, 0, 0]\n",
+            &["vary", "--check", "--seeds", "2"],
+            1,
+            "with seed 2 none of 50 draws",
+        ),
         (NARROW, &["vary", "--seed", "1", "--out", "cases"], 2, "`cases` is there already"),
-        (NARROW, &["vary", "--seed", "1", "--out", "/proc/none/set"], 2, "cannot write /proc/none/set"),
+        (
+            NARROW,
+            &["vary", "--seed", "1", "--out", "/proc/none/set"],
+            2,
+            "cannot write /proc/none/set",
+        ),
         (NARROW, &["vary"], 2, "--seed"),
         (NARROW, &["vary", "--seed", "1", "nowhere"], 2, "nowhere"),
     ];
@@ -173,7 +213,8 @@ fn what_cannot_be_varied_is_an_error_that_says_why() {
     }
 }
 
-/// A varied set is whole: it has its answers, and what does not say how far it may be moved as it was.
+/// A varied set is whole: it has its answers, and what does not say how far it may be moved as it
+/// was.
 #[test]
 fn a_case_without_bounds_is_copied_as_it_is_with_a_warning() {
     let folder = folder(NARROW);
@@ -184,10 +225,17 @@ fn a_case_without_bounds_is_copied_as_it_is_with_a_warning() {
     assert!(errors.contains("warning: 01_one/constant has no `[vary]`"), "{errors}");
     assert!(errors.contains("wrote 2 cases with their answers to varied-1"), "{errors}");
     let copied = fs::read_to_string(at("varied-1/01_one/constant.toml")).unwrap();
-    assert_eq!(copied, case("").replace("../../meshes", "up/up/meshes"), "nothing but the place of the mesh changes");
+    assert_eq!(
+        copied,
+        case("").replace("../../meshes", "up/up/meshes"),
+        "nothing but the place of the mesh changes"
+    );
     let (code, errors, _) = run(folder.path(), &["expect", "--check", "varied-1"]);
     assert_eq!(code, Some(0), "{errors}");
-    assert!(errors.contains("6 files as stored"), "two answers, two pictures, unit checks, mistakes: {errors}");
+    assert!(
+        errors.contains("6 files as stored"),
+        "two answers, two pictures, unit checks, mistakes: {errors}"
+    );
 }
 
 #[test]
@@ -196,5 +244,8 @@ fn a_set_follows_the_course_of_its_originals() {
     fs::write(folder.path().join("cases/course.toml"), "row_0 = \"bottom\"\n").unwrap();
     let (code, errors, _) = run(folder.path(), &["vary", "--seed", "1"]);
     assert_eq!(code, Some(0), "{errors}");
-    assert_eq!(fs::read_to_string(folder.path().join("varied-1/course.toml")).unwrap(), "row_0 = \"bottom\"\n");
+    assert_eq!(
+        fs::read_to_string(folder.path().join("varied-1/course.toml")).unwrap(),
+        "row_0 = \"bottom\"\n"
+    );
 }

@@ -1,4 +1,5 @@
-//! Closed meshes are closed: no ray from inside gets out between two triangles, least of all one that is aimed there.
+//! Closed meshes are closed: no ray from inside gets out between two triangles, least of all one
+//! that is aimed there.
 
 mod common;
 
@@ -28,7 +29,8 @@ fn aim<T: Real>(at: Aim, mesh: &Mesh, random: &mut Random) -> DVec3 {
     let pick = |random: &mut Random, n: usize| ((random.share() * n as f64) as usize).min(n - 1);
     let triangle = mesh.triangles[pick(random, mesh.triangles.len())];
     let from = pick(random, 3);
-    let [a, b] = [triangle[from], triangle[(from + 1) % 3]].map(|i| corner(mesh.vertices[i as usize]));
+    let [a, b] =
+        [triangle[from], triangle[(from + 1) % 3]].map(|i| corner(mesh.vertices[i as usize]));
     match at {
         Aim::Vertex => a,
         Aim::Edge => a + (b - a) * random.share(),
@@ -36,7 +38,13 @@ fn aim<T: Real>(at: Aim, mesh: &Mesh, random: &mut Random) -> DVec3 {
 }
 
 /// How many of `n` rays from inside a jittered globe around `center` meet nothing.
-fn n_lost<T: Real, R: RuleSource>(rules: R, center: DVec3, in_frame: bool, at: Aim, n: usize) -> usize {
+fn n_lost<T: Real, R: RuleSource>(
+    rules: R,
+    center: DVec3,
+    in_frame: bool,
+    at: Aim,
+    n: usize,
+) -> usize {
     let mut random = Random(0xc105_ed00_7001 + center.x.to_bits());
     let mut lost = 0;
     let n_meshes = 20;
@@ -51,8 +59,10 @@ fn n_lost<T: Real, R: RuleSource>(rules: R, center: DVec3, in_frame: bool, at: A
         // so many more things, far away, that the world needs a tree as well
         for i in 0..12 {
             let mut beside = scene.objects[0].clone();
-            beside.shape = Shape::Sphere { center: DVec3::new(1e7, 1e6 * f64::from(i), 0.0), radius: 1.0 };
-            (beside.world_from_object, beside.object_from_world) = (DAffine3::IDENTITY, DAffine3::IDENTITY);
+            beside.shape =
+                Shape::Sphere { center: DVec3::new(1e7, 1e6 * f64::from(i), 0.0), radius: 1.0 };
+            (beside.world_from_object, beside.object_from_world) =
+                (DAffine3::IDENTITY, DAffine3::IDENTITY);
             scene.objects.push(beside);
         }
         let world = World::<T>::with_search(&scene, Search::Tree);
@@ -72,7 +82,10 @@ fn check<T: Real>() {
         for in_frame in [false, true] {
             for at in [Aim::Vertex, Aim::Edge] {
                 let lost = n_lost::<T, _>(Lecture, center, in_frame, at, N_RAYS);
-                assert_eq!(lost, 0, "at {at:?} around {center}, in a frame: {in_frame}: {lost} of {N_RAYS} are lost");
+                assert_eq!(
+                    lost, 0,
+                    "at {at:?} around {center}, in a frame: {in_frame}: {lost} of {N_RAYS} are lost"
+                );
             }
         }
     }

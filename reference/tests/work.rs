@@ -1,4 +1,5 @@
-//! Rays and work of one eye ray, counted on paper: what cannot matter is not done, though the kernel could do everything.
+//! Rays and work of one eye ray, counted on paper: what cannot matter is not done, though the
+//! kernel could do everything.
 
 use std::path::Path;
 
@@ -12,24 +13,39 @@ const HEAD: &str = "[render]\nsize = [1, 1]\nmax_depth = 10\n[scene]\n\
     camera = { eye = [0, 0, 4], look_at = [0, 0, 0], up = [0, 1, 0], fov_y_deg = 40 }\n";
 
 /// Materials, lights and objects of the scenes below.
-const MATERIALS: &str = "materials = { chalk = { kd = [0.5, 0.5, 0.5] }, gloss = { kd = [0.5, 0.5, 0.5], ks = [0.5, 0.5, 0.5], kr = [0, 0, 0], ns = 8 }, \
-    ember = { ke = [1, 0, 0] }, red = { kr = [1, 0, 0] }, green = { kr = [0, 1, 0] }, glass = { kt = [0.5, 1, 1], kr = [0, 0, 0], index = 1.0003 } }\n";
+const MATERIALS: &str = "materials = { chalk = { kd = [0.5, 0.5, 0.5] }, gloss = { kd = [0.5, \
+    0.5, 0.5], ks = [0.5, 0.5, 0.5], kr = [0, 0, 0], ns = 8 }, ember = { ke = [1, 0, 0] }, red = \
+    { kr = [1, 0, 0] }, green = { kr = [0, 1, 0] }, glass = { kt = [0.5, 1, 1], kr = [0, 0, 0], \
+    index = 1.0003 } }\n";
 const LAMP: &str = "point = { position = [3, 0, 3], colour = [1, 1, 1] }";
-const FAR_LAMP: &str = "point = { position = [0, 0, 3], colour = [1, 1, 1], attenuation = { quadratic = 1 } }";
-const BEHIND: &str = "point = { position = [3, 0, -3], colour = [1, 1, 1], attenuation = { linear = 1 } }";
+const FAR_LAMP: &str =
+    "point = { position = [0, 0, 3], colour = [1, 1, 1], attenuation = { quadratic = 1 } }";
+const BEHIND: &str =
+    "point = { position = [3, 0, -3], colour = [1, 1, 1], attenuation = { linear = 1 } }";
 const BLACK: &str = "point = { position = [3, 0, 3], colour = [0, 0, 0], ambient = [1, 1, 1] }";
 
-/// `what` of a scene comes to these figures, keys of `Counts` and `Amounts`. No tree spares a ray an object: each is asked, one after another.
+/// `what` of a scene comes to these figures, keys of `Counts` and `Amounts`. No tree spares a ray
+/// an object: each is asked, one after another.
 #[track_caller]
-fn check(what: &str, lights: &[&str], objects: &[&str], light_cutoff: f64, figures: &[(&str, u64)]) -> f64 {
-    let list = |items: &[&str]| items.iter().map(|item| format!("{{ {item} }}")).collect::<Vec<_>>().join(", ");
-    let text = format!("{HEAD}{MATERIALS}lights = [{}]\nobjects = [{}]\n", list(lights), list(objects));
+fn check(
+    what: &str,
+    lights: &[&str],
+    objects: &[&str],
+    light_cutoff: f64,
+    figures: &[(&str, u64)],
+) -> f64 {
+    let list = |items: &[&str]| {
+        items.iter().map(|item| format!("{{ {item} }}")).collect::<Vec<_>>().join(", ")
+    };
+    let text =
+        format!("{HEAD}{MATERIALS}lights = [{}]\nobjects = [{}]\n", list(lights), list(objects));
     let scene = scene::parse(what, &text, Path::new(""), &cases::Course::default())
         .unwrap_or_else(|problems| panic!("{problems}"));
     let world = World::<f64>::with_search(&scene, Search::Scan);
     let options = Options { effects: Effects::ALL, light_cutoff, ..Options::of(&world) };
     let (_, stats, work) = count_by(&world, &Rules::LECTURE, &options, |_| {});
-    let (rays, work) = (serde_json::to_value(stats.rays).unwrap(), serde_json::to_value(work).unwrap());
+    let (rays, work) =
+        (serde_json::to_value(stats.rays).unwrap(), serde_json::to_value(work).unwrap());
     for (key, n) in figures {
         let found = rays.get(key).or(work.get(key)).and_then(serde_json::Value::as_u64);
         assert_eq!(found, Some(*n), "{what}: {key} of {rays} {work}");
@@ -56,7 +72,8 @@ fn a_lamp_that_adds_nothing_is_not_asked_for() {
         ("neither kd nor ks", LAMP, &ember, 0, 0, 0),
         ("a black lamp", BLACK, &gloss, 0, 0, 0),
     ] {
-        let figures = [("eye", 1), ("shadow", shadow), ("powers", powers), ("attenuations", attenuations)];
+        let figures =
+            [("eye", 1), ("shadow", shadow), ("powers", powers), ("attenuations", attenuations)];
         check(what, &[lamp], &[object], 0.0, &figures);
         // once more, in another order: each lamp for itself
         check(what, &[BLACK, lamp, BLACK], &[object], 0.0, &figures);
@@ -68,22 +85,39 @@ fn a_shadow_ray_ends_at_the_first_thing_that_hides_the_lamp() {
     let [near, far] = [[1, 0, 1], [2, 0, 2]].map(|place| square_at(place, "chalk"));
     let [pane, other] = [[1, 0, 1], [2, 0, 2]].map(|place| square_at(place, "glass"));
     let gloss = square("gloss");
-    // the eye ray asks all three; the shadow ray asks the square that it leaves and the first that it meets
-    let hidden = [("objects", 3 + 2), ("moved_rays", 2 + 1), ("tinted_crossings", 0), ("powers", 0)];
+    // the eye ray asks all three; the shadow ray asks the square that it leaves and the first that
+    // it meets
+    let hidden =
+        [("objects", 3 + 2), ("moved_rays", 2 + 1), ("tinted_crossings", 0), ("powers", 0)];
     check("two opaque squares", &[LAMP], &[&gloss, &near, &far], 0.0, &hidden);
     check("the other way round", &[LAMP], &[&gloss, &far, &near], 0.0, &hidden);
     // glass has to be crossed: each pane is met, and a plane once only
-    let tinted = [("objects", 3 + 3), ("moved_rays", 2 + 2), ("tinted_crossings", 2), ("powers", 1)];
+    let tinted =
+        [("objects", 3 + 3), ("moved_rays", 2 + 2), ("tinted_crossings", 2), ("powers", 1)];
     check("two panes", &[LAMP], &[&gloss, &pane, &other], 0.0, &tinted);
-    check("a pane, then a wall", &[LAMP], &[&gloss, &pane, &far], 0.0, &[("tinted_crossings", 1), ("powers", 0)]);
+    check(
+        "a pane, then a wall",
+        &[LAMP],
+        &[&gloss, &pane, &far],
+        0.0,
+        &[("tinted_crossings", 1), ("powers", 0)],
+    );
 }
 
 #[test]
 fn a_path_that_counts_for_nothing_ends() {
     let [red, green] = ["red", "green"].map(|material| square_at([0, 0, 8], material));
     let mirror = square("red");
-    for (what, other, reflected) in [("two red mirrors", &red, 10), ("red light on a green mirror", &green, 1)] {
-        check(what, &[], &[&mirror, other], 0.0, &[("eye", 1), ("reflected", reflected), ("shadow", 0)]);
+    for (what, other, reflected) in
+        [("two red mirrors", &red, 10), ("red light on a green mirror", &green, 1)]
+    {
+        check(
+            what,
+            &[],
+            &[&mirror, other],
+            0.0,
+            &[("eye", 1), ("reflected", reflected), ("shadow", 0)],
+        );
     }
     check("no mirror", &[], &[&square("gloss"), &red], 0.0, &[("reflected", 0), ("refracted", 0)]);
     // through one pane, to where nothing is
@@ -104,7 +138,8 @@ fn what_stands_where_it_was_made_is_asked_there() {
 fn a_highlight_beyond_the_edge_is_raised_to_no_power() {
     let mesh = |normal: &str| {
         format!(
-            "mesh = {{ vertices = [[-1, -1, 0], [1, -1, 0], [0, 1, 0]], triangles = [[0, 1, 2]], normals = [{normal}, {normal}, {normal}] }}, \
+            "mesh = {{ vertices = [[-1, -1, 0], [1, -1, 0], [0, 1, 0]], triangles = [[0, 1, 2]], \
+                normals = [{normal}, {normal}, {normal}] }}, \
              material = \"gloss\""
         )
     };
@@ -120,11 +155,23 @@ fn faint_light_is_not_followed_and_what_that_matters_is_known() {
     let chalk = square("chalk");
     // 1/9 of the light, half of which comes back: 0.0556 at most
     let faint = |cutoff, shadow, skipped| {
-        check("a lamp", &[FAR_LAMP], &[&chalk], cutoff, &[("shadow", shadow), ("faint_lights", skipped)])
+        check(
+            "a lamp",
+            &[FAR_LAMP],
+            &[&chalk],
+            cutoff,
+            &[("shadow", shadow), ("faint_lights", skipped)],
+        )
     };
     assert_eq!(faint(0.0, 1, 0), 0.0);
     assert_eq!(faint(0.05, 1, 0), 0.0);
     assert_eq!(faint(0.06, 0, 1), 0.5 / 9.0);
-    let two = check("two lamps", &[FAR_LAMP, FAR_LAMP], &[&chalk], 0.06, &[("shadow", 0), ("faint_lights", 2)]);
+    let two = check(
+        "two lamps",
+        &[FAR_LAMP, FAR_LAMP],
+        &[&chalk],
+        0.06,
+        &[("shadow", 0), ("faint_lights", 2)],
+    );
     assert_eq!(two, 1.0 / 9.0);
 }

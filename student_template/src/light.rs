@@ -3,9 +3,11 @@
 use cases::Light;
 use glam::DVec3;
 
-/// L, the unit vector from `point` to the light, and t_light, the distance to it; in world space. [rule 5]
+/// L, the unit vector from `point` to the light, and t_light, the distance to it; in world space.
+/// [rule 5]
 ///
-/// - A directional light stores the direction in which its light *travels*; L points the other way, and t_light is infinite.
+/// - A directional light stores the direction in which its light *travels*; L points the other way,
+///   and t_light is infinite.
 /// - A light exactly at the point has no direction: the zero vector and 0, so that it adds nothing.
 pub fn to_light(light: &Light, point: DVec3) -> (DVec3, f64) {
     todo!("to_light [rule 5]: src/light.rs")
@@ -13,7 +15,8 @@ pub fn to_light(light: &Light, point: DVec3) -> (DVec3, f64) {
 
 /// A = min(1, 1 / (a r² + b r + c)): the share of the light that arrives at distance `r`. [rule 4]
 ///
-/// - `r` is at least 0. a, b, c are the light's `quadratic`, `linear` and `constant`; none is negative, not all are 0.
+/// - `r` is at least 0. a, b, c are the light's `quadratic`, `linear` and `constant`; none is
+///   negative, not all are 0.
 /// - Light is never amplified: where the denominator is less than 1 (even 0), the result is 1.
 /// - A directional light does not weaken: 1.
 pub fn distance_attenuation(light: &Light, r: f64) -> f64 {

@@ -9,7 +9,8 @@ use crate::trace::{Path, trace};
 
 /// R = d − 2 (d·N) N, the direction of the mirrored ray. [rule 7]
 ///
-/// - `direction` d and `normal` N are unit vectors in the same frame; d points *towards* the surface. So is R, away from it.
+/// - `direction` d and `normal` N are unit vectors in the same frame; d points *towards* the
+///   surface. So is R, away from it.
 /// - Which of the two normals, N or −N, makes no difference.
 pub fn reflect(direction: DVec3, normal: DVec3) -> DVec3 {
     todo!("reflect [rule 7]: src/reflection.rs")
@@ -17,17 +18,21 @@ pub fn reflect(direction: DVec3, normal: DVec3) -> DVec3 {
 
 /// Whether a ray may spawn further rays. [rule 13]
 ///
-/// - `depth` is that of the ray that met the surface; the eye ray's is 0. A ray of depth `max_depth` spawns no more.
-/// - `weight` is the product of the factors (kr or kt) along the way to it, (1, 1, 1) for the eye ray. A weight below
-///   `threshold` in *every* channel spawns no more either; a `threshold` of 0 switches this test off.
+/// - `depth` is that of the ray that met the surface; the eye ray's is 0. A ray of depth
+///   `max_depth` spawns no more.
+/// - `weight` is the product of the factors (kr or kt) along the way to it, (1, 1, 1) for the eye
+///   ray. A weight below `threshold` in *every* channel spawns no more either; a `threshold` of 0
+///   switches this test off.
 pub fn goes_on(depth: u32, max_depth: u32, weight: DVec3, threshold: f64) -> bool {
     todo!("goes_on [rule 13]: src/reflection.rs")
 }
 
 /// The light that the surface mirrors to the viewer: kr · trace(Q, R). [rule 7]
 ///
-/// - `at` is in world space: its point is Q, `at.reflected_direction()` is R, its material has kr. Products are channel by channel.
-/// - `path` is that of the ray that came here; the mirrored ray's is `path.extended(RayKind::Reflected, kr)`.
+/// - `at` is in world space: its point is Q, `at.reflected_direction()` is R, its material has kr.
+///   Products are channel by channel.
+/// - `path` is that of the ray that came here; the mirrored ray's is
+///   `path.extended(RayKind::Reflected, kr)`.
 /// - Called only where kr is not black and the ray `goes_on`.
 pub fn reflected_light(scene: &Scene, at: &Surface, path: &Path) -> DVec3 {
     todo!("reflected_light [rule 7]: src/reflection.rs")

@@ -4,15 +4,29 @@ use cases::{Ray, SurfaceHit};
 use glam::DVec3;
 
 /// Nearest hit with x² + y² = radius², z in the closed range `ends`; discs close it where `capped`.
-pub fn intersect_cylinder(ray: &Ray, radius: f64, ends: [f64; 2], capped: bool) -> Option<SurfaceHit> {
+pub fn intersect_cylinder(
+    ray: &Ray,
+    radius: f64,
+    ends: [f64; 2],
+    capped: bool,
+) -> Option<SurfaceHit> {
     intersect_cone(ray, [radius, radius], ends, capped)
 }
 
-/// The same for a radius that goes linearly from `radii[0]` at `ends[0]` to `radii[1]` at `ends[1]`.
-pub fn intersect_cone(ray: &Ray, radii: [f64; 2], ends: [f64; 2], capped: bool) -> Option<SurfaceHit> {
+/// The same for a radius that goes linearly from `radii[0]` at `ends[0]` to `radii[1]` at
+/// `ends[1]`.
+pub fn intersect_cone(
+    ray: &Ray,
+    radii: [f64; 2],
+    ends: [f64; 2],
+    capped: bool,
+) -> Option<SurfaceHit> {
     let side = intersect_side(ray, radii, ends);
     let caps = if capped {
-        [intersect_cap(ray, radii[0], ends[0], -DVec3::Z), intersect_cap(ray, radii[1], ends[1], DVec3::Z)]
+        [
+            intersect_cap(ray, radii[0], ends[0], -DVec3::Z),
+            intersect_cap(ray, radii[1], ends[1], DVec3::Z),
+        ]
     } else {
         [None, None]
     };
@@ -37,7 +51,8 @@ fn intersect_side(ray: &Ray, radii: [f64; 2], ends: [f64; 2]) -> Option<SurfaceH
     Some(SurfaceHit { t, normal: DVec3::new(q.x, q.y, -slope * radius_at(q.z)).normalize_or(tip) })
 }
 
-/// Roots of a t² + 2 `half_b` t + c, the lesser first; infinite where there is none, so that they lie in no interval.
+/// Roots of a t² + 2 `half_b` t + c, the lesser first; infinite where there is none, so that they
+/// lie in no interval.
 ///
 /// The root that would cancel comes from the product of the two, which is c / a.
 fn roots(a: f64, half_b: f64, c: f64) -> [f64; 2] {
@@ -54,5 +69,6 @@ fn roots(a: f64, half_b: f64, c: f64) -> [f64; 2] {
 fn intersect_cap(ray: &Ray, radius: f64, z: f64, normal: DVec3) -> Option<SurfaceHit> {
     let t = (z - ray.origin.z) / ray.direction.z;
     let q = ray.at(t);
-    (radius > 0.0 && ray.contains(t) && q.x * q.x + q.y * q.y <= radius * radius).then_some(SurfaceHit { t, normal })
+    (radius > 0.0 && ray.contains(t) && q.x * q.x + q.y * q.y <= radius * radius)
+        .then_some(SurfaceHit { t, normal })
 }

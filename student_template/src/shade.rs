@@ -10,12 +10,14 @@ use crate::trace::unblocked_share;
 /// The normal turned against the ray, and whether the ray is inside the object. [rule 11]
 ///
 /// - `direction` is the ray's, `normal` the outward unit normal, both in the same frame.
-/// - The ray is inside, about to leave, iff d·N > 0; then the normal is negated. At d·N = 0 it counts as outside.
+/// - The ray is inside, about to leave, iff d·N > 0; then the normal is negated. At d·N = 0 it
+///   counts as outside.
 pub fn facing_normal(direction: DVec3, normal: DVec3) -> (DVec3, bool) {
     todo!("facing_normal [rule 11]: src/shade.rs")
 }
 
-/// The ambient part of one light: ka Ia, multiplied by kt where the point is seen from `inside` its object. [rule 3] [rule 12]
+/// The ambient part of one light: ka Ia, multiplied by kt where the point is seen from `inside` its
+/// object. [rule 3] [rule 12]
 pub fn ambient(material: &Material, light: &Light, inside: bool) -> DVec3 {
     todo!("ambient [rule 3] [rule 12]: src/shade.rs")
 }
@@ -23,21 +25,31 @@ pub fn ambient(material: &Material, light: &Light, inside: bool) -> DVec3 {
 /// The diffuse and specular part of one light: `arriving` B [kd (N·L) + ks (N·H)₊^ns]. [rule 3]
 ///
 /// - `arriving` is S A I, the light that arrives: after shadows and distance.
-/// - `normal` N is turned against the ray; `to_viewer` is −d, `to_light` is L; unit vectors in world space.
-/// - B is 1 if N·L > 0, else 0: then the light is behind the surface and there is no highlight either.
+/// - `normal` N is turned against the ray; `to_viewer` is −d, `to_light` is L; unit vectors in
+///   world space.
+/// - B is 1 if N·L > 0, else 0: then the light is behind the surface and there is no highlight
+///   either.
 /// - H is the unit vector along L + V (V = −d); where L + V = 0 there is no specular part.
 /// - (N·H)₊ is N·H, or 0 if that is negative. A power 0⁰ is 1.
 /// - `to_light` may be the zero vector (see `to_light`): the result is black.
-pub fn light_term(material: &Material, arriving: DVec3, normal: DVec3, to_viewer: DVec3, to_light: DVec3) -> DVec3 {
+pub fn light_term(
+    material: &Material,
+    arriving: DVec3,
+    normal: DVec3,
+    to_viewer: DVec3,
+    to_light: DVec3,
+) -> DVec3 {
     todo!("light_term [rule 3]: src/shade.rs")
 }
 
 /// What the surface sends to the viewer without any further rays but shadow rays. [rule 3]
 ///
-/// - `at` is in world space; use its normal `n_shading`, already turned against the ray. The viewer lies along −d.
-/// - ke once; then, for each light of the scene, its ambient part and its diffuse and specular part.
-/// - The light that arrives is S A I: the light's colour, `distance_attenuation`, and S = `unblocked_share(scene, light, point)`,
-///   which is 1 until a scene has shadows (stage 02).
+/// - `at` is in world space; use its normal `n_shading`, already turned against the ray. The viewer
+///   lies along −d.
+/// - ke once; then, for each light of the scene, its ambient part and its diffuse and specular
+///   part.
+/// - The light that arrives is S A I: the light's colour, `distance_attenuation`, and S =
+///   `unblocked_share(scene, light, point)`, which is 1 until a scene has shadows (stage 02).
 pub fn shade(scene: &Scene, at: &Surface) -> DVec3 {
     todo!("shade [rule 3]: src/shade.rs")
 }

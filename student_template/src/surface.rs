@@ -16,7 +16,8 @@ pub struct Surface<'a> {
     pub direction: DVec3,
     /// Unit normal of the surface itself, turned against the ray. [rule 11]
     pub n_geom: DVec3,
-    /// Unit normal to shade with, turned over along with `n_geom`; differs from it only on smooth meshes. [rule 18]
+    /// Unit normal to shade with, turned over along with `n_geom`; differs from it only on smooth
+    /// meshes. [rule 18]
     pub n_shading: DVec3,
     /// Whether the ray came from inside the object. [rule 11]
     pub inside: bool,
@@ -47,7 +48,8 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// T, the unit direction of the refracted ray, or `None` for total internal reflection. [rule 8] [rule 10] [rule 19]
+    /// T, the unit direction of the refracted ray, or `None` for total internal reflection. [rule
+    /// 8] [rule 10] [rule 19]
     pub fn refracted_direction(&self, eta_i: f64, eta_t: f64) -> Option<DVec3> {
         if self.is_smooth() {
             smooth_refract(self.direction, self.n_geom, self.n_shading, eta_i, eta_t)

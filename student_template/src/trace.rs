@@ -1,6 +1,8 @@
-//! The recursion: adds up what comes from a surface, from its mirror image and from behind it. Given: nothing to write here.
+//! The recursion: adds up what comes from a surface, from its mirror image and from behind it.
+//! Given: nothing to write here.
 //!
-//! Only what the scene's effects list is simulated, so a scene without mirrors never asks for the functions of that stage.
+//! Only what the scene's effects list is simulated, so a scene without mirrors never asks for the
+//! functions of that stage.
 
 use cases::ray_tree::{self, Met, RayKind};
 use cases::{Effect, Hit, Light, Ray, Scene};
@@ -20,7 +22,8 @@ pub struct Path {
     pub kind: RayKind,
     /// How many rays lie before it; the eye ray has depth 0. [rule 13]
     pub depth: u32,
-    /// Product of the kr and kt along the way: what the ray's light counts for in the pixel. [rule 13]
+    /// Product of the kr and kt along the way: what the ray's light counts for in the pixel. [rule
+    /// 13]
     pub weight: DVec3,
 }
 
@@ -61,15 +64,21 @@ fn light_from(scene: &Scene, ray: &Ray, hit: &Hit, path: &Path) -> DVec3 {
 
 /// Whether a ray of this kind is simulated, counts for anything, and may still be cast. [rule 13]
 fn spawns(scene: &Scene, effect: Effect, factor: DVec3, path: &Path) -> bool {
-    let threshold = if scene.effects.has(Effect::AdaptiveDepth) { scene.render.threshold } else { 0.0 };
+    let threshold =
+        if scene.effects.has(Effect::AdaptiveDepth) { scene.render.threshold } else { 0.0 };
     scene.effects.has(effect)
         && factor.max_element() > 0.0
         && goes_on(path.depth, scene.render.max_depth, path.weight, threshold)
 }
 
-/// S_j: the share of `light` that reaches `point`; all of it in a scene that simulates no shadows. [rule 5] [rule 6]
+/// S_j: the share of `light` that reaches `point`; all of it in a scene that simulates no shadows.
+/// [rule 5] [rule 6]
 pub fn unblocked_share(scene: &Scene, light: &Light, point: DVec3) -> DVec3 {
-    if scene.effects.has(Effect::Shadows) { shadow_attenuation(scene, light, point) } else { DVec3::ONE }
+    if scene.effects.has(Effect::Shadows) {
+        shadow_attenuation(scene, light, point)
+    } else {
+        DVec3::ONE
+    }
 }
 
 fn met(scene: &Scene, hit: &Hit, at: &Surface, direct: DVec3) -> Met {

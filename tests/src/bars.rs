@@ -27,7 +27,8 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Of a judge for whom a trial fails first in the stage that `first_stage` gives, among the `trials` that it could tell apart.
+    /// Of a judge for whom a trial fails first in the stage that `first_stage` gives, among the
+    /// `trials` that it could tell apart.
     pub fn of<'a>(
         trials: impl IntoIterator<Item = &'a Trial>,
         first_stage: impl Fn(&Trial) -> Option<String>,
@@ -47,7 +48,9 @@ impl Tally {
                     match first {
                         None => tally.misses.push(name.clone()),
                         Some(first) if first == stage => {}
-                        Some(_) => tally.misplaced.push(format!("{name}: {}, not {stage}", place(trial))),
+                        Some(_) => {
+                            tally.misplaced.push(format!("{name}: {}, not {stage}", place(trial)))
+                        }
                     }
                 }
             }
@@ -111,12 +114,18 @@ impl Naming {
                 Nature::Wrong { diagnosis: Some(right), .. } if trial.first_stage().is_some() => {
                     naming.n_known += 1;
                     if !named.contains(&right.as_str()) {
-                        let said = if named.is_empty() { "nothing".to_owned() } else { named.join(" or ") };
+                        let said = if named.is_empty() {
+                            "nothing".to_owned()
+                        } else {
+                            named.join(" or ")
+                        };
                         naming.misnamed.push(format!("{name}: {said}, not {right}"));
                     }
                 }
                 Nature::Wrong { .. } if named.is_empty() => {}
-                Nature::Wrong { .. } => naming.likened.push(format!("{name}: {}", named.join(" or "))),
+                Nature::Wrong { .. } => {
+                    naming.likened.push(format!("{name}: {}", named.join(" or ")))
+                }
             }
         }
         naming

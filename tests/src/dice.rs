@@ -38,7 +38,10 @@ mod tests {
     fn the_sequence_is_the_published_one() {
         // the first numbers that the authors' program gives for the seed 1234567
         let mut dice = Dice::new(1_234_567);
-        assert_eq!([dice.bits(), dice.bits()], [6_457_827_717_110_365_317, 3_203_168_211_198_807_973]);
+        assert_eq!(
+            [dice.bits(), dice.bits()],
+            [6_457_827_717_110_365_317, 3_203_168_211_198_807_973]
+        );
     }
 
     #[test]

@@ -1,7 +1,9 @@
-//! Instructions that the reference takes for a fixed set of scenes, counted by callgrind, against the budget in `tests/instructions.toml`.
+//! Instructions that the reference takes for a fixed set of scenes, counted by callgrind, against
+//! the budget in `tests/instructions.toml`.
 //!
-//! Seconds are noise where a machine does other things besides. Instructions of one thread are the same in every run but for a few
-//! thousand, and on every machine of one architecture, since valgrind pretends the same processor everywhere.
+//! Seconds are noise where a machine does other things besides. Instructions of one thread are the
+//! same in every run but for a few thousand, and on every machine of one architecture, since
+//! valgrind pretends the same processor everywhere.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -11,12 +13,14 @@ use serde::{Deserialize, Serialize};
 
 use crate::workspace;
 
-/// How far a count may be from its budget, as a share of it: more is slower, less is a budget that no longer holds anything.
+/// How far a count may be from its budget, as a share of it: more is slower, less is a budget that
+/// no longer holds anything.
 const SLACK: f64 = 0.03;
 /// How the budget is lowered, or raised.
 const WAY_OUT: &str = "cargo run --release -p tests --bin instructions -- --bless";
 /// What stands at the head of the file.
-const HEAD: &str = "# Instructions of `reference render SCENE -o OUT.png --threads 1`, the whole process, by callgrind. Written by\n# `";
+const HEAD: &str = "# Instructions of `reference render SCENE -o OUT.png --threads 1`, the whole \
+    process, by callgrind. Written by\n# `";
 
 /// The budget.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -49,10 +53,15 @@ impl Scene {
         if budget == 0 {
             return Some(format!("{name}: {found} instructions, and no budget yet"));
         }
-        let by = format!("{name}: {found} instructions for a budget of {budget}, {:+.1} %", 100.0 * share);
+        let by = format!(
+            "{name}: {found} instructions for a budget of {budget}, {:+.1} %",
+            100.0 * share
+        );
         match share {
             share if share > SLACK => Some(format!("{by}: slower")),
-            share if share < -SLACK => Some(format!("{by}: faster, so that the budget would hide what is lost again")),
+            share if share < -SLACK => {
+                Some(format!("{by}: faster, so that the budget would hide what is lost again"))
+            }
             _ => None,
         }
     }
@@ -82,14 +91,22 @@ pub fn to_text(budget: &Budget) -> Result<String, String> {
 
 /// What keeps `counts`, one for every scene in order, from the budget; empty where nothing does.
 pub fn complaints(budget: &Budget, counts: &[u64], toolchain: &str) -> String {
-    let found: Vec<String> =
-        budget.scene.iter().zip(counts).filter_map(|(scene, count)| scene.complaint(*count)).collect();
+    let found: Vec<String> = budget
+        .scene
+        .iter()
+        .zip(counts)
+        .filter_map(|(scene, count)| scene.complaint(*count))
+        .collect();
     if found.is_empty() {
         return String::new();
     }
     let mut text = found.join("\n");
     if budget.toolchain != toolchain {
-        let _ = write!(text, "\nthe budget is of {}, this is {toolchain}: that alone may be why", budget.toolchain);
+        let _ = write!(
+            text,
+            "\nthe budget is of {}, this is {toolchain}: that alone may be why",
+            budget.toolchain
+        );
     }
     let _ = write!(text, "\nwhere this is meant, or not to be had otherwise: {WAY_OUT}");
     text
@@ -101,7 +118,9 @@ pub fn complaints(budget: &Budget, counts: &[u64], toolchain: &str) -> String {
 /// A compiler that cannot be asked.
 pub fn toolchain() -> Result<String, String> {
     let said = run(Command::new("rustc").arg("-vV"))?;
-    let line = |start: &str| said.lines().find_map(|line| line.strip_prefix(start)).unwrap_or("unknown").to_owned();
+    let line = |start: &str| {
+        said.lines().find_map(|line| line.strip_prefix(start)).unwrap_or("unknown").to_owned()
+    };
     Ok(format!("rustc {}, {}", line("rustc "), line("host: ")))
 }
 
@@ -128,8 +147,11 @@ pub fn build() -> Result<PathBuf, String> {
         .output()
         .map_err(|why| format!("cargo cannot be run: {why}"))?;
     let messages = String::from_utf8_lossy(&cargo.stdout);
-    let program = messages.lines().filter_map(|line| serde_json::from_str::<serde_json::Value>(line).ok());
-    let program = program.filter_map(|message| Some(PathBuf::from(message.get("executable")?.as_str()?))).next_back();
+    let program =
+        messages.lines().filter_map(|line| serde_json::from_str::<serde_json::Value>(line).ok());
+    let program = program
+        .filter_map(|message| Some(PathBuf::from(message.get("executable")?.as_str()?)))
+        .next_back();
     match program {
         Some(program) if cargo.status.success() => Ok(program),
         _ => Err("the reference does not build".to_owned()),
@@ -143,18 +165,27 @@ pub fn build() -> Result<PathBuf, String> {
 pub fn count(program: &Path, scene: &Scene, folder: &Path) -> Result<u64, String> {
     let counted = folder.join("callgrind.out");
     let mut command = Command::new("valgrind");
-    command.args(["--tool=callgrind", "--quiet"]).arg(format!("--callgrind-out-file={}", counted.display()));
-    command.arg(program).args(["render", &scene.name, "--threads", "1", "-o"]).arg(folder.join("picture.png"));
+    command
+        .args(["--tool=callgrind", "--quiet"])
+        .arg(format!("--callgrind-out-file={}", counted.display()));
+    command
+        .arg(program)
+        .args(["render", &scene.name, "--threads", "1", "-o"])
+        .arg(folder.join("picture.png"));
     if let Some(size) = &scene.size {
         command.args(["--size", size]);
     }
     // What the environment holds is copied, searched and so counted.
     command.env_clear().current_dir(workspace());
-    run(&mut command)
-        .map_err(|why| format!("{why}\nhelp: valgrind counts the instructions; apt-get install valgrind"))?;
-    let text = std::fs::read_to_string(&counted).map_err(|why| format!("{}: {why}", counted.display()))?;
+    run(&mut command).map_err(|why| {
+        format!("{why}\nhelp: valgrind counts the instructions; apt-get install valgrind")
+    })?;
+    let text =
+        std::fs::read_to_string(&counted).map_err(|why| format!("{}: {why}", counted.display()))?;
     let totals = text.lines().find_map(|line| line.strip_prefix("totals: "));
-    totals.and_then(|n| n.trim().parse().ok()).ok_or_else(|| format!("{}: no count", counted.display()))
+    totals
+        .and_then(|n| n.trim().parse().ok())
+        .ok_or_else(|| format!("{}: no count", counted.display()))
 }
 
 /// What a command says.
@@ -163,7 +194,11 @@ fn run(command: &mut Command) -> Result<String, String> {
     let out = command.output().map_err(|why| format!("{shown}: {why}"))?;
     match out.status.success() {
         true => Ok(String::from_utf8_lossy(&out.stdout).into_owned()),
-        false => Err(format!("{shown} ends with {}\n{}", out.status, String::from_utf8_lossy(&out.stderr))),
+        false => Err(format!(
+            "{shown} ends with {}\n{}",
+            out.status,
+            String::from_utf8_lossy(&out.stderr)
+        )),
     }
 }
 
@@ -172,9 +207,15 @@ mod tests {
     use super::*;
 
     fn budget(instructions: u64) -> Budget {
-        let scene =
-            |name: &str, size: Option<&str>| Scene { name: name.into(), size: size.map(str::to_owned), instructions };
-        Budget { toolchain: "one".into(), scene: vec![scene("a/b", None), scene("c.toml", Some("4x3"))] }
+        let scene = |name: &str, size: Option<&str>| Scene {
+            name: name.into(),
+            size: size.map(str::to_owned),
+            instructions,
+        };
+        Budget {
+            toolchain: "one".into(),
+            scene: vec![scene("a/b", None), scene("c.toml", Some("4x3"))],
+        }
     }
 
     #[test]
@@ -191,7 +232,10 @@ mod tests {
             assert!(!said.contains("a/b"), "{said}");
             assert_eq!(said.contains("--bless"), !says.is_empty(), "{said}");
         }
-        assert!(complaints(&budget(0), &[5, 5], "one").contains("a/b: 5 instructions, and no budget yet"));
+        assert!(
+            complaints(&budget(0), &[5, 5], "one")
+                .contains("a/b: 5 instructions, and no budget yet")
+        );
     }
 
     #[test]
@@ -205,16 +249,24 @@ mod tests {
     fn the_file_is_read_as_it_is_written_and_names_scenes_that_exist() {
         let written = to_text(&budget(7)).unwrap();
         assert_eq!(parse(&written), Ok(budget(7)));
-        assert!(parse("toolchain = \"x\"\nscene = []\nslack = 9\n").is_err(), "an unknown key is taken");
+        assert!(
+            parse("toolchain = \"x\"\nscene = []\nslack = 9\n").is_err(),
+            "an unknown key is taken"
+        );
         let stored = std::fs::read_to_string(path()).unwrap();
         let budget = parse(&stored).unwrap();
         assert_eq!(to_text(&budget).unwrap(), stored, "not as --bless writes it");
         for scene in &budget.scene {
             let case = workspace().join(format!("cases/stages/{}.toml", scene.name));
-            assert!(case.is_file() || workspace().join(&scene.name).is_file(), "there is no {}", scene.name);
+            assert!(
+                case.is_file() || workspace().join(&scene.name).is_file(),
+                "there is no {}",
+                scene.name
+            );
             assert!(scene.instructions > 1_000_000, "{} was never counted", scene.name);
         }
-        let stages = cases::stage::load_all(&crate::public_stages(), &cases::Course::default()).unwrap();
+        let stages =
+            cases::stage::load_all(&crate::public_stages(), &cases::Course::default()).unwrap();
         for stage in stages.iter().filter(|stage| !stage.cases.is_empty()) {
             let is_counted = budget.scene.iter().any(|scene| scene.name.starts_with(&stage.id));
             assert!(is_counted, "no scene of {} is counted", stage.id);

@@ -1,4 +1,5 @@
-//! Variants before the judge: each is made, built and graded on the public stages, and its pictures are kept for other judges.
+//! Variants before the judge: each is made, built and graded on the public stages, and its pictures
+//! are kept for other judges.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -49,11 +50,13 @@ pub struct Trial {
 pub struct Shown {
     /// Id of the case.
     pub case: String,
-    /// Where it lies in the gallery; `None` where it is the right one byte by byte, or where there is no gallery.
+    /// Where it lies in the gallery; `None` where it is the right one byte by byte, or where there
+    /// is no gallery.
     pub file: Option<PathBuf>,
     /// Whether there is a picture.
     pub is_there: bool,
-    /// Pixels outside the contested ones that differ from the solution's in some byte; all of them where there is no picture.
+    /// Pixels outside the contested ones that differ from the solution's in some byte; all of them
+    /// where there is no picture.
     pub n_changed: usize,
     /// Which of [`RULES`] it passes.
     pub passes: [bool; RULES.len()],
@@ -70,15 +73,19 @@ impl Lab {
         let solution = Options::new(workspace().join("tests/solution"));
         let pictures = grade(&bench, &solution, &Silent).map_err(|why| why.to_string())?.pictures;
         let mut cases = vec![];
-        for (questions, case) in bench.exam.stages.iter().flat_map(|one| one.stage.cases.iter().map(move |c| (one, c)))
+        for (questions, case) in
+            bench.exam.stages.iter().flat_map(|one| one.stage.cases.iter().map(move |c| (one, c)))
         {
-            let answer = questions.images.get(&case.id).ok_or("a case has no answer that can be trusted")?;
+            let answer =
+                questions.images.get(&case.id).ok_or("a case has no answer that can be trusted")?;
             let own = pictures.get(&case.id).and_then(|both| both.actual.as_ref());
             let size = case.scene.render;
             cases.push(Reference {
                 id: case.id.clone(),
                 expected: read(&expected_png_path(&stages, &case.id), size.width, size.height)?,
-                solution: Picture::of(own.ok_or_else(|| format!("the solution gives no picture of {}", case.id))?),
+                solution: Picture::of(
+                    own.ok_or_else(|| format!("the solution gives no picture of {}", case.id))?,
+                ),
                 contested: (0..answer.lo.len()).map(|n| answer.is_contested(n)).collect(),
             });
         }
@@ -96,20 +103,30 @@ impl Lab {
     /// An edit that cannot be made, a variant that does not compile, a failure of the grader.
     pub fn try_one(&self, variant: &Variant) -> Result<Trial, String> {
         let folder = variant.make()?;
-        let options = Options { name: variant.name.clone(), jobs: 1, ..Options::new(folder.path()) };
+        let options =
+            Options { name: variant.name.clone(), jobs: 1, ..Options::new(folder.path()) };
         let graded = grade(&self.bench, &options, &Silent);
-        let Graded { record, pictures } = graded.map_err(|why| format!("{}: {why}", variant.name))?;
+        let Graded { record, pictures } =
+            graded.map_err(|why| format!("{}: {why}", variant.name))?;
         if record.build.verdict != Verdict::Pass {
             let why = record.build.finding.map_or(String::new(), |finding| finding.message);
             return Err(format!("{} does not build:\n{why}", variant.name));
         }
-        let ours = record.stages.iter().flat_map(|stage| &stage.checks).find(|check| check.verdict == Verdict::Ours);
+        let ours = record
+            .stages
+            .iter()
+            .flat_map(|stage| &stage.checks)
+            .find(|check| check.verdict == Verdict::Ours);
         if let Some(check) = ours {
-            return Err(format!("{}: {}: the grader failed: {:?}", variant.name, check.id, check.finding));
+            return Err(format!(
+                "{}: {}: the grader failed: {:?}",
+                variant.name, check.id, check.finding
+            ));
         }
         let actual = |case: &Reference| pictures.get(&case.id)?.actual.as_ref().map(Picture::of);
         let shown = self.cases.iter().map(|case| self.show(case, actual(case)));
-        let shown = shown.collect::<Result<_, _>>().map_err(|why| format!("{}: {why}", variant.name))?;
+        let shown =
+            shown.collect::<Result<_, _>>().map_err(|why| format!("{}: {why}", variant.name))?;
         Ok(Trial { variant: variant.clone(), record, shown })
     }
 
@@ -117,10 +134,17 @@ impl Lab {
         let id = case.id.clone();
         let Some(actual) = actual else {
             let passes = [false; RULES.len()];
-            return Ok(Shown { case: id, file: None, is_there: false, n_changed: case.contested.len(), passes });
+            return Ok(Shown {
+                case: id,
+                file: None,
+                is_there: false,
+                n_changed: case.contested.len(),
+                passes,
+            });
         };
         let pairs = actual.pixels().zip(case.solution.pixels());
-        let n_changed = pairs.zip(&case.contested).filter(|((a, b), contested)| a != b && !**contested).count();
+        let n_changed =
+            pairs.zip(&case.contested).filter(|((a, b), contested)| a != b && !**contested).count();
         let file = match &self.gallery {
             Some(gallery) if actual != case.expected => Some(hang(gallery, &id, &actual)?),
             _ => None,
@@ -129,7 +153,8 @@ impl Lab {
         Ok(Shown { case: id, file, is_there: true, n_changed, passes })
     }
 
-    /// Tries all, `jobs` at a time; `hear` is told of each that is done. The order is that of `variants`.
+    /// Tries all, `jobs` at a time; `hear` is told of each that is done. The order is that of
+    /// `variants`.
     ///
     /// # Errors
     /// What kept variants from being tried, each with its name.
@@ -154,10 +179,14 @@ impl Lab {
         };
         let mut tried: Vec<(usize, Result<Trial, String>)> = std::thread::scope(|scope| {
             let workers: Vec<_> = (0..jobs.max(1)).map(|_| scope.spawn(worker)).collect();
-            workers.into_iter().flat_map(|worker| worker.join().expect("a panic is passed on")).collect()
+            workers
+                .into_iter()
+                .flat_map(|worker| worker.join().expect("a panic is passed on"))
+                .collect()
         });
         tried.sort_by_key(|(index, _)| *index);
-        let (good, bad): (Vec<_>, Vec<_>) = tried.into_iter().map(|(_, trial)| trial).partition(Result::is_ok);
+        let (good, bad): (Vec<_>, Vec<_>) =
+            tried.into_iter().map(|(_, trial)| trial).partition(Result::is_ok);
         if bad.is_empty() {
             Ok(good.into_iter().flatten().collect())
         } else {
@@ -169,18 +198,29 @@ impl Lab {
 impl Trial {
     /// The checks that lost points.
     pub fn lost(&self) -> impl Iterator<Item = &CheckRecord> {
-        self.record.stages.iter().flat_map(|stage| &stage.checks).filter(|check| check.earned < check.possible)
+        self.record
+            .stages
+            .iter()
+            .flat_map(|stage| &stage.checks)
+            .filter(|check| check.earned < check.possible)
     }
 
     /// The first stage that lost points.
     pub fn first_stage(&self) -> Option<&str> {
-        self.record.stages.iter().find(|stage| stage.earned < stage.possible).map(|stage| stage.id.as_str())
+        self.record
+            .stages
+            .iter()
+            .find(|stage| stage.earned < stage.possible)
+            .map(|stage| stage.id.as_str())
     }
 
-    /// Ids of the misconceptions named first; several where what was asked does not tell them apart.
+    /// Ids of the misconceptions named first; several where what was asked does not tell them
+    /// apart.
     pub fn named_first(&self) -> Vec<&str> {
         let first = self.record.diagnoses.first();
-        first.map_or(vec![], |first| first.mistakes.iter().map(|mistake| mistake.id.as_str()).collect())
+        first.map_or(vec![], |first| {
+            first.mistakes.iter().map(|mistake| mistake.id.as_str()).collect()
+        })
     }
 
     /// Whether some picture differs from the solution's outside contested pixels.
@@ -208,7 +248,8 @@ fn hang(gallery: &Path, case: &str, picture: &Picture) -> Result<PathBuf, String
     let wrong = |why: &dyn std::fmt::Display| format!("{}: {why}", file.display());
     if !file.exists() {
         std::fs::create_dir_all(gallery.join(case)).map_err(|why| wrong(&why))?;
-        cases::files::write(&file, &picture.png().map_err(|why| wrong(&why))?).map_err(|why| wrong(&why))?;
+        cases::files::write(&file, &picture.png().map_err(|why| wrong(&why))?)
+            .map_err(|why| wrong(&why))?;
     }
     Ok(file)
 }
@@ -216,5 +257,7 @@ fn hang(gallery: &Path, case: &str, picture: &Picture) -> Result<PathBuf, String
 fn read(path: &Path, width: u32, height: u32) -> Result<Picture, String> {
     let wrong = |why: &dyn std::fmt::Display| format!("{}: {why}", path.display());
     let bytes = std::fs::read(path).map_err(|why| wrong(&why))?;
-    film::read_exact(&bytes, width, height).map(|image| Picture::of(&image)).map_err(|why| wrong(&why))
+    film::read_exact(&bytes, width, height)
+        .map(|image| Picture::of(&image))
+        .map_err(|why| wrong(&why))
 }

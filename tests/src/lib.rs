@@ -1,4 +1,5 @@
-//! What the proofs across crates share: where the workspace is, its source files, and variants of the solution before the judge.
+//! What the proofs across crates share: where the workspace is, its source files, and variants of
+//! the solution before the judge.
 
 pub mod bars;
 pub mod dice;
@@ -21,7 +22,8 @@ pub fn workspace() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate lies in the workspace")
 }
 
-/// All files below `folder` of the workspace whose names end in `.ending`, ordered, without build output.
+/// All files below `folder` of the workspace whose names end in `.ending`, ordered, without build
+/// output.
 ///
 /// # Panics
 /// Where a folder cannot be listed.
@@ -33,7 +35,8 @@ pub fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
 }
 
 fn collect(folder: &Path, ending: &str, found: &mut Vec<PathBuf>) {
-    let entries = std::fs::read_dir(folder).unwrap_or_else(|why| panic!("{}: {why}", folder.display()));
+    let entries =
+        std::fs::read_dir(folder).unwrap_or_else(|why| panic!("{}: {why}", folder.display()));
     for entry in entries {
         let path = entry.expect("a folder entry").path();
         let hidden = path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'));
@@ -50,9 +53,17 @@ fn collect(folder: &Path, ending: &str, found: &mut Vec<PathBuf>) {
 /// # Panics
 /// Where git cannot list them.
 pub fn tracked() -> Vec<String> {
-    let listed = Command::new("git").args(["ls-files", "-z"]).current_dir(workspace()).output().expect("git");
+    let listed = Command::new("git")
+        .args(["ls-files", "-z"])
+        .current_dir(workspace())
+        .output()
+        .expect("git");
     assert!(listed.status.success(), "git cannot list the files");
-    String::from_utf8_lossy(&listed.stdout).split('\0').filter(|path| !path.is_empty()).map(str::to_owned).collect()
+    String::from_utf8_lossy(&listed.stdout)
+        .split('\0')
+        .filter(|path| !path.is_empty())
+        .map(str::to_owned)
+        .collect()
 }
 
 /// `path` below the workspace, with forward slashes.
@@ -67,12 +78,15 @@ pub fn name(path: &Path) -> String {
 /// # Panics
 /// Where the file cannot be read.
 pub fn code_lines(path: &Path) -> Vec<(usize, String)> {
-    let text = std::fs::read_to_string(path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
+    let text =
+        std::fs::read_to_string(path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
     let lines: Vec<&str> = text.lines().collect();
     let is_test = |at: usize| lines.get(at).is_some_and(|line| line.trim() == "#[cfg(test)]");
-    let is_module =
-        |at: usize| lines.get(at).is_some_and(|line| line.starts_with("mod ") && line.trim().ends_with('{'));
-    let n_lines = (0..lines.len()).find(|at| is_test(*at) && is_module(at + 1)).unwrap_or(lines.len());
+    let is_module = |at: usize| {
+        lines.get(at).is_some_and(|line| line.starts_with("mod ") && line.trim().ends_with('{'))
+    };
+    let n_lines =
+        (0..lines.len()).find(|at| is_test(*at) && is_module(at + 1)).unwrap_or(lines.len());
     lines[..n_lines]
         .iter()
         .enumerate()

@@ -14,7 +14,8 @@ struct Judge {
 
 /// The page in Markdown.
 pub fn page(trials: &[Trial], tools: &[Tool]) -> String {
-    let seen: Vec<&Trial> = trials.iter().filter(|trial| trial.stage().is_none() || trial.is_seen()).collect();
+    let seen: Vec<&Trial> =
+        trials.iter().filter(|trial| trial.stage().is_none() || trial.is_seen()).collect();
     let mut judges = vec![Judge {
         name: "**this grader**, its pictures alone".to_owned(),
         says: "its cases' own limits (grading.md); unit checks left out".to_owned(),
@@ -43,7 +44,8 @@ fn pictures_lost(trial: &Trial) -> Option<String> {
 
 /// The tally of a judge by the first case that it fails.
 fn by_first_case(trials: &[&Trial], first: impl Fn(&Trial) -> Option<String>) -> Tally {
-    let stage = |trial: &Trial| first(trial).and_then(|case| case.split('/').next().map(str::to_owned));
+    let stage =
+        |trial: &Trial| first(trial).and_then(|case| case.split('/').next().map(str::to_owned));
     Tally::of(trials.iter().copied(), stage, |trial| first(trial).unwrap_or_default())
 }
 
@@ -56,7 +58,8 @@ fn head(trials: &[Trial], seen: &[&Trial], ours: &Tally, naming: &Naming) -> Str
 
 Made by `cargo run --release -p tests --bin judge -- --out docs/judging.md`; do not edit.
 
-[tests/mutants](../tests/mutants/README.md) holds {n_wrong} programs with a single bug each and {n_right} right ones written differently. All are built and
+[tests/mutants](../tests/mutants/README.md) holds {n_wrong} programs with a single bug each and \
+{n_right} right ones written differently. All are built and
 graded on the public stages: {n_cases} image cases and the unit checks.
 
 | this grader, pictures and unit checks | | bar |
@@ -64,13 +67,16 @@ graded on the public stages: {n_cases} image cases and the unit checks.
 | right programs that lose points | {n_false} of {n_right} | 0 |
 | bugs that lose none | {n_missed} of {n_wrong} | 0 |
 | bugs that lose their first points in their own stage | {n_placed} of {n_caught}, {share} | 95 % |
-| bugs that a known mistake describes and that are called by its name first | {n_named} of {n_known}, {named} | 95 % |
+| bugs that a known mistake describes and that are called by its name first | {n_named} of \
+{n_known}, {named} | 95 % |
 | right programs of which a mistake is named | {n_slandered} of {n_right} | 0 |
 
 ## Beside other judges
 
-Other judges compare pictures only, so here this grader does too, on the {n_seen} bugs that change some byte of a picture outside contested pixels. A
-program fails where any of its {n_cases} pictures fails; a program without a picture fails. The tools are the real ones, at their defaults (perceptualdiff is left out: no package registry has it).
+Other judges compare pictures only, so here this grader does too, on the {n_seen} bugs that \
+change some byte of a picture outside contested pixels. A
+program fails where any of its {n_cases} pictures fails; a program without a picture fails. The \
+tools are the real ones, at their defaults (perceptualdiff is left out: no package registry has it).
 
 ",
         n_wrong = ours.n_wrong,
@@ -128,7 +134,9 @@ fn lists(ours: &Tally, naming: &Naming, judges: &[Judge]) -> String {
 fn list(what: &str, names: &[String]) -> String {
     match names {
         [] => format!("{what}: none.\n\n"),
-        _ => format!("{what}: {}.\n\n", names.join("; ").replace("wrong/", "").replace("right/", "")),
+        _ => {
+            format!("{what}: {}.\n\n", names.join("; ").replace("wrong/", "").replace("right/", ""))
+        }
     }
 }
 

@@ -49,7 +49,9 @@ pub fn ask(folder: &Path, trials: &[Trial]) -> Result<Vec<Tool>, String> {
     let (input, output) = (folder.join("sequences.json"), folder.join("verdicts.json"));
     let text = serde_json::to_vec(&sequences).map_err(|why| why.to_string())?;
     fs::write(&input, text).map_err(|why| format!("{}: {why}", input.display()))?;
-    run(Command::new(folder.join("venv/bin/python")).arg(ours.join("judge.py")).args([folder, &input, &output]))?;
+    run(Command::new(folder.join("venv/bin/python"))
+        .arg(ours.join("judge.py"))
+        .args([folder, &input, &output]))?;
     let text = fs::read(&output).map_err(|why| format!("{}: {why}", output.display()))?;
     serde_json::from_slice(&text).map_err(|why| format!("{}: {why}", output.display()))
 }
@@ -58,8 +60,13 @@ fn sequence(trial: &Trial) -> Sequence<'_> {
     let stages = public_stages();
     let differ = trial.shown.iter().filter(|shown| shown.file.is_some() || !shown.is_there);
     let pair = |shown: &'_ crate::lab::Shown| expected_png_path(&stages, &shown.case);
-    let pairs =
-        differ.map(|shown| Pair { case: &shown.case, expected: pair(shown), actual: shown.file.as_deref() }).collect();
+    let pairs = differ
+        .map(|shown| Pair {
+            case: &shown.case,
+            expected: pair(shown),
+            actual: shown.file.as_deref(),
+        })
+        .collect();
     Sequence { name: &trial.variant.name, pairs }
 }
 

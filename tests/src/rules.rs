@@ -13,7 +13,8 @@ pub struct Picture {
 impl Picture {
     /// `image`, rounded.
     pub fn of(image: &Image) -> Self {
-        let bytes = image.pixels().iter().flat_map(|pixel| pixel.to_array().map(film::byte)).collect();
+        let bytes =
+            image.pixels().iter().flat_map(|pixel| pixel.to_array().map(film::byte)).collect();
         Self { width: image.width() as usize, bytes }
     }
 
@@ -67,8 +68,11 @@ pub const RULES: [Rule; 4] = [
     },
     Rule {
         name: "RMS, unsigned 8-bit (UT Austin, as shipped)",
-        says: "the root mean square of the differences, taken in unsigned bytes so that −1 counts as 255, is at most 10 of 255",
-        passes: |expected, actual| rms(expected, actual, |a, b| f64::from(a.wrapping_sub(b))) <= 10.0,
+        says: "the root mean square of the differences, taken in unsigned bytes so that −1 counts \
+            as 255, is at most 10 of 255",
+        passes: |expected, actual| {
+            rms(expected, actual, |a, b| f64::from(a.wrapping_sub(b))) <= 10.0
+        },
     },
     Rule {
         name: "RMS (UT Austin, as meant)",
@@ -77,19 +81,22 @@ pub const RULES: [Rule; 4] = [
     },
     Rule {
         name: "3×3 neighbourhood (GMU)",
-        says: "each pixel against the nearest of the other picture's 3×3 around it, both ways, the larger mean kept; \
+        says: "each pixel against the nearest of the other picture's 3×3 around it, both ways, \
+            the larger mean kept; \
                the score 100 − 10 · mean % (no threshold of its own) rounds to 100",
         passes: |expected, actual| 100.0 - 10.0 * neighbourhood_percent(expected, actual) >= 99.5,
     },
 ];
 
 fn mean_percent(expected: &Picture, actual: &Picture) -> f64 {
-    let sum: u64 = expected.bytes.iter().zip(&actual.bytes).map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
+    let sum: u64 =
+        expected.bytes.iter().zip(&actual.bytes).map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
     sum as f64 / expected.bytes.len() as f64 / 2.55
 }
 
 fn rms(expected: &Picture, actual: &Picture, difference: fn(u8, u8) -> f64) -> f64 {
-    let squares = expected.bytes.iter().zip(&actual.bytes).map(|(a, b)| difference(*a, *b)).map(|by| by * by);
+    let squares =
+        expected.bytes.iter().zip(&actual.bytes).map(|(a, b)| difference(*a, *b)).map(|by| by * by);
     (squares.sum::<f64>() / expected.bytes.len() as f64).sqrt()
 }
 
@@ -104,9 +111,14 @@ fn one_way_percent(from: &Picture, to: &Picture) -> f64 {
         let (x, y) = (at % width, at / width);
         let columns = x.saturating_sub(1)..=(x + 1).min(width - 1);
         let rows = y.saturating_sub(1)..=(y + 1).min(height - 1);
-        let around = rows.flat_map(|row| columns.clone().map(move |column| (row * width + column) * 3));
+        let around =
+            rows.flat_map(|row| columns.clone().map(move |column| (row * width + column) * 3));
         let distance = |other: usize| -> u64 {
-            pixel.iter().zip(&to.bytes[other..other + 3]).map(|(a, b)| u64::from(a.abs_diff(*b))).sum()
+            pixel
+                .iter()
+                .zip(&to.bytes[other..other + 3])
+                .map(|(a, b)| u64::from(a.abs_diff(*b)))
+                .sum()
         };
         sum += around.map(distance).min().unwrap_or(0);
     }

@@ -1,4 +1,5 @@
-//! Variants of the solution: with one bug each, and right but written differently. They are data, `tests/mutants/README.md`.
+//! Variants of the solution: with one bug each, and right but written differently. They are data,
+//! `tests/mutants/README.md`.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -48,12 +49,14 @@ impl Variant {
     /// Makes the submission in a folder of its own.
     ///
     /// # Errors
-    /// A text to search for that does not stand in its file exactly once; a file that cannot be read or written.
+    /// A text to search for that does not stand in its file exactly once; a file that cannot be
+    /// read or written.
     pub fn make(&self) -> Result<TempDir, String> {
         let folder = tempfile::tempdir().map_err(|why| format!("a temporary folder: {why}"))?;
         copy(&self.base, folder.path()).map_err(|why| format!("{}: {why}", self.base.display()))?;
         for edit in &self.edits {
-            edit.make(folder.path()).map_err(|why| format!("{}: {}: {why}", self.name, edit.file))?;
+            edit.make(folder.path())
+                .map_err(|why| format!("{}: {}: {why}", self.name, edit.file))?;
         }
         Ok(folder)
     }
@@ -75,7 +78,8 @@ impl Edit {
     /// Makes it in the submission in `folder`.
     ///
     /// # Errors
-    /// A text to search for that does not stand there exactly once, a change that changes nothing, a file that cannot be read or written.
+    /// A text to search for that does not stand there exactly once, a change that changes nothing,
+    /// a file that cannot be read or written.
     pub fn make(&self, folder: &Path) -> Result<(), String> {
         let path = folder.join(&self.file);
         let text = fs::read_to_string(&path).map_err(|why| why.to_string())?;
@@ -83,7 +87,11 @@ impl Edit {
             None => self.replace.clone(),
             Some(search) => match text.matches(search.as_str()).count() {
                 1 => text.replacen(search.as_str(), &self.replace, 1),
-                n => return Err(format!("the text to search for stands there {n} times, not once: {search}")),
+                n => {
+                    return Err(format!(
+                        "the text to search for stands there {n} times, not once: {search}"
+                    ));
+                }
             },
         };
         if changed == text {
@@ -145,7 +153,10 @@ fn solution() -> String {
 pub fn all() -> Result<Vec<Variant>, String> {
     let topics = tables::<RightFile>("right")?;
     let named = |(topic, file): (String, RightFile)| {
-        file.ways.into_iter().map(move |(name, way)| (format!("{topic}/{name}"), way)).collect::<Vec<_>>()
+        file.ways
+            .into_iter()
+            .map(move |(name, way)| (format!("{topic}/{name}"), way))
+            .collect::<Vec<_>>()
     };
     let ways: BTreeMap<String, Way> = topics.into_iter().flat_map(named).collect();
     let right = ways.iter().map(|(name, way)| {
@@ -163,11 +174,18 @@ pub fn all() -> Result<Vec<Variant>, String> {
             Variant {
                 name: format!("wrong/{function}/{name}"),
                 does: bug.does,
-                nature: Nature::Wrong { stage: bug.stage.unwrap_or_else(|| stage.clone()), diagnosis: bug.diagnosis },
+                nature: Nature::Wrong {
+                    stage: bug.stage.unwrap_or_else(|| stage.clone()),
+                    diagnosis: bug.diagnosis,
+                },
                 base: workspace().join(solution()),
-                edits: std::iter::once(Edit { file: file.clone(), search: Some(bug.search), replace: bug.replace })
-                    .chain(bug.more)
-                    .collect(),
+                edits: std::iter::once(Edit {
+                    file: file.clone(),
+                    search: Some(bug.search),
+                    replace: bug.replace,
+                })
+                .chain(bug.more)
+                .collect(),
             }
         }));
     }

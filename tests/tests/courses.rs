@@ -1,7 +1,9 @@
-//! Any legal course can be set up: its answers can be made, and a program that follows the course earns everything.
+//! Any legal course can be set up: its answers can be made, and a program that follows the course
+//! earns everything.
 //!
-//! The program is the reference behind a script that names the course. Most courses are tried on small pictures,
-//! since making their answers takes a minute of processor time for each course at full size.
+//! The program is the reference behind a script that names the course. Most courses are tried on
+//! small pictures, since making their answers takes a minute of processor time for each course at
+//! full size.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -29,7 +31,8 @@ impl Progress for Unwatched {
     }
 }
 
-/// The public cases in pictures of a `part`-th of their width and height, under a course, with answers.
+/// The public cases in pictures of a `part`-th of their width and height, under a course, with
+/// answers.
 struct Exam {
     folder: TempDir,
 }
@@ -54,18 +57,27 @@ impl Exam {
 
     /// Makes the answers; a sentence for each that cannot be made.
     fn expect(&self, course: &Course) -> Result<(), String> {
-        let stages = stage::load_all(&self.stages(), course).map_err(|problems| problems.to_string())?;
+        let stages =
+            stage::load_all(&self.stages(), course).map_err(|problems| problems.to_string())?;
         let set = Set::new(stages, course);
-        let answers = expect::of_set(&self.stages(), &set, |_| true, &Unwatched).map_err(|why| why.to_string())?;
-        cases::files::write_all(answers.files().map(Expected::as_output)).map(drop).map_err(|why| why.to_string())
+        let answers = expect::of_set(&self.stages(), &set, |_| true, &Unwatched)
+            .map_err(|why| why.to_string())?;
+        cases::files::write_all(answers.files().map(Expected::as_output))
+            .map(drop)
+            .map_err(|why| why.to_string())
     }
 
-    /// Grades a program that follows the course; a line for each check that does not earn everything.
+    /// Grades a program that follows the course; a line for each check that does not earn
+    /// everything.
     fn lost(&self) -> Result<Vec<String>, String> {
         let submission = self.at("follower");
         fs::create_dir(&submission).map_err(|why| why.to_string())?;
         let course = self.stages().join(course::FILE);
-        let script = format!("exec {} \"$@\" --course {}\n", env!("CARGO_BIN_EXE_follower"), course.display());
+        let script = format!(
+            "exec {} \"$@\" --course {}\n",
+            env!("CARGO_BIN_EXE_follower"),
+            course.display()
+        );
         fs::write(submission.join("follow.sh"), script).map_err(|why| why.to_string())?;
         fs::write(submission.join("submission.toml"), "run.command = [\"sh\", \"./follow.sh\"]\n")
             .map_err(|why| why.to_string())?;
@@ -73,14 +85,21 @@ impl Exam {
         let options = Options { jobs: 1, ..Options::new(&submission) };
         let record = grade(&bench, &options, &Silent).map_err(|why| why.to_string())?.record;
         let checks = record.stages.iter().flat_map(|stage| &stage.checks);
-        let n_asked: usize = bench.exam.stages.iter().map(|it| it.stage.cases.len() + it.stage.checks.len()).sum();
+        let n_asked: usize =
+            bench.exam.stages.iter().map(|it| it.stage.cases.len() + it.stage.checks.len()).sum();
         assert_eq!(checks.clone().count(), n_asked, "the whole exam is graded");
-        let lost = checks.filter(|check| check.verdict != Verdict::Pass || check.earned != check.possible);
-        Ok(lost.map(|check| format!("{}: {:?}", check.id, check.finding.as_ref().map(|it| &it.message))).collect())
+        let lost =
+            checks.filter(|check| check.verdict != Verdict::Pass || check.earned != check.possible);
+        Ok(lost
+            .map(|check| {
+                format!("{}: {:?}", check.id, check.finding.as_ref().map(|it| &it.message))
+            })
+            .collect())
     }
 }
 
-/// Copies the files of cases and meshes below `from`, no answers, the text of cases as `change` makes it.
+/// Copies the files of cases and meshes below `from`, no answers, the text of cases as `change`
+/// makes it.
 fn copy(from: &Path, to: &Path, change: &dyn Fn(String) -> String) {
     fs::create_dir_all(to).expect("a folder in a temporary folder");
     for entry in fs::read_dir(from).expect("a folder of the workspace") {
@@ -104,7 +123,8 @@ fn smaller(text: &str, part: u32) -> String {
         let sides = line.strip_prefix("size = [").and_then(|rest| rest.split_once(']'));
         match sides {
             Some((sides, behind)) => {
-                let sides = sides.split(',').map(|side| side.trim().parse::<u32>().expect("a side") / part);
+                let sides =
+                    sides.split(',').map(|side| side.trim().parse::<u32>().expect("a side") / part);
                 let sides: Vec<String> = sides.map(|side| side.max(1).to_string()).collect();
                 format!("size = [{}]{behind}\n", sides.join(", "))
             }
@@ -149,8 +169,12 @@ fn the_answers_of_another_course_are_refused() {
     let exam = Exam::new(PUBLIC, "highlight = \"phong\"", 8);
     let phong = course::course_of(&exam.stages()).unwrap_or_else(|problems| panic!("{problems}"));
     exam.expect(&phong).unwrap_or_else(|why| panic!("{why}"));
-    fs::write(exam.stages().join(course::FILE), "highlight = \"blinn\"").expect("a file in a temporary folder");
+    fs::write(exam.stages().join(course::FILE), "highlight = \"blinn\"")
+        .expect("a file in a temporary folder");
     let refused = exam.lost().expect_err("its answers are those of another course");
     assert!(refused.contains("do not belong to the cases, the course or the rules"), "{refused}");
-    assert!(refused.contains("01_ray_casting: boxes, ") && refused.contains("reference expect"), "{refused}");
+    assert!(
+        refused.contains("01_ray_casting: boxes, ") && refused.contains("reference expect"),
+        "{refused}"
+    );
 }

@@ -1,4 +1,5 @@
-//! The cases as a whole: every rule is covered, every case shows what it says it shows, points add up, answers are current.
+//! The cases as a whole: every rule is covered, every case shows what it says it shows, points add
+//! up, answers are current.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -25,7 +26,8 @@ use reference::world::World;
 const RULES: std::ops::RangeInclusive<u8> = 1..=21;
 
 static STAGES: LazyLock<Vec<Stage>> = LazyLock::new(|| {
-    stage::load_all(&folder(), &Course::default()).unwrap_or_else(|problems| panic!("{}", problems.render(false)))
+    stage::load_all(&folder(), &Course::default())
+        .unwrap_or_else(|problems| panic!("{}", problems.render(false)))
 });
 
 static SET: LazyLock<Set> = LazyLock::new(|| Set::new(STAGES.clone(), &Course::default()));
@@ -46,7 +48,8 @@ fn stored(case: &Case) -> ImageAnswer {
     let path = answer::image_answer_path(&folder(), &case.id);
     let bytes = std::fs::read(&path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
     let render = case.scene.render;
-    ImageAnswer::decode(&bytes, render.width, render.height).unwrap_or_else(|why| panic!("{}: {why}", path.display()))
+    ImageAnswer::decode(&bytes, render.width, render.height)
+        .unwrap_or_else(|why| panic!("{}: {why}", path.display()))
 }
 
 fn picture<T: Real, R: RuleSource>(scene: &Scene, rules: R, effects: Effects) -> Image {
@@ -79,9 +82,13 @@ fn every_stage_is_worth_25_points() {
 
 #[test]
 fn every_rule_has_a_picture_and_a_question() {
-    let pictures: BTreeSet<u8> = image_cases().flat_map(|case| case.rules.iter().copied()).collect();
-    let questions: BTreeSet<u8> =
-        STAGES.iter().flat_map(|stage| &stage.checks).flat_map(|check| check.rules.iter().copied()).collect();
+    let pictures: BTreeSet<u8> =
+        image_cases().flat_map(|case| case.rules.iter().copied()).collect();
+    let questions: BTreeSet<u8> = STAGES
+        .iter()
+        .flat_map(|stage| &stage.checks)
+        .flat_map(|check| check.rules.iter().copied())
+        .collect();
     assert_eq!(pictures, RULES.collect(), "rules named by image cases");
     assert_eq!(questions, RULES.collect(), "rules named by unit checks");
 }
@@ -91,8 +98,12 @@ fn every_rule_that_a_case_names_can_be_seen_broken_in_it() {
     none(
         image_cases()
             .flat_map(|case| case.rules.iter().map(move |rule| (case, *rule)))
-            .filter(|(case, rule)| broken(*rule).all(|wrong| forgives(case, &wrong.on(&Rules::LECTURE))))
-            .map(|(case, rule)| format!("{}: no known way of breaking rule {rule} shows in it", case.id))
+            .filter(|(case, rule)| {
+                broken(*rule).all(|wrong| forgives(case, &wrong.on(&Rules::LECTURE)))
+            })
+            .map(|(case, rule)| {
+                format!("{}: no known way of breaking rule {rule} shows in it", case.id)
+            })
             .collect(),
     );
 }
@@ -111,7 +122,9 @@ fn every_misconception_is_caught() {
                     && !fails_a_question(&rules)
                     && rest.into_iter().all(|case| forgives(case, &rules))
             })
-            .map(|wrong| format!("{} (rule {}) passes every case and every check", wrong.id, wrong.rule))
+            .map(|wrong| {
+                format!("{} (rule {}) passes every case and every check", wrong.id, wrong.rule)
+            })
             .collect(),
     );
 }
@@ -120,7 +133,8 @@ fn fails_a_question(rules: &Rules) -> bool {
     STAGES.iter().any(|stage| {
         let stored = check_answers(stage);
         stage.checks.iter().zip(&stored).any(|(check, right)| {
-            judge::unit(&answers::answer(rules, &check.ask), right, check.ask.function()).verdict != Verdict::Pass
+            judge::unit(&answers::answer(rules, &check.ask), right, check.ask.function()).verdict
+                != Verdict::Pass
         })
     })
 }
@@ -130,7 +144,8 @@ fn check_answers(stage: &Stage) -> Vec<CheckAnswer> {
         return Vec::new();
     }
     let path = answer::check_answers_path(&folder(), &stage.id);
-    let text = std::fs::read_to_string(&path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
+    let text =
+        std::fs::read_to_string(&path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
     answer::check_answers_from_str(&text).unwrap_or_else(|why| panic!("{}: {why}", path.display()))
 }
 
@@ -147,7 +162,8 @@ fn no_case_passes_without_what_its_stage_adds() {
     );
 }
 
-/// What a scene does not call for changes nothing: all that the stage allows gives the same bits, and casts no ray of a kind not called for.
+/// What a scene does not call for changes nothing: all that the stage allows gives the same bits,
+/// and casts no ray of a kind not called for.
 #[test]
 fn a_case_is_the_same_with_the_effects_it_does_not_call_for() {
     let cases = STAGES.iter().flat_map(|stage| stage.cases.iter().map(|case| (case, stage.allows)));
@@ -161,7 +177,8 @@ fn a_case_is_the_same_with_the_effects_it_does_not_call_for() {
                     (Effect::Reflection, rays.reflected),
                     (Effect::Refraction, rays.refracted),
                 ];
-                let casts_more = casts.iter().any(|(effect, n_cast)| *n_cast > 0 && !effects.has(*effect));
+                let casts_more =
+                    casts.iter().any(|(effect, n_cast)| *n_cast > 0 && !effects.has(*effect));
                 casts_more || special.pixels() != rendered(case, *allowed).0.pixels()
             })
             .map(|(case, _)| format!("{} calls for more than its effects", case.id))
@@ -171,7 +188,8 @@ fn a_case_is_the_same_with_the_effects_it_does_not_call_for() {
 
 fn rendered(case: &Case, effects: Effects) -> (Image, Counts) {
     let world = World::<f64>::new(&case.scene);
-    let (image, stats) = render::render(&world, Lecture, &Options { effects, ..Options::of(&world) }, |_| {});
+    let (image, stats) =
+        render::render(&world, Lecture, &Options { effects, ..Options::of(&world) }, |_| {});
     (image, stats.rays)
 }
 
@@ -194,13 +212,16 @@ fn any_epsilon_that_students_may_choose_passes_every_case() {
 fn a_program_in_single_precision_passes_every_case() {
     none(
         image_cases()
-            .filter(|case| !passes(case, &picture::<f32, _>(&case.scene, Lecture, case.scene.effects)))
+            .filter(|case| {
+                !passes(case, &picture::<f32, _>(&case.scene, Lecture, case.scene.effects))
+            })
             .map(|case| format!("{} fails in single precision", case.id))
             .collect(),
     );
 }
 
-/// The ways that students may choose, each with each precision, and with rays through the very centres of pixels.
+/// The ways that students may choose, each with each precision, and with rays through the very
+/// centres of pixels.
 #[test]
 fn every_legal_way_of_computing_passes_every_check() {
     let centred = |mut way: Variation| {
@@ -212,7 +233,8 @@ fn every_legal_way_of_computing_passes_every_check() {
         Precision::F32 => answers::answer_in::<f32, _>(&way.rules, ask),
         Precision::F64 => answers::answer_in::<f64, _>(&way.rules, ask),
     };
-    let in_single = |ask: &Ask| ("single precision".to_owned(), answers::answer_in::<f32, _>(Lecture, ask));
+    let in_single =
+        |ask: &Ask| ("single precision".to_owned(), answers::answer_in::<f32, _>(Lecture, ask));
     let checks = STAGES.iter().flat_map(|stage| stage.checks.iter().zip(check_answers(stage)));
     let answered = checks.flat_map(|(check, right)| {
         let by_ways = ways.iter().map(|way| (way.name.clone(), answer(way, &check.ask)));
@@ -233,11 +255,17 @@ fn every_legal_way_of_computing_passes_every_check() {
 #[test]
 fn the_stored_answers_are_what_the_reference_gives() {
     let stages = folder();
-    let cases = SET.stages.iter().enumerate().flat_map(|(n, stage)| stage.cases.iter().map(move |case| (n, case)));
-    let pictures =
-        cases.flat_map(|(n, case)| expect::of_case(&stages, &SET, n, case).unwrap_or_else(|why| panic!("{why}")).files);
+    let cases = SET
+        .stages
+        .iter()
+        .enumerate()
+        .flat_map(|(n, stage)| stage.cases.iter().map(move |case| (n, case)));
+    let pictures = cases.flat_map(|(n, case)| {
+        expect::of_case(&stages, &SET, n, case).unwrap_or_else(|why| panic!("{why}")).files
+    });
     let checks = STAGES.iter().filter_map(|stage| {
-        expect::of_checks(&stages, stage, &SET.course).unwrap_or_else(|wrong| panic!("{}", wrong.join("\n")))
+        expect::of_checks(&stages, stage, &SET.course)
+            .unwrap_or_else(|wrong| panic!("{}", wrong.join("\n")))
     });
     let mistakes = expect::mistakes(&stages, &SET.course).unwrap_or_else(|why| panic!("{why}"));
     none(
@@ -245,7 +273,9 @@ fn the_stored_answers_are_what_the_reference_gives() {
             .chain(checks)
             .chain([mistakes])
             .filter(|expected| !expected.is_stored())
-            .map(|expected| format!("{} is not current: run `reference expect`", expected.path.display()))
+            .map(|expected| {
+                format!("{} is not current: run `reference expect`", expected.path.display())
+            })
             .collect(),
     );
 }

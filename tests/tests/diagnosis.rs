@@ -1,4 +1,5 @@
-//! The diagnosis against itself: a program that makes a known mistake, and nothing else, has that mistake named, and no other; nonsense has none.
+//! The diagnosis against itself: a program that makes a known mistake, and nothing else, has that
+//! mistake named, and no other; nonsense has none.
 
 use std::sync::LazyLock;
 
@@ -23,11 +24,14 @@ type Asked = (&'static Case, &'static ImageAnswer, Vec<Wrong>);
 /// The light of a pixel by its place.
 type Fill<'a> = &'a (dyn Fn(u32, u32) -> DVec3 + Sync);
 
-static EXAM: LazyLock<Exam> =
-    LazyLock::new(|| Exam::load(&tests::public_stages()).unwrap_or_else(|problems| panic!("{problems}")));
+static EXAM: LazyLock<Exam> = LazyLock::new(|| {
+    Exam::load(&tests::public_stages()).unwrap_or_else(|problems| panic!("{problems}"))
+});
 static CASES: LazyLock<Vec<Asked>> = LazyLock::new(|| {
-    let cases =
-        EXAM.stages.iter().flat_map(|one| one.stage.cases.iter().map(move |case| (case, &one.images[&case.id])));
+    let cases = EXAM
+        .stages
+        .iter()
+        .flat_map(|one| one.stage.cases.iter().map(move |case| (case, &one.images[&case.id])));
     cases.map(|(case, answer)| (case, answer, pictures(case))).collect()
 });
 
@@ -37,7 +41,9 @@ fn pictures(case: &Case) -> Vec<Wrong> {
 }
 
 fn checks() -> impl Iterator<Item = (&'static Check, &'static CheckAnswer)> {
-    EXAM.stages.iter().flat_map(|one| one.stage.checks.iter().map(move |check| (check, &one.units[&check.id])))
+    EXAM.stages
+        .iter()
+        .flat_map(|one| one.stage.checks.iter().map(move |check| (check, &one.units[&check.id])))
 }
 
 fn known() -> Vec<&'static Misconception> {
@@ -52,7 +58,9 @@ fn named(
     let of_case = |(case, answer, mistakes): &Asked| {
         let actual = picture(case, answer, mistakes);
         match judge::picture(&actual, answer).verdict {
-            Verdict::Pass => Evidence::right(&case.id, 2000, mistakes.iter().map(|one| one.id.clone())),
+            Verdict::Pass => {
+                Evidence::right(&case.id, 2000, mistakes.iter().map(|one| one.id.clone()))
+            }
             _ => Evidence::wrong(&case.id, 2000, diagnose::picture(&actual, answer, mistakes)),
         }
     };
@@ -67,7 +75,10 @@ fn named(
 }
 
 /// Fails with what is named for each mistake of which not just that one is.
-fn each_is_named(mistakes: &[&'static Misconception], named: impl Fn(&Misconception) -> Vec<Named> + Sync) {
+fn each_is_named(
+    mistakes: &[&'static Misconception],
+    named: impl Fn(&Misconception) -> Vec<Named> + Sync,
+) {
     let is_fault = |wrong: &&'static Misconception| {
         let named = named(wrong);
         let is_alone = named.len() == 1 && named[0].mistakes == [wrong.id];
@@ -79,10 +90,14 @@ fn each_is_named(mistakes: &[&'static Misconception], named: impl Fn(&Misconcept
 
 /// The picture as the answer file has it.
 fn stored(id: &str, answer: &ImageAnswer, mistakes: &[Wrong]) -> Image {
-    let Some(wrong) = mistakes.iter().find(|wrong| wrong.id == id) else { return answer.expected.clone() };
+    let Some(wrong) = mistakes.iter().find(|wrong| wrong.id == id) else {
+        return answer.expected.clone();
+    };
     let light = |levels: Levels| DVec3::from(levels.map(f64::from)) / 255.0;
     let pixels = wrong.changes.iter().zip(answer.expected.pixels());
-    let pixels = pixels.map(|(change, right)| light(change.unwrap_or_else(|| right.to_array().map(byte)))).collect();
+    let pixels = pixels
+        .map(|(change, right)| light(change.unwrap_or_else(|| right.to_array().map(byte))))
+        .collect();
     Image::from_pixels(answer.expected.width(), answer.expected.height(), pixels).unwrap()
 }
 
@@ -127,7 +142,15 @@ fn nothing_is_named_for_nonsense() {
         let picture = |_: &Case, answer: &ImageAnswer, _: &[Wrong]| {
             Image::from_fn(answer.expected.width(), answer.expected.height(), fill)
         };
-        assert_eq!(named(picture, |_, right| right.answer.clone()), [], "{name} in the place of every picture");
-        assert_eq!(named(picture, |_, _| Answer::Miss(true)), [], "{name}, and every answer a miss");
+        assert_eq!(
+            named(picture, |_, right| right.answer.clone()),
+            [],
+            "{name} in the place of every picture"
+        );
+        assert_eq!(
+            named(picture, |_, _| Answer::Miss(true)),
+            [],
+            "{name}, and every answer a miss"
+        );
     }
 }

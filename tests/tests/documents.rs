@@ -13,7 +13,10 @@ fn links_between_documents_lead_somewhere() {
         for target in text(&path).split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
             let file = target.split('#').next().unwrap_or_default();
             if !file.is_empty() && !file.contains("://") {
-                assert!(full.with_file_name("").join(file).exists(), "{path} links to {target}, which is not there");
+                assert!(
+                    full.with_file_name("").join(file).exists(),
+                    "{path} links to {target}, which is not there"
+                );
             }
         }
     }
@@ -29,7 +32,8 @@ fn files_that_documents_name_exist() {
             && word.rsplit('/').next().is_some_and(|name| name.contains('.'))
             && !word.contains(|c: char| c.is_uppercase() || " *{…".contains(c))
     };
-    for path in tracked().into_iter().filter(|path| path.ends_with(".md") && path != "CHANGELOG.md") {
+    for path in tracked().into_iter().filter(|path| path.ends_with(".md") && path != "CHANGELOG.md")
+    {
         for word in text(&path).split('`').skip(1).step_by(2).filter(|word| is_path(word)) {
             assert!(workspace().join(word).exists(), "{path} names `{word}`, which is not there");
         }
@@ -38,7 +42,9 @@ fn files_that_documents_name_exist() {
 
 /// Returns the cells of each row of the tables in a document, without asterisks.
 fn rows(path: &str) -> Vec<Vec<String>> {
-    let cells = |line: &str| line.trim_matches('|').split('|').map(|cell| cell.trim().replace('*', "")).collect();
+    let cells = |line: &str| {
+        line.trim_matches('|').split('|').map(|cell| cell.trim().replace('*', "")).collect()
+    };
     text(path).lines().filter(|line| line.starts_with('|')).map(cells).collect()
 }
 
@@ -46,20 +52,35 @@ fn rows(path: &str) -> Vec<Vec<String>> {
 #[test]
 fn the_front_page_repeats_what_the_judge_found() {
     let found = rows("docs/judging.md");
-    let of = |name: &str| found.iter().find(|row| row[0] == name).unwrap_or_else(|| panic!("judging.md has no {name}"));
+    let of = |name: &str| {
+        found
+            .iter()
+            .find(|row| row[0] == name)
+            .unwrap_or_else(|| panic!("judging.md has no {name}"))
+    };
     let page = text("docs/judging.md");
-    assert!(page.contains("69 right ones") && page.contains("the 273 bugs"), "the totals have changed");
+    assert!(
+        page.contains("69 right ones") && page.contains("the 273 bugs"),
+        "the totals have changed"
+    );
     let said = rows("README.md");
-    let judges: Vec<_> = said.iter().filter(|row| row.len() == 3 && row[1].ends_with(" of 69")).collect();
+    let judges: Vec<_> =
+        said.iter().filter(|row| row.len() == 3 && row[1].ends_with(" of 69")).collect();
     assert!(judges.len() > 4, "README.md has no table of judges");
     for row in judges {
         if row[0] == "this grader, pictures and unit checks" {
-            let (failed, passed) = (of("right programs that lose points"), of("bugs that lose none"));
+            let (failed, passed) =
+                (of("right programs that lose points"), of("bugs that lose none"));
             assert_eq!([&row[1], &row[2]], [&failed[1], &passed[1]]);
             continue;
         }
         let n = |cell: &str| cell.split(' ').next().map(str::to_owned);
         assert!(row[2].ends_with(" of 273"), "{}", row[0]);
-        assert_eq!([n(&row[1]), n(&row[2])], [n(&of(&row[0])[1]), n(&of(&row[0])[2])], "{}", row[0]);
+        assert_eq!(
+            [n(&row[1]), n(&row[2])],
+            [n(&of(&row[0])[1]), n(&of(&row[0])[2])],
+            "{}",
+            row[0]
+        );
     }
 }

@@ -1,5 +1,5 @@
-//! Every parser of foreign bytes reads some mutations of good files without a panic. `tests --bin fuzz`
-//! does the same for as long as one likes.
+//! Every parser of foreign bytes reads some mutations of good files without a panic.
+//! `tests --bin fuzz` does the same for as long as one likes.
 
 use tests::fuzz::{parsers, read_some};
 
@@ -11,6 +11,10 @@ fn mutated_files_are_read_or_refused() {
     for parser in parsers::all() {
         let counts = read_some(&parser, N, 5);
         assert_eq!(counts.n(), N);
-        assert!(counts.n_refused > N / 20, "{}: {counts:?}: the mutations are too tame", parser.name);
+        assert!(
+            counts.n_refused > N / 20,
+            "{}: {counts:?}: the mutations are too tame",
+            parser.name
+        );
     }
 }

@@ -1,5 +1,5 @@
-//! Grades changes beside the student's own files: the verdict is the same in place, as a copy and in
-//! an archive.
+//! Grades changes beside the student's own files: the verdict is the same in place, as a copy and
+//! in an archive.
 //!
 //! In place means within a workspace of their own, whose template they have edited: the grader that
 //! runs there must not take anything from it. The exam is `tests/exam`, where the untouched
@@ -49,11 +49,18 @@ fn students(edits: Edits) -> TempDir {
     for name in ["Cargo.toml", "Cargo.lock", "cases/Cargo.toml"] {
         copy(&workspace().join(name), &root.path().join(name));
     }
-    for (from, to) in [("cases/src", "cases/src"), ("tests/exam", "exam"), ("student_template", "student_template")] {
+    for (from, to) in [
+        ("cases/src", "cases/src"),
+        ("tests/exam", "exam"),
+        ("student_template", "student_template"),
+    ] {
         copy_folder(&workspace().join(from), &root.path().join(to));
     }
     copy_folder(&workspace().join("tests/solution/src"), &root.path().join("student_template/src"));
-    copy(&workspace().join("student_template/src/light.rs"), &root.path().join("student_template/src/light.rs"));
+    copy(
+        &workspace().join("student_template/src/light.rs"),
+        &root.path().join("student_template/src/light.rs"),
+    );
     // What is compiled is shared, so that a workspace costs no minutes. Its names are hashes of
     // what went in.
     fs::create_dir(root.path().join("target")).unwrap();
@@ -102,14 +109,24 @@ fn everywhere(edits: Edits) -> Record {
     let root = students(edits);
     let in_place = root.path().join("student_template");
     let own = open(root.path().join("exam"));
-    assert_eq!(own.workshop.root, root.path().canonicalize().unwrap(), "the grader in place is the student's own");
+    assert_eq!(
+        own.workshop.root,
+        root.path().canonicalize().unwrap(),
+        "the grader in place is the student's own"
+    );
     let record = graded(&own, &in_place);
     let away = TempDir::new().unwrap();
     copy_folder(&in_place, &away.path().join("copy"));
     let at = |name: &str| away.path().join(name);
     packed(Command::new("tar").arg("-czf").arg(at("a.tar.gz")).arg("-C").arg(&in_place).arg("."));
     let names = fs::read_dir(&in_place).unwrap().map(|entry| entry.unwrap().file_name());
-    packed(Command::new("python3").args(["-m", "zipfile", "-c"]).arg(at("a.zip")).args(names).current_dir(&in_place));
+    packed(
+        Command::new("python3")
+            .args(["-m", "zipfile", "-c"])
+            .arg(at("a.zip"))
+            .args(names)
+            .current_dir(&in_place),
+    );
     for way in ["copy", "a.tar.gz", "a.zip"] {
         let found = graded(&FINAL, &at(way));
         assert_eq!(found, record, "{way} against in place");
@@ -147,12 +164,18 @@ fn a_students_own_file_counts() {
 
 #[test]
 fn a_given_file_counts_for_nothing() {
-    let replaced_by_ours = |file: &str| format!("{file}: differs from the given file, which is used instead");
+    let replaced_by_ours =
+        |file: &str| format!("{file}: differs from the given file, which is used instead");
     let black = replaced("src/trace.rs", "None => scene.background,", "None => DVec3::ZERO,");
-    check(&[("src/trace.rs", black)], 6, &[&replaced_by_ours("src/trace.rs"), "all but the files that you write"]);
+    check(
+        &[("src/trace.rs", black)],
+        6,
+        &[&replaced_by_ours("src/trace.rs"), "all but the files that you write"],
+    );
     let answer = "Answer::Value(match light { cases::Light::Point { attenuation: c, .. } => \
         (1.0 / (c.quadratic * r * r + c.linear * r + c.constant)).min(1.0), _ => 1.0 })";
-    let better = replaced("src/probe.rs", "Answer::Value(light::distance_attenuation(light, *r))", answer);
+    let better =
+        replaced("src/probe.rs", "Answer::Value(light::distance_attenuation(light, *r))", answer);
     check(&[("src/probe.rs", better)], 6, &[&replaced_by_ours("src/probe.rs")]);
     check(&[("src/trace.rs", None)], 6, &[]);
     let mine = replaced("template.toml", "student = [", "student = [\n  \"src/main.rs\",");
@@ -161,29 +184,46 @@ fn a_given_file_counts_for_nothing() {
 
 #[test]
 fn a_file_that_is_deleted_comes_from_the_grader() {
-    check(&[("src/light.rs", None)], 6, &["src/light.rs: missing, so the template's untouched one is taken"]);
+    check(
+        &[("src/light.rs", None)],
+        6,
+        &["src/light.rs: missing, so the template's untouched one is taken"],
+    );
 }
 
 #[test]
 fn a_module_more_is_not_used() {
     let helper = Some("pub fn one() -> f64 { 1.0 }\n".to_owned());
-    check(&[("src/helper.rs", helper.clone())], 6, &["src/helper.rs: not a file of the template, so it is not used"]);
+    check(
+        &[("src/helper.rs", helper.clone())],
+        6,
+        &["src/helper.rs: not a file of the template, so it is not used"],
+    );
     let main = replaced("src/main.rs", "mod trace;", "mod trace;\nmod helper;");
     let uses = light("crate::helper::one()");
     check_broken(
         &[("src/helper.rs", helper), ("src/main.rs", main), ("src/light.rs", uses)],
-        &["E0433", "src/helper.rs: not a file of the template", "src/main.rs: differs from the given file"],
+        &[
+            "E0433",
+            "src/helper.rs: not a file of the template",
+            "src/main.rs: differs from the given file",
+        ],
     );
 }
 
 #[test]
 fn a_dependency_more_is_not_there() {
-    let manifest = replaced("Cargo.toml", "glam.workspace = true", "glam.workspace = true\nrand = \"0.10\"");
+    let manifest =
+        replaced("Cargo.toml", "glam.workspace = true", "glam.workspace = true\nrand = \"0.10\"");
     check(&[("Cargo.toml", manifest.clone())], 6, &["Cargo.toml: differs from the given file"]);
     let uses = light("rand::random()");
     let words = &["E0433", "Cargo.toml: differs from the given file, which is used instead"];
     check_broken(&[("Cargo.toml", manifest), ("src/light.rs", uses)], words);
-    check(&[("Cargo.toml", Some("no manifest".to_owned()))], 6, &["Cargo.toml: differs from the given file"]);
+    check(
+        &[("Cargo.toml", Some("no manifest".to_owned()))],
+        6,
+        &["Cargo.toml: differs from the given file"],
+    );
 }
 
 #[test]
@@ -191,7 +231,10 @@ fn a_build_script_is_not_run() {
     let script = Some("fn main() { println!(\"cargo:rustc-env=ONE=1\"); }\n".to_owned());
     let says = "build.rs: not a file of the template, so it is not used";
     check(&[("build.rs", script.clone())], 6, &[says]);
-    check_broken(&[("build.rs", script), ("src/light.rs", light("env!(\"ONE\").len() as f64"))], &["ONE", says]);
+    check_broken(
+        &[("build.rs", script), ("src/light.rs", light("env!(\"ONE\").len() as f64"))],
+        &["ONE", says],
+    );
 }
 
 #[test]
@@ -205,7 +248,10 @@ fn every_hand_in_of_a_class_has_a_row() {
     fs::write(at("in/nested/report.pdf"), "%PDF-1.7").unwrap();
     let nested = || fs::read_dir(at("in/nested")).unwrap().map(|entry| entry.unwrap().file_name());
     packed(
-        Command::new("python3").args(["-m", "zipfile", "-c", "../zip.zip"]).args(nested()).current_dir(at("in/nested")),
+        Command::new("python3")
+            .args(["-m", "zipfile", "-c", "../zip.zip"])
+            .args(nested())
+            .current_dir(at("in/nested")),
     );
     packed(Command::new("tar").args(["-cf", "../tar.tar", "."]).current_dir(at("in/nested")));
     fs::create_dir(at("in/platform")).unwrap();
@@ -213,9 +259,12 @@ fn every_hand_in_of_a_class_has_a_row() {
     copy_folder(&solution, &at("in/several/a/src"));
     copy_folder(&solution, &at("in/several/b/src"));
     fs::create_dir(at("in/empty")).unwrap();
-    for (name, text) in
-        [("seven.7z", "7z\u{bc}"), ("rar.zip", "Rar!\u{1a}\u{7}\0"), ("main.rs", ""), ("report.pdf", "%PDF")]
-    {
+    for (name, text) in [
+        ("seven.7z", "7z\u{bc}"),
+        ("rar.zip", "Rar!\u{1a}\u{7}\0"),
+        ("main.rs", ""),
+        ("report.pdf", "%PDF"),
+    ] {
         fs::write(at("in").join(name), text).unwrap();
     }
     let options = batch::Options { folder: at("in"), out: at("out"), jobs: 2 };
@@ -223,8 +272,11 @@ fn every_hand_in_of_a_class_has_a_row() {
     let summary = batch::run(&grader, &options, &Shown::new(true)).unwrap();
     assert_eq!((summary.n_done, summary.failed), (12, vec![]));
     let table = fs::read_to_string(at("out/class.csv")).unwrap();
-    let rows: Vec<String> =
-        table.lines().skip(1).map(|row| row.split(',').take(5).collect::<Vec<_>>().join(" ")).collect();
+    let rows: Vec<String> = table
+        .lines()
+        .skip(1)
+        .map(|row| row.split(',').take(5).collect::<Vec<_>>().join(" "))
+        .collect();
     assert_eq!(
         rows,
         [
@@ -242,7 +294,9 @@ fn every_hand_in_of_a_class_has_a_row() {
             "zip zip 10 10 worked",
         ]
     );
-    let says = |id: &str| fs::read_to_string(at("out/records").join(id).with_added_extension("json")).unwrap();
+    let says = |id: &str| {
+        fs::read_to_string(at("out/records").join(id).with_added_extension("json")).unwrap()
+    };
     for (id, words) in [
         ("seven", "it is a .7z archive, which cannot be read: hand in .zip or .tar.gz"),
         ("rar", "it is a .rar archive, though its name ends in .zip, which cannot be read"),

@@ -1,6 +1,8 @@
-//! The judge is judged: right programs written differently lose nothing, programs with a single bug lose points where the bug is.
+//! The judge is judged: right programs written differently lose nothing, programs with a single bug
+//! lose points where the bug is.
 //!
-//! A fixed third of `tests/mutants`, every third by name; `MUTANTS=all` takes them all, and so does `cargo run -p tests --bin judge`.
+//! A fixed third of `tests/mutants`, every third by name; `MUTANTS=all` takes them all, and so does
+//! `cargo run -p tests --bin judge`.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -25,7 +27,9 @@ fn third(variants: Vec<Variant>) -> Vec<Variant> {
 #[test]
 fn the_judge_meets_its_bars() {
     let lab = Lab::open(None).unwrap_or_else(|why| panic!("{why}"));
-    let trials = lab.try_all(&third(all()), cores(), &|_| {}).unwrap_or_else(|faults| panic!("{}", faults.join("\n")));
+    let trials = lab
+        .try_all(&third(all()), cores(), &|_| {})
+        .unwrap_or_else(|faults| panic!("{}", faults.join("\n")));
     let faults = bars::faults(&trials);
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
@@ -45,7 +49,11 @@ fn an_edit_that_does_not_fit_is_refused() {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let path = folder.path().join("a.rs");
         fs::write(&path, "one two two").expect("a file");
-        let edit = Edit { file: "a.rs".to_owned(), search: search.map(str::to_owned), replace: replace.to_owned() };
+        let edit = Edit {
+            file: "a.rs".to_owned(),
+            search: search.map(str::to_owned),
+            replace: replace.to_owned(),
+        };
         match (edit.make(folder.path()), expected) {
             (Ok(()), Ok(text)) => assert_eq!(fs::read_to_string(&path).expect("a file"), text),
             (Err(why), Err(start)) => assert!(why.starts_with(start), "{why}"),
@@ -61,18 +69,26 @@ fn an_edit_that_does_not_fit_is_refused() {
 
 /// The functions that students write, by name.
 fn functions() -> BTreeSet<String> {
-    let text = fs::read_to_string(workspace().join("student_template/template.toml")).expect("the list of files");
+    let text = fs::read_to_string(workspace().join("student_template/template.toml"))
+        .expect("the list of files");
     let lists: toml::Table = text.parse().expect("TOML");
     let paths = lists["student"].as_array().expect("a list").iter();
-    let sources = paths.map(|path| workspace().join("tests/solution").join(path.as_str().expect("a path")));
-    let text: String = sources.map(|path| fs::read_to_string(path).expect("a source file")).collect();
-    text.lines().filter_map(|line| line.strip_prefix("pub fn ")?.split('(').next()).map(str::to_owned).collect()
+    let sources =
+        paths.map(|path| workspace().join("tests/solution").join(path.as_str().expect("a path")));
+    let text: String =
+        sources.map(|path| fs::read_to_string(path).expect("a source file")).collect();
+    text.lines()
+        .filter_map(|line| line.strip_prefix("pub fn ")?.split('(').next())
+        .map(str::to_owned)
+        .collect()
 }
 
 #[test]
 fn every_function_has_bugs_and_every_rule_is_broken() {
-    let stem = |path: std::path::PathBuf| path.file_stem().expect("a name").to_string_lossy().into_owned();
-    let with_bugs: BTreeSet<String> = files("tests/mutants/wrong", "toml").into_iter().map(stem).collect();
+    let stem =
+        |path: std::path::PathBuf| path.file_stem().expect("a name").to_string_lossy().into_owned();
+    let with_bugs: BTreeSet<String> =
+        files("tests/mutants/wrong", "toml").into_iter().map(stem).collect();
     assert_eq!(with_bugs, functions());
     let stages: BTreeSet<String> = files("cases/stages", "toml")
         .iter()
@@ -86,7 +102,11 @@ fn every_function_has_bugs_and_every_rule_is_broken() {
         assert!(stages.contains(stage), "{}: there is no stage {stage}", variant.name);
         let Some(id) = diagnosis else { continue };
         let named = known.iter().find(|known| known.id == id);
-        rules.insert(named.unwrap_or_else(|| panic!("{}: no misconception is called {id}", variant.name)).rule);
+        rules.insert(
+            named
+                .unwrap_or_else(|| panic!("{}: no misconception is called {id}", variant.name))
+                .rule,
+        );
     }
     assert_eq!(rules, (1..=21).collect(), "rules that a bug with a name breaks");
 }

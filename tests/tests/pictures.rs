@@ -1,4 +1,5 @@
-//! What pictures earn that are not right, on every public case: anti-aliased ones, shifted ones, and ones without the effect.
+//! What pictures earn that are not right, on every public case: anti-aliased ones, shifted ones,
+//! and ones without the effect.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -19,7 +20,8 @@ use tests::public_stages;
 
 static SET: LazyLock<Set> = LazyLock::new(|| {
     let course = Course::default();
-    let stages = load_all(&public_stages(), &course).unwrap_or_else(|problems| panic!("{}", problems.render(false)));
+    let stages = load_all(&public_stages(), &course)
+        .unwrap_or_else(|problems| panic!("{}", problems.render(false)));
     Set::new(stages, &course)
 });
 
@@ -33,12 +35,14 @@ fn public_cases() -> impl Iterator<Item = &'static Case> {
 
 fn stored(case: &Case) -> ImageAnswer {
     let bytes = std::fs::read(image_answer_path(&public_stages(), &case.id)).expect("an answer");
-    ImageAnswer::decode(&bytes, case.scene.render.width, case.scene.render.height).expect("an answer")
+    ImageAnswer::decode(&bytes, case.scene.render.width, case.scene.render.height)
+        .expect("an answer")
 }
 
 fn judged<R: RuleSource>(case: &Case, rules: R, samples: u32) -> Judgement {
     let world = World::<f64>::new(&case.scene);
-    let picture: Image = render::render(&world, rules, &Options { samples, ..Options::of(&world) }, |_| {}).0;
+    let picture: Image =
+        render::render(&world, rules, &Options { samples, ..Options::of(&world) }, |_| {}).0;
     judge::picture(&picture, &stored(case))
 }
 
@@ -51,9 +55,12 @@ fn none(wrong: Vec<String>) {
 #[test]
 fn anti_aliased_pictures_are_named_on_every_case() {
     let tries = public_cases().flat_map(|case| [2, 3, 4].map(|samples| (case, samples)));
-    let judged = tries.map(|(case, samples)| (judged(case, &Rules::LECTURE, samples), &case.id, samples));
+    let judged =
+        tries.map(|(case, samples)| (judged(case, &Rules::LECTURE, samples), &case.id, samples));
     let is_named = |judgement: &Judgement| match &judgement.finding {
-        Some(finding) => finding.kind == FindingKind::Antialiased && judgement.verdict == Verdict::Partial,
+        Some(finding) => {
+            finding.kind == FindingKind::Antialiased && judgement.verdict == Verdict::Partial
+        }
         None => judgement.verdict == Verdict::Pass,
     };
     let wrong = judged.filter(|(one, ..)| !is_named(one));
@@ -63,11 +70,16 @@ fn anti_aliased_pictures_are_named_on_every_case() {
 /// A shift of half a pixel stays between the neighbours too, but is no mean of them.
 #[test]
 fn a_shift_is_not_taken_for_anti_aliasing() {
-    let wrong = misconceptions::of(&Rules::LECTURE).into_iter().find(|wrong| wrong.id == "pixel_corner");
+    let wrong =
+        misconceptions::of(&Rules::LECTURE).into_iter().find(|wrong| wrong.id == "pixel_corner");
     let rules = wrong.expect("the mistake is known").on(&Rules::LECTURE);
     let judged = public_cases().map(|case| (judged(case, &rules, 1), &case.id));
-    let is_told = |judgement: &Judgement| judgement.finding.as_ref().is_some_and(|it| it.kind == FindingKind::Wrong);
-    none(judged.filter(|(one, _)| !is_told(one)).map(|(one, id)| format!("{id}: {one:?}")).collect());
+    let is_told = |judgement: &Judgement| {
+        judgement.finding.as_ref().is_some_and(|it| it.kind == FindingKind::Wrong)
+    };
+    none(
+        judged.filter(|(one, _)| !is_told(one)).map(|(one, id)| format!("{id}: {one:?}")).collect(),
+    );
 }
 
 /// The colour of most pixels.
@@ -90,18 +102,24 @@ fn blanks(n: usize, case: &'static Case) -> impl Iterator<Item = (String, Image)
         ("the background alone", case.scene.background),
         ("the most frequent colour", most_frequent(expected)),
     ];
-    let uniform = uniform.map(|(name, colour)| (name.to_owned(), Image::from_fn(width, height, |_, _| colour)));
+    let uniform = uniform
+        .map(|(name, colour)| (name.to_owned(), Image::from_fn(width, height, |_, _| colour)));
     let without = ("the picture without what the stage brings".to_owned(), SET.without(n, case));
     let others = public_cases()
         .filter(|other| other.id != case.id)
         .map(|other| (other.id.clone(), &PICTURES[other.id.as_str()]));
-    let others = others.filter(move |(_, other)| (other.width(), other.height()) == (width, height));
+    let others =
+        others.filter(move |(_, other)| (other.width(), other.height()) == (width, height));
     uniform.into_iter().chain([without]).chain(others.map(|(id, other)| (id, other.clone())))
 }
 
 #[test]
 fn a_picture_without_the_effect_earns_nothing() {
-    let cases = SET.stages.iter().enumerate().flat_map(|(n, stage)| stage.cases.iter().map(move |case| (n, case)));
+    let cases = SET
+        .stages
+        .iter()
+        .enumerate()
+        .flat_map(|(n, stage)| stage.cases.iter().map(move |case| (n, case)));
     let mut wrong = vec![];
     for (n, case) in cases {
         let answer = stored(case);

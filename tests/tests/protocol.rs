@@ -1,4 +1,5 @@
-//! `docs/protocol.md` is true: its examples parse, its answers are right, and no question is missing.
+//! `docs/protocol.md` is true: its examples parse, its answers are right, and no question is
+//! missing.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -29,7 +30,11 @@ fn lines() -> Vec<String> {
     let page = page();
     let scene: serde_json::Value = serde_json::from_str(&blocks(&page, "json scene")[0]).unwrap();
     let blocks = blocks(&page, "json");
-    blocks.iter().flat_map(|block| block.lines()).map(|line| line.replace("SCENE", &scene.to_string())).collect()
+    blocks
+        .iter()
+        .flat_map(|block| block.lines())
+        .map(|line| line.replace("SCENE", &scene.to_string()))
+        .collect()
 }
 
 fn questions() -> Vec<(Question, Reply)> {
@@ -41,7 +46,8 @@ fn questions() -> Vec<(Question, Reply)> {
 
 #[test]
 fn every_line_is_a_question_or_a_reply() {
-    let (questions, replies): (Vec<_>, Vec<_>) = lines().into_iter().partition(|line| line.contains("\"fn\":"));
+    let (questions, replies): (Vec<_>, Vec<_>) =
+        lines().into_iter().partition(|line| line.contains("\"fn\":"));
     for line in &questions {
         serde_json::from_str::<Question>(line).unwrap_or_else(|why| panic!("{line}: {why}"));
     }
@@ -63,10 +69,12 @@ fn every_example_is_answered_right() {
 
 #[test]
 fn every_function_that_is_asked_is_described() {
-    let described: BTreeSet<&str> = questions().iter().map(|(question, _)| question.ask.function()).collect();
+    let described: BTreeSet<&str> =
+        questions().iter().map(|(question, _)| question.ask.function()).collect();
     let stages = stage::load_all(&root("cases/stages"), &cases::Course::default())
         .unwrap_or_else(|problems| panic!("{}", problems.render(false)));
-    let asked = stages.iter().flat_map(|stage| &stage.checks).map(|check| check.ask.function()).collect();
+    let asked =
+        stages.iter().flat_map(|stage| &stage.checks).map(|check| check.ask.function()).collect();
     assert_eq!(described, asked);
 }
 

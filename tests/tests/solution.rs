@@ -12,7 +12,8 @@ use tests::{grade_all, public_stages, workspace};
 
 /// The student's files of the template, by stage.
 fn files_by_stage() -> BTreeMap<String, Vec<String>> {
-    let text = fs::read_to_string(workspace().join("student_template/template.toml")).expect("the list of files");
+    let text = fs::read_to_string(workspace().join("student_template/template.toml"))
+        .expect("the list of files");
     let lists: toml::Table = text.parse().expect("TOML");
     let stages = lists["stages"].as_table().expect("a table of stages");
     let paths = |list: &toml::Value| list.as_array().expect("a list").iter().map(text_of).collect();
@@ -30,7 +31,8 @@ fn submission(done: &[String]) -> TempDir {
     for (stage, paths) in files_by_stage() {
         let from = if done.contains(&stage) { "tests/solution" } else { "student_template" };
         for path in paths {
-            fs::copy(workspace().join(from).join(&path), folder.path().join(&path)).expect("a listed file");
+            fs::copy(workspace().join(from).join(&path), folder.path().join(&path))
+                .expect("a listed file");
         }
     }
     folder
@@ -57,7 +59,8 @@ fn the_untouched_template_builds_scores_nothing_and_crashes_nowhere() {
     }
 }
 
-/// What the handout says to write first, file by file, and how many of the first stage's ten pictures are right then.
+/// What the handout says to write first, file by file, and how many of the first stage's ten
+/// pictures are right then.
 #[test]
 fn the_first_files_give_as_many_pictures_as_the_handout_says() {
     let first = ["camera", "sphere", "nearest", "shade"];
@@ -73,11 +76,13 @@ fn the_first_files_give_as_many_pictures_as_the_handout_says() {
         let folder = submission(&[]);
         for name in first.iter().chain(more) {
             let file = format!("src/{name}.rs");
-            fs::copy(workspace().join("tests/solution").join(&file), folder.path().join(&file)).expect("a file");
+            fs::copy(workspace().join("tests/solution").join(&file), folder.path().join(&file))
+                .expect("a file");
         }
         let options = Options { stages: vec!["01".to_owned()], ..Options::new(folder.path()) };
         let record = grader::grade::grade(&bench, &options, &Silent).expect("a record").record;
-        let pictures = record.stages[0].checks.iter().filter(|check| check.kind == CheckKind::Image);
+        let pictures =
+            record.stages[0].checks.iter().filter(|check| check.kind == CheckKind::Image);
         let n = pictures.filter(|check| check.verdict == Verdict::Pass).count();
         assert_eq!(n, n_right, "{first:?} and {more:?}");
     }
@@ -119,7 +124,9 @@ fn the_solution_earns_everything() {
         .iter()
         .flat_map(|stage| &stage.checks)
         .filter(|check| check.earned != check.possible)
-        .map(|check| format!("{}: {:?}", check.id, check.finding.as_ref().map(|finding| &finding.message)))
+        .map(|check| {
+            format!("{}: {:?}", check.id, check.finding.as_ref().map(|finding| &finding.message))
+        })
         .collect();
     assert!(lost.is_empty(), "{}", lost.join("\n"));
     assert_eq!(record.score.earned, record.score.possible);
@@ -153,11 +160,9 @@ fn a_stage_written_without_the_others_lifts_no_other() {
         for other in record.stages.iter().filter(|other| other.id != stage) {
             assert_eq!(other.earned, 0, "{stage} alone earns points in {}", other.id);
         }
-        let crashes = record
-            .stages
-            .iter()
-            .flat_map(|s| &s.checks)
-            .filter(|check| check.finding.as_ref().is_some_and(|finding| finding.kind == FindingKind::Crash));
+        let crashes = record.stages.iter().flat_map(|s| &s.checks).filter(|check| {
+            check.finding.as_ref().is_some_and(|finding| finding.kind == FindingKind::Crash)
+        });
         assert_eq!(crashes.count(), 0, "{stage} alone crashes");
     }
 }

@@ -1,9 +1,11 @@
-//! Programs that misbehave, `tests/submissions/NAME`, each with the record that must come of it in `record.json`.
+//! Programs that misbehave, `tests/submissions/NAME`, each with the record that must come of it in
+//! `record.json`.
 //!
-//! The exam is `tests/exam`: flat colours, so that any program can be right and one deviation at a time can be seen. A
-//! folder with a `main.py` gets `honest.py`, the right program in parts, laid beside it; one with a `src` gets the files of the
-//! solution that it lacks. `BLESS=1 cargo test -p tests --test submissions` writes the records; look at what changed before it
-//! is committed.
+//! The exam is `tests/exam`: flat colours, so that any program can be right and one deviation at a
+//! time can be seen. A folder with a `main.py` gets `honest.py`, the right program in parts, laid
+//! beside it; one with a `src` gets the files of the solution that it lacks.
+//! `BLESS=1 cargo test -p tests --test submissions` writes the records; look at what changed before
+//! it is committed.
 
 use std::fs;
 use std::os::unix::ffi::OsStrExt;
@@ -20,7 +22,8 @@ use tests::workspace;
 const RECORD: &str = "record.json";
 
 fn submissions() -> Vec<PathBuf> {
-    let entries = fs::read_dir(workspace().join("tests/submissions")).expect("the folder of submissions");
+    let entries =
+        fs::read_dir(workspace().join("tests/submissions")).expect("the folder of submissions");
     let mut folders: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
     folders.retain(|path| path.is_dir() && !path.ends_with("__pycache__"));
     folders.sort();
@@ -32,7 +35,8 @@ fn copy(folder: &Path) -> TempDir {
     let copy = tempfile::tempdir().expect("a temporary folder");
     copy_into(folder, copy.path());
     if folder.join("main.py").exists() {
-        fs::copy(workspace().join("tests/submissions/honest.py"), copy.path().join("honest.py")).expect("honest.py");
+        fs::copy(workspace().join("tests/submissions/honest.py"), copy.path().join("honest.py"))
+            .expect("honest.py");
     }
     if folder.join("src").exists() {
         for path in tests::files("tests/solution/src", "rs") {
@@ -44,7 +48,8 @@ fn copy(folder: &Path) -> TempDir {
     }
     if folder.ends_with("rust_non_utf8_names") {
         let name = std::ffi::OsStr::from_bytes(b"caf\xe9.rs");
-        fs::write(copy.path().join("src").join(name), "").expect("a file system that takes any bytes");
+        fs::write(copy.path().join("src").join(name), "")
+            .expect("a file system that takes any bytes");
     }
     copy
 }
@@ -91,7 +96,8 @@ fn check(bench: &Bench, folder: &Path) -> Result<(), String> {
     if std::env::var_os("BLESS").is_some() {
         fs::write(&stored, &found).map_err(|why| why.to_string())?;
     }
-    let expected = fs::read_to_string(&stored).map_err(|why| format!("{name} has no {RECORD}: {why}"))?;
+    let expected =
+        fs::read_to_string(&stored).map_err(|why| format!("{name} has no {RECORD}: {why}"))?;
     if expected == found {
         return Ok(());
     }
@@ -106,7 +112,8 @@ fn every_submission_gets_the_record_it_deserves() {
     let bench = Bench { allowance, ..bench };
     let folders = submissions();
     let next = AtomicUsize::new(0);
-    // Most of the slow ones sleep until their time is up, so more threads than cores do not slow the others down.
+    // Most of the slow ones sleep until their time is up, so more threads than cores do not slow
+    // the others down.
     let faults: Vec<String> = std::thread::scope(|scope| {
         let worker = || {
             let mine = std::iter::from_fn(|| folders.get(next.fetch_add(1, Ordering::Relaxed)));
@@ -120,7 +127,9 @@ fn every_submission_gets_the_record_it_deserves() {
 
 /// Whether the submission builds, but ends before it does anything.
 fn is_never_run(folder: &Path) -> bool {
-    ["panics_at_start", "no_interpreter", "no_such_command"].iter().any(|name| folder.ends_with(name))
+    ["panics_at_start", "no_interpreter", "no_such_command"]
+        .iter()
+        .any(|name| folder.ends_with(name))
 }
 
 #[test]
@@ -129,14 +138,24 @@ fn a_misbehaving_case_costs_only_itself() {
         let text = fs::read_to_string(folder.join(RECORD)).expect("a record");
         let record: Record = serde_json::from_str(&text).expect("a record");
         let checks = || record.stages.iter().flat_map(|stage| &stage.checks);
-        assert!(checks().all(|check| check.verdict != Verdict::Ours), "{}: our fault", folder.display());
+        assert!(
+            checks().all(|check| check.verdict != Verdict::Ours),
+            "{}: our fault",
+            folder.display()
+        );
         assert_eq!(checks().count(), 7, "{}: a check is missing from the record", folder.display());
         let is_lost = record.build.verdict == Verdict::Fail || is_never_run(&folder);
         let all_wrong = folder.ends_with("grey_png");
         assert_eq!(record.score.earned == 0, is_lost, "{}: {:?}", folder.display(), record.score);
         let n_passed = checks().filter(|check| check.verdict == Verdict::Pass).count();
-        assert!(is_lost || all_wrong || n_passed >= 3, "{}: only {n_passed} checks pass", folder.display());
-        let unexplained = checks().filter(|check| check.verdict != Verdict::Pass && check.finding.is_none()).count();
+        assert!(
+            is_lost || all_wrong || n_passed >= 3,
+            "{}: only {n_passed} checks pass",
+            folder.display()
+        );
+        let unexplained = checks()
+            .filter(|check| check.verdict != Verdict::Pass && check.finding.is_none())
+            .count();
         assert_eq!(unexplained, 0, "{}: a check fails without a reason", folder.display());
     }
 }

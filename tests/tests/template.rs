@@ -1,4 +1,5 @@
-//! The template is the solution with the bodies taken out, and `template.toml` says whose each file is.
+//! The template is the solution with the bodies taken out, and `template.toml` says whose each file
+//! is.
 //!
 //! The grader carries the template in `grader/given`, where no student edits it. After a change
 //! there, `BLESS=1 cargo test -p tests --test template` copies it to the template and its given
@@ -35,7 +36,9 @@ fn manifest() -> Manifest {
 /// The names of the files in a folder, as paths below `src`.
 fn sources(folder: &str) -> BTreeSet<String> {
     let entries = fs::read_dir(root(folder)).unwrap();
-    entries.map(|entry| format!("src/{}", entry.unwrap().file_name().into_string().unwrap())).collect()
+    entries
+        .map(|entry| format!("src/{}", entry.unwrap().file_name().into_string().unwrap()))
+        .collect()
 }
 
 /// Every public function of a file: its doc comment and signature.
@@ -62,7 +65,10 @@ fn every_file_is_either_given_or_the_students() {
     let manifest = manifest();
     let listed = || manifest.pristine.iter().chain(&manifest.student);
     let sources = sources("student_template/src");
-    assert_eq!(listed().filter(|file| file.starts_with("src/")).cloned().collect::<BTreeSet<_>>(), sources);
+    assert_eq!(
+        listed().filter(|file| file.starts_with("src/")).cloned().collect::<BTreeSet<_>>(),
+        sources
+    );
     assert_eq!(listed().count(), listed().collect::<BTreeSet<_>>().len(), "a file is listed twice");
     for file in listed() {
         assert!(root("student_template").join(file).is_file(), "{file}");
@@ -87,7 +93,8 @@ fn copied(path: &str, carried: &str) -> Option<String> {
     if std::env::var_os("BLESS").is_some() {
         fs::write(root(path), carried).unwrap_or_else(|why| panic!("{path}: {why}"));
     }
-    (fs::read_to_string(root(path)).unwrap_or_default() != carried).then(|| format!("{path} differs"))
+    (fs::read_to_string(root(path)).unwrap_or_default() != carried)
+        .then(|| format!("{path} differs"))
 }
 
 #[test]
@@ -97,11 +104,16 @@ fn the_grader_carries_the_template_that_is_handed_out() {
     for (file, text) in carried.pristine.iter().chain(&carried.student) {
         differ.extend(copied(&format!("student_template/{file}"), text));
     }
-    for (file, text) in carried.pristine.iter().filter(|(file, _)| file.starts_with("src/") || *file == "clippy.toml") {
+    for (file, text) in carried
+        .pristine
+        .iter()
+        .filter(|(file, _)| file.starts_with("src/") || *file == "clippy.toml")
+    {
         differ.extend(copied(&format!("tests/solution/{file}"), text));
     }
     assert!(differ.is_empty(), "not as in grader/given: {}", differ.join(", "));
-    let carries: BTreeSet<String> = carried.pristine.keys().chain(carried.student.keys()).cloned().collect();
+    let carries: BTreeSet<String> =
+        carried.pristine.keys().chain(carried.student.keys()).cloned().collect();
     assert_eq!(carries, below("grader/given"));
 }
 
@@ -111,16 +123,23 @@ fn the_lists_of_the_grader_are_those_of_the_template() {
     let mut pristine: BTreeSet<String> = listed.pristine.into_iter().collect();
     assert!(pristine.insert("template.toml".to_owned()), "the list does not name itself");
     assert_eq!(carried.pristine.into_keys().collect::<BTreeSet<_>>(), pristine);
-    assert_eq!(carried.student.into_keys().collect::<BTreeSet<_>>(), listed.student.into_iter().collect());
+    assert_eq!(
+        carried.student.into_keys().collect::<BTreeSet<_>>(),
+        listed.student.into_iter().collect()
+    );
     let manifest: toml::Table = text("student_template/Cargo.toml").parse().unwrap();
-    let dependencies: Vec<String> = manifest["dependencies"].as_table().unwrap().keys().cloned().collect();
+    let dependencies: Vec<String> =
+        manifest["dependencies"].as_table().unwrap().keys().cloned().collect();
     assert_eq!(carried.dependencies, dependencies);
 }
 
 /// The files below a folder, relative to it.
 fn below(folder: &str) -> BTreeSet<String> {
     let files = grader::files::below(&root(folder)).unwrap();
-    files.iter().map(|file| file.strip_prefix(root(folder)).unwrap().to_str().unwrap().to_owned()).collect()
+    files
+        .iter()
+        .map(|file| file.strip_prefix(root(folder)).unwrap().to_str().unwrap().to_owned())
+        .collect()
 }
 
 #[test]
@@ -146,8 +165,10 @@ fn the_functions_that_reports_name_are_where_the_table_says() {
     }
     let n_of = |key: &str| FUNCTIONS.iter().filter(|function| function.key == key).count();
     let schema = cases::schema::probe_schema();
-    let questions = schema["definitions"]["Question"]["oneOf"].as_array().expect("a form for each function");
-    let keys: Vec<&str> = questions.iter().filter_map(|one| one["properties"]["fn"]["const"].as_str()).collect();
+    let questions =
+        schema["definitions"]["Question"]["oneOf"].as_array().expect("a form for each function");
+    let keys: Vec<&str> =
+        questions.iter().filter_map(|one| one["properties"]["fn"]["const"].as_str()).collect();
     assert_eq!(keys.len(), FUNCTIONS.len());
     assert!(keys.iter().all(|key| n_of(key) == 1), "{keys:?}");
 }
@@ -157,12 +178,17 @@ fn the_functions_that_reports_name_are_where_the_table_says() {
 fn nothing_in_the_template_is_written_yet() {
     for file in manifest().student {
         let source = text(&format!("student_template/{file}"));
-        let names =
-            source.lines().filter_map(|line| line.strip_prefix("pub fn ")?.split_once('(')).map(|(name, _)| name);
+        let names = source
+            .lines()
+            .filter_map(|line| line.strip_prefix("pub fn ")?.split_once('('))
+            .map(|(name, _)| name);
         for name in names {
             let opening = format!("    todo!(\"{name} [rule ");
             let body = source.lines().find(|line| line.starts_with(&opening));
-            assert!(body.is_some_and(|line| line.ends_with(&format!("]: {file}\")"))), "{file}: {name}");
+            assert!(
+                body.is_some_and(|line| line.ends_with(&format!("]: {file}\")"))),
+                "{file}: {name}"
+            );
         }
         assert_eq!(
             source.matches("todo!(").count(),

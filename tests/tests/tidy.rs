@@ -6,7 +6,8 @@ use tests::{code_lines, files, name, tracked, workspace};
 
 /// The names of our crates that `crate_folder/Cargo.toml` depends on, for builds and for tests.
 fn dependencies(crate_folder: &str) -> BTreeSet<String> {
-    let text = std::fs::read_to_string(workspace().join(crate_folder).join("Cargo.toml")).expect("a manifest");
+    let text = std::fs::read_to_string(workspace().join(crate_folder).join("Cargo.toml"))
+        .expect("a manifest");
     let manifest: toml::Table = text.parse().expect("TOML");
     let ours = ["cases", "reference", "student_template", "grader", "pages", "tests", "solution"];
     ["dependencies", "dev-dependencies", "build-dependencies"]
@@ -28,12 +29,16 @@ fn crates_know_only_whom_they_may() {
         ("grader", &["cases", "pages"]),
     ] {
         let knows = dependencies(crate_folder);
-        assert!(knows.iter().all(|d| may_know.contains(&d.as_str())), "{crate_folder} depends on {knows:?}");
+        assert!(
+            knows.iter().all(|d| may_know.contains(&d.as_str())),
+            "{crate_folder} depends on {knows:?}"
+        );
     }
     assert!(dependencies("tests").contains("reference"), "the search finds no dependency at all");
 }
 
-/// A word that must not stand in the code below `folder`, except in files whose names begin as listed.
+/// A word that must not stand in the code below `folder`, except in files whose names begin as
+/// listed.
 struct Ban {
     folder: &'static str,
     words: &'static [&'static str],
@@ -41,11 +46,13 @@ struct Ban {
     because: &'static str,
 }
 
-const CLOCK: &[&str] = &["std::time", "Instant::", "SystemTime", "std::env", "env::var", "env::args"];
+const CLOCK: &[&str] =
+    &["std::time", "Instant::", "SystemTime", "std::env", "env::var", "env::args"];
 const FILES: &[&str] = &["std::fs", "File::", "fs::"];
 
 /// Each of them panics where its reader has gone away, and prints what it is given unguarded.
-const PRINTS: &[&str] = &["println!", "print!", "eprintln!", "eprint!", "io::stdout()", "io::stderr()"];
+const PRINTS: &[&str] =
+    &["println!", "print!", "eprintln!", "eprint!", "io::stdout()", "io::stderr()"];
 const PRINTS_BECAUSE: &str = "only `pages::say` prints: it guards text and outlives its reader";
 
 const BANS: &[Ban] = &[
@@ -101,7 +108,15 @@ const BANS: &[Ban] = &[
     },
     Ban {
         folder: "grader/src/sandbox",
-        words: &["cases::", "image::", "crate::judge", "crate::score", "crate::record", "crate::exam", "crate::grade"],
+        words: &[
+            "cases::",
+            "image::",
+            "crate::judge",
+            "crate::score",
+            "crate::record",
+            "crate::exam",
+            "crate::grade",
+        ],
         except: &[],
         because: "the sandbox knows nothing of cases, images or scores",
     },
@@ -126,12 +141,23 @@ const BANS: &[Ban] = &[
     Ban {
         folder: "grader/src",
         words: &["sandbox::run("],
-        except: &["grader/src/build/own.rs", "grader/src/build/rustc.rs", "grader/src/exercise/attempt.rs"],
-        because: "a failure counts only after `sandbox::blame` has looked at the machine, as these do",
+        except: &[
+            "grader/src/build/own.rs",
+            "grader/src/build/rustc.rs",
+            "grader/src/exercise/attempt.rs",
+        ],
+        because: "a failure counts only after `sandbox::blame` has looked at the machine, as \
+            these do",
     },
     Ban {
         folder: "grader/src/report",
-        words: &["crate::judge", "crate::score", "crate::sandbox", "crate::build", "crate::exercise"],
+        words: &[
+            "crate::judge",
+            "crate::score",
+            "crate::sandbox",
+            "crate::build",
+            "crate::exercise",
+        ],
         except: &[],
         because: "a report decides nothing",
     },
@@ -179,11 +205,16 @@ fn formulas_cast_no_rays_and_trees_know_no_materials() {
 
 #[test]
 fn light_becomes_bytes_in_one_place() {
-    for folder in ["cases/src", "reference/src", "grader/src", "student_template/src", "tests/solution/src"] {
-        for path in files(folder, "rs").iter().filter(|path| name(path) != "cases/src/film/encode.rs") {
+    for folder in
+        ["cases/src", "reference/src", "grader/src", "student_template/src", "tests/solution/src"]
+    {
+        for path in
+            files(folder, "rs").iter().filter(|path| name(path) != "cases/src/film/encode.rs")
+        {
             for (number, line) in code_lines(path) {
-                let found =
-                    ["* 255", "255.0 *", "* 65535", "65535.0 *", "as u8;"].iter().find(|word| line.contains(**word));
+                let found = ["* 255", "255.0 *", "* 65535", "65535.0 *", "as u8;"]
+                    .iter()
+                    .find(|word| line.contains(**word));
                 assert_eq!(found, None, "{}:{number}", name(path));
             }
         }
@@ -213,26 +244,36 @@ fn files_are_written_in_one_place() {
     let mut found = BTreeSet::new();
     for folder in ["cases/src", "reference/src", "grader/src"] {
         for path in files(folder, "rs").iter().filter(|path| !path.ends_with("tests.rs")) {
-            let writes = |(_, line): &(usize, String)| WRITES.iter().any(|word| line.contains(word));
+            let writes =
+                |(_, line): &(usize, String)| WRITES.iter().any(|word| line.contains(word));
             if code_lines(path).iter().any(writes) {
                 found.insert(name(path));
             }
         }
     }
     let listed: BTreeSet<String> = WRITERS.iter().map(|(file, _)| (*file).to_owned()).collect();
-    assert_eq!(found, listed, "use `cases::files::write`; a file that needs no exception any more leaves the list");
+    assert_eq!(
+        found, listed,
+        "use `cases::files::write`; a file that needs no exception any more leaves the list"
+    );
 }
 
 /// The only files with code that the compiler cannot prove sound.
-const UNSAFE: &[&str] = &["reference/src/bvh/lanes.rs", "grader/src/sandbox/sys.rs", "tests/src/performance/child.rs"];
+const UNSAFE: &[&str] =
+    &["reference/src/bvh/lanes.rs", "grader/src/sandbox/sys.rs", "tests/src/performance/child.rs"];
 
 #[test]
 fn unsafe_code_stands_in_the_files_listed() {
-    let is_unsafe =
-        |path: &std::path::PathBuf| code_lines(path).iter().any(|(_, line)| line.contains("allow(unsafe_code"));
+    let is_unsafe = |path: &std::path::PathBuf| {
+        code_lines(path).iter().any(|(_, line)| line.contains("allow(unsafe_code"))
+    };
     let mut found: Vec<String> = Vec::new();
-    for folder in ["cases", "reference", "student_template", "grader", "tests/src", "tests/solution"] {
-        found.extend(files(folder, "rs").iter().filter(|path| is_unsafe(path)).map(|path| name(path)));
+    for folder in
+        ["cases", "reference", "student_template", "grader", "tests/src", "tests/solution"]
+    {
+        found.extend(
+            files(folder, "rs").iter().filter(|path| is_unsafe(path)).map(|path| name(path)),
+        );
     }
     assert_eq!(found, UNSAFE);
 }
@@ -243,7 +284,10 @@ fn what_is_banned_stands_nowhere() {
     for ban in BANS {
         let sources = files(ban.folder, "rs");
         assert!(!sources.is_empty(), "{} holds no source file", ban.folder);
-        for path in sources.iter().filter(|path| !ban.except.iter().any(|start| name(path).starts_with(start))) {
+        for path in sources
+            .iter()
+            .filter(|path| !ban.except.iter().any(|start| name(path).starts_with(start)))
+        {
             for (number, line) in code_lines(path) {
                 broken.extend(
                     ban.words
@@ -261,15 +305,20 @@ fn what_is_banned_stands_nowhere() {
 fn exceptions_name_files_that_exist() {
     for start in BANS.iter().flat_map(|ban| ban.except) {
         let folder = start.split('/').next().expect("a path");
-        assert!(files(folder, "rs").iter().any(|path| name(path).starts_with(start)), "{start} excuses nothing");
+        assert!(
+            files(folder, "rs").iter().any(|path| name(path).starts_with(start)),
+            "{start} excuses nothing"
+        );
     }
 }
 
 #[test]
 fn every_rule_is_cited_in_the_reference_and_in_the_solution() {
     for folder in ["reference/src", "tests/solution/src"] {
-        let text: String =
-            files(folder, "rs").iter().map(|path| std::fs::read_to_string(path).expect("a source file")).collect();
+        let text: String = files(folder, "rs")
+            .iter()
+            .map(|path| std::fs::read_to_string(path).expect("a source file"))
+            .collect();
         for rule in 1..=21 {
             assert!(text.contains(&format!("[rule {rule}]")), "{folder} never cites [rule {rule}]");
         }
@@ -279,7 +328,8 @@ fn every_rule_is_cited_in_the_reference_and_in_the_solution() {
 const MOST_LINES: usize = 400;
 
 /// Longer files, each with its reason.
-const LONGER: &[(&str, &str)] = &[("cases/src/scene/raw/read.rs", "one reader, a few lines for every kind of value")];
+const LONGER: &[(&str, &str)] =
+    &[("cases/src/scene/raw/read.rs", "one reader, a few lines for every kind of value")];
 
 #[test]
 fn source_files_open_with_what_they_are_and_stay_small() {
@@ -304,7 +354,11 @@ fn no_test_is_skipped() {
     for folder in ["cases", "reference", "grader", "tests", "student_template"] {
         for path in files(folder, "rs") {
             for (number, line) in code_lines(&path) {
-                assert!(!line.trim().starts_with("#[ignore"), "{}:{number} skips a test", name(&path));
+                assert!(
+                    !line.trim().starts_with("#[ignore"),
+                    "{}:{number} skips a test",
+                    name(&path)
+                );
             }
         }
     }
@@ -313,8 +367,10 @@ fn no_test_is_skipped() {
 #[test]
 fn answers_are_small_in_the_mean() {
     const MEAN_BYTES: usize = 150_000;
-    let sizes: Vec<usize> =
-        files("cases/stages", "exr").iter().map(|path| std::fs::read(path).expect("an answer").len()).collect();
+    let sizes: Vec<usize> = files("cases/stages", "exr")
+        .iter()
+        .map(|path| std::fs::read(path).expect("an answer").len())
+        .collect();
     let mean = sizes.iter().sum::<usize>() / sizes.len();
     assert!(mean < MEAN_BYTES, "{} answers have {mean} bytes in the mean", sizes.len());
 }

@@ -1,5 +1,5 @@
-//! Hidden sets: every public case can be varied, its numbers stay within their bounds, the solution earns everything on it, and the
-//! public pictures nothing.
+//! Hidden sets: every public case can be varied, its numbers stay within their bounds, the solution
+//! earns everything on it, and the public pictures nothing.
 
 use std::path::Path;
 use std::sync::LazyLock;
@@ -30,11 +30,13 @@ static PUBLIC: LazyLock<Set> = LazyLock::new(|| {
 });
 
 fn stages(folder: &Path) -> Vec<Stage> {
-    stage::load_all(folder, &cases::Course::default()).unwrap_or_else(|problems| panic!("{problems}"))
+    stage::load_all(folder, &cases::Course::default())
+        .unwrap_or_else(|problems| panic!("{problems}"))
 }
 
 static ORIGINALS: LazyLock<Vec<Original>> = LazyLock::new(|| {
-    let originals = folder::originals(&public_stages(), &PUBLIC, || {}).unwrap_or_else(|wrong| panic!("{wrong}"));
+    let originals = folder::originals(&public_stages(), &PUBLIC, || {})
+        .unwrap_or_else(|wrong| panic!("{wrong}"));
     assert_eq!(originals.constant, Vec::<String>::new(), "a public case has no `[vary]`");
     originals.varying
 });
@@ -61,11 +63,13 @@ fn hidden(n: usize) -> TempDir {
     let third = ORIGINALS.iter().enumerate().filter(|(at, _)| at % SEEDS.len() == n);
     let third: Vec<Varied> = third.map(|(_, original)| varied(original, SEEDS[n])).collect();
     let place = tempfile::tempdir().expect("a temporary folder");
-    let draft =
-        Draft::write(&public_stages(), &PUBLIC, &third, &[], place.path()).unwrap_or_else(|why| panic!("{why}"));
+    let draft = Draft::write(&public_stages(), &PUBLIC, &third, &[], place.path())
+        .unwrap_or_else(|why| panic!("{why}"));
     let set = Set::new(stages(&draft.stages()), &PUBLIC.course);
-    let answers = expect::of_set(&draft.stages(), &set, |_| true, &Silent).unwrap_or_else(|why| panic!("{why}"));
-    cases::files::write_all(answers.files().map(Expected::as_output)).unwrap_or_else(|why| panic!("{why}"));
+    let answers = expect::of_set(&draft.stages(), &set, |_| true, &Silent)
+        .unwrap_or_else(|why| panic!("{why}"));
+    cases::files::write_all(answers.files().map(Expected::as_output))
+        .unwrap_or_else(|why| panic!("{why}"));
     draft.publish(place.path()).unwrap_or_else(|why| panic!("{why}"));
     place
 }
@@ -97,7 +101,12 @@ fn every_number_stays_within_its_bound_and_all_else_stays() {
         assert!(wrong.is_empty(), "{}:\n{}", case.id, wrong.join("\n"));
         let [one, other] = texts.map(|text| toml_of(&text));
         assert_ne!(one, other, "{}: two seeds give the same case", case.id);
-        assert_eq!(toml_of(&varied(original, 1).text), one, "{}: one seed gives two cases", case.id);
+        assert_eq!(
+            toml_of(&varied(original, 1).text),
+            one,
+            "{}: one seed gives two cases",
+            case.id
+        );
     }
 }
 
@@ -108,7 +117,8 @@ fn toml_of(text: &str) -> Value {
     Value::Table(text.parse().unwrap_or_else(|why| panic!("{why}")))
 }
 
-/// Notes every number of `moved` that is farther from that of `original` than its key allows, and whatever else differs.
+/// Notes every number of `moved` that is farther from that of `original` than its key allows, and
+/// whatever else differs.
 fn compare(original: &Value, moved: &Value, path: &str, bounds: &Bounds, wrong: &mut Vec<String>) {
     match (original, moved) {
         (Value::Table(one), Value::Table(other)) if one.keys().eq(other.keys()) => {
@@ -156,7 +166,9 @@ fn bound(path: &str, was: f64, bounds: &Bounds) -> f64 {
         "angle_deg" => bounds.angle_deg,
         "scale" => bounds.scale * was.abs(),
         "xy" | "xz" | "yx" | "yz" | "zx" | "zy" => bounds.scale * was.abs(),
-        "colour" | "ambient" | "background" | "ke" | "ka" | "kd" | "ks" | "kt" | "kr" => bounds.colours.min(was / 2.0),
+        "colour" | "ambient" | "background" | "ke" | "ka" | "kd" | "ks" | "kt" | "kr" => {
+            bounds.colours.min(was / 2.0)
+        }
         "index" => bounds.indices,
         _ => 0.0,
     }
@@ -185,7 +197,8 @@ fn lost_by_the_solution(bench: &Bench) -> Vec<String> {
     lost.map(|check| format!("{}: {:?}", check.id, said(check))).collect()
 }
 
-/// Right tracers agree on a hidden case; who has learned the public picture by heart earns what two pictures have in common by chance.
+/// Right tracers agree on a hidden case; who has learned the public picture by heart earns what two
+/// pictures have in common by chance.
 fn check_answer(id: &str, answer: &ImageAnswer) {
     let contested = answer.contested_share();
     assert!(contested < 0.03, "{id}: {:.1} % of the pixels are contested", 100.0 * contested);

@@ -18,11 +18,14 @@ pub struct CheckAnswer {
     pub made_from: Digest,
     /// The right answer.
     pub answer: Answer,
-    /// How far each number of the answer may be from it, absolutely: from the conditioning of the question.
+    /// How far each number of the answer may be from it, absolutely: from the conditioning of the
+    /// question.
     pub allowed: f64,
-    /// Whether the decision (hit or miss, yes or no) flips within rounding of the inputs, so that either is right.
+    /// Whether the decision (hit or miss, yes or no) flips within rounding of the inputs, so that
+    /// either is right.
     pub either: bool,
-    /// What a program says that makes a known mistake, by the mistake's id; only answers that are wrong.
+    /// What a program says that makes a known mistake, by the mistake's id; only answers that are
+    /// wrong.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub wrong: BTreeMap<String, Answer>,
 }
@@ -62,7 +65,10 @@ mod tests {
             either: false,
             wrong,
         };
-        let answers = vec![answer("a/b/c", to_light, wrong), answer("a/b/d", Answer::Miss(true), BTreeMap::default())];
+        let answers = vec![
+            answer("a/b/c", to_light, wrong),
+            answer("a/b/d", Answer::Miss(true), BTreeMap::default()),
+        ];
         let text = check_answers_to_string(&answers).unwrap();
         assert_eq!(check_answers_from_str(&text).unwrap(), answers);
         assert_eq!(text.lines().count(), 4);

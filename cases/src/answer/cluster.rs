@@ -1,13 +1,15 @@
 //! Clusters: correct tracers leave single pixels that are out, mistakes leave blobs.
 
-/// The size of the largest 8-connected cluster of pixels that are `out`, in rows of `width`; 0 where none is.
+/// The size of the largest 8-connected cluster of pixels that are `out`, in rows of `width`; 0
+/// where none is.
 pub fn largest_cluster(out: &[bool], width: u32) -> u32 {
     let mut clusters = Clusters::default();
     out.chunks(width.max(1) as usize).for_each(|row| clusters.row(row));
     clusters.largest()
 }
 
-/// `Clusters` finds the clusters of a picture that comes row by row. Its memory is that of two rows.
+/// `Clusters` finds the clusters of a picture that comes row by row. Its memory is that of two
+/// rows.
 #[derive(Clone, Debug, Default)]
 pub struct Clusters {
     /// Of each run, the run it was joined to; a root is joined to itself.
@@ -26,7 +28,8 @@ impl Clusters {
         let mut runs = Vec::new();
         let mut at = 0;
         while let Some(first) = out[at..].iter().position(|is_out| *is_out).map(|n| at + n) {
-            let end = out[first..].iter().position(|is_out| !is_out).map_or(out.len(), |n| first + n);
+            let end =
+                out[first..].iter().position(|is_out| !is_out).map_or(out.len(), |n| first + n);
             runs.push((first, end - 1, self.run((end - first) as u32)));
             at = end;
         }
@@ -35,7 +38,8 @@ impl Clusters {
             while above < self.before.len() && self.before[above].1 + 1 < *first {
                 above += 1;
             }
-            let touching = self.before[above..].iter().take_while(|one| one.0 <= last + 1).map(|one| one.2);
+            let touching =
+                self.before[above..].iter().take_while(|one| one.0 <= last + 1).map(|one| one.2);
             for other in touching.collect::<Vec<_>>() {
                 self.join(*run, other);
             }
@@ -91,10 +95,12 @@ impl Clusters {
     }
 }
 
-/// The pixels around the one with index `at`, corners included, that lie in a picture of `n` pixels.
+/// The pixels around the one with index `at`, corners included, that lie in a picture of `n`
+/// pixels.
 pub fn neighbours(at: usize, width: usize, n: usize) -> impl Iterator<Item = usize> {
     let (x, y) = (at % width, at / width);
-    let (columns, rows) = (x.saturating_sub(1)..=(x + 1).min(width - 1), y.saturating_sub(1)..=y + 1);
+    let (columns, rows) =
+        (x.saturating_sub(1)..=(x + 1).min(width - 1), y.saturating_sub(1)..=y + 1);
     let around = rows.flat_map(move |row| columns.clone().map(move |column| row * width + column));
     around.filter(move |one| *one < n && *one != at)
 }
@@ -104,7 +110,8 @@ mod tests {
     use super::*;
 
     fn check(picture: &[&str], expected: u32) {
-        let out: Vec<bool> = picture.iter().flat_map(|row| row.chars().map(|mark| mark == '#')).collect();
+        let out: Vec<bool> =
+            picture.iter().flat_map(|row| row.chars().map(|mark| mark == '#')).collect();
         assert_eq!(largest_cluster(&out, picture[0].len() as u32), expected, "{picture:?}");
     }
 
@@ -143,7 +150,8 @@ mod tests {
             (state >> 33) % n
         };
         for _ in 0..2000 {
-            let (width, height, share) = (1 + below(12) as usize, 1 + below(12) as usize, below(10));
+            let (width, height, share) =
+                (1 + below(12) as usize, 1 + below(12) as usize, below(10));
             let out: Vec<bool> = (0..width * height).map(|_| below(10) < share).collect();
             let mut left = out.clone();
             let expected = (0..out.len()).map(|at| flood(&mut left, width, at)).max().unwrap_or(0);

@@ -1,4 +1,5 @@
-//! What a stored answer was made from, as a digest: an answer is trusted only if it belongs to its case.
+//! What a stored answer was made from, as a digest: an answer is trusted only if it belongs to its
+//! case.
 
 use std::fmt;
 
@@ -15,8 +16,8 @@ use crate::stage::{Base, Case, Check};
 /// formula, a legal variation, a known mistake, a weight, a limit.
 pub const RULES_VERSION: u32 = 1;
 
-/// A digest of everything that an answer was made from: the version of the rules, the choices of the
-/// course, and the resolved scene or question with its meshes.
+/// A digest of everything that an answer was made from: the version of the rules, the choices of
+/// the course, and the resolved scene or question with its meshes.
 ///
 /// Titles and descriptions are no part of it, so that a changed word makes no answer stale. The
 /// default is the digest of nothing, which no answer has.
@@ -53,9 +54,11 @@ impl Digest {
 
     fn of(course: &Course, what: &str, from: impl Serialize) -> Self {
         let keys = DECISIONS.iter().map(|decision| decision.key);
-        let made = Made { rules: RULES_VERSION, course: keys.zip(course.written()).collect(), what, from };
+        let made =
+            Made { rules: RULES_VERSION, course: keys.zip(course.written()).collect(), what, from };
         let mut hasher = blake3::Hasher::new();
-        serde_json::to_writer(&mut hasher, &made).expect("scenes and answers have only string keys");
+        serde_json::to_writer(&mut hasher, &made)
+            .expect("scenes and answers have only string keys");
         Self(hasher.finalize().to_hex()[..32].to_owned())
     }
 }

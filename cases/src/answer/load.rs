@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::{
-    CheckAnswer, Digest, ImageAnswer, Mistake, check_answers_from_str, check_answers_path, image_answer_path,
-    mistakes_from_str, mistakes_path,
+    CheckAnswer, Digest, ImageAnswer, Mistake, check_answers_from_str, check_answers_path,
+    image_answer_path, mistakes_from_str, mistakes_path,
 };
 use crate::course::Course;
 use crate::files::{self, ReadError};
@@ -39,7 +39,12 @@ pub enum AnswerError {
 ///
 /// # Errors
 /// [`AnswerError`].
-pub fn image(stages: &Path, course: &Course, base: Base, case: &Case) -> Result<ImageAnswer, AnswerError> {
+pub fn image(
+    stages: &Path,
+    course: &Course,
+    base: Base,
+    case: &Case,
+) -> Result<ImageAnswer, AnswerError> {
     let bytes = bytes(&image_answer_path(stages, &case.id))?;
     if ImageAnswer::made_from(&bytes)? != Some(Digest::of_case(course, base, case)) {
         return Err(AnswerError::Stale);
@@ -50,12 +55,16 @@ pub fn image(stages: &Path, course: &Course, base: Base, case: &Case) -> Result<
 /// The answers to the unit checks of a stage, or why there is none, by id of the check.
 pub type CheckAnswers = BTreeMap<String, Result<CheckAnswer, AnswerError>>;
 
-/// Returns the answer to every unit check of `stage` that is stored below `stages`, and those of the
-/// stored answers that no check asks for.
+/// Returns the answer to every unit check of `stage` that is stored below `stages`, and those of
+/// the stored answers that no check asks for.
 ///
 /// # Errors
 /// A file that is missing or cannot be read.
-pub fn checks(stages: &Path, course: &Course, stage: &Stage) -> Result<(CheckAnswers, Vec<String>), AnswerError> {
+pub fn checks(
+    stages: &Path,
+    course: &Course,
+    stage: &Stage,
+) -> Result<(CheckAnswers, Vec<String>), AnswerError> {
     if stage.checks.is_empty() {
         return Ok((CheckAnswers::new(), vec![]));
     }

@@ -4,7 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use super::Digest;
 
-/// A known way to get a rule wrong, one of the list stored as `mistakes.answers.json` beside the stages.
+/// A known way to get a rule wrong, one of the list stored as `mistakes.answers.json` beside the
+/// stages.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 pub struct Mistake {
@@ -29,12 +30,15 @@ struct Stored {
 ///
 /// # Errors
 /// What the encoder says.
-pub fn mistakes_to_string(made_from: &Digest, mistakes: &[Mistake]) -> Result<String, serde_json::Error> {
+pub fn mistakes_to_string(
+    made_from: &Digest,
+    mistakes: &[Mistake],
+) -> Result<String, serde_json::Error> {
     Ok(format!("{{\"made_from\":\"{made_from}\",\"mistakes\":{}}}\n", lines(mistakes)?.trim_end()))
 }
 
-/// Returns what the list in `text` was made from, and the mistakes. A list without a digest, as it was
-/// stored once, was made from nothing that is known.
+/// Returns what the list in `text` was made from, and the mistakes. A list without a digest, as it
+/// was stored once, was made from nothing that is known.
 ///
 /// # Errors
 /// What is missing or of the wrong kind, with line and column.
@@ -60,7 +64,12 @@ mod tests {
     #[test]
     fn mistakes_come_back() {
         let says = "the \"mirror\" is turned".to_owned();
-        let one = Mistake { id: "a_b".to_owned(), rule: 7, says, look_at: "reflection.rs reflect".to_owned() };
+        let one = Mistake {
+            id: "a_b".to_owned(),
+            rule: 7,
+            says,
+            look_at: "reflection.rs reflect".to_owned(),
+        };
         let made_from = Digest::of_mistakes(&Course::default());
         let text = mistakes_to_string(&made_from, &[one.clone(), one.clone()]).unwrap();
         assert_eq!(mistakes_from_str(&text).unwrap(), (made_from, vec![one.clone(), one]));

@@ -50,7 +50,9 @@ impl Legal {
     /// The lecture's value, as it is written in the file.
     pub fn lecture(&self) -> String {
         match self {
-            Self::OneOf(values) => values.first().map_or_else(String::new, |(written, _)| (*written).to_owned()),
+            Self::OneOf(values) => {
+                values.first().map_or_else(String::new, |(written, _)| (*written).to_owned())
+            }
             Self::Range { lecture, .. } => format!("{lecture:e}"),
             Self::Effects => effects_as_written(Effects::NONE),
         }
@@ -78,15 +80,25 @@ pub(super) fn read<T: Choice>(value: &Value<'_>, notes: &mut Notes) -> Option<T>
     T::VALUES.iter().find(|(_, legal, _)| *legal == written).map(|(value, ..)| *value)
 }
 
-/// Returns the form in which a file has a legal value of `decision`, as [`Course::written`] gives it, or
-/// `None` once its problem has been noted.
+/// Returns the form in which a file has a legal value of `decision`, as [`Course::written`] gives
+/// it, or `None` once its problem has been noted.
 ///
 /// [`Course::written`]: super::Course::written
-pub(super) fn value_as_written(decision: &Decision, value: &Value<'_>, notes: &mut Notes) -> Option<String> {
+pub(super) fn value_as_written(
+    decision: &Decision,
+    value: &Value<'_>,
+    notes: &mut Notes,
+) -> Option<String> {
     match decision.legal {
-        Legal::OneOf(values) => one_of(decision.key, values.iter().map(|(written, _)| *written), value, notes),
-        Legal::Range { .. } => RawEpsilon::read(value, notes).map(|epsilon| format!("{:e}", epsilon.0)),
-        Legal::Effects => RawEffects::read(value, notes).map(|effects| effects_as_written(effects.0)),
+        Legal::OneOf(values) => {
+            one_of(decision.key, values.iter().map(|(written, _)| *written), value, notes)
+        }
+        Legal::Range { .. } => {
+            RawEpsilon::read(value, notes).map(|epsilon| format!("{:e}", epsilon.0))
+        }
+        Legal::Effects => {
+            RawEffects::read(value, notes).map(|effects| effects_as_written(effects.0))
+        }
     }
 }
 
@@ -99,7 +111,9 @@ fn one_of<'a>(
 ) -> Option<String> {
     let written = match value.get_ref() {
         DeValue::String(text) => format!("\"{text}\""),
-        DeValue::Integer(_) | DeValue::Float(_) => format!("{:?}", finite(value, "a number", notes)?),
+        DeValue::Integer(_) | DeValue::Float(_) => {
+            format!("{:?}", finite(value, "a number", notes)?)
+        }
         _ => {
             notes.wrong(value, &format!("one of {}", quoted(legal)));
             return None;
@@ -109,7 +123,8 @@ fn one_of<'a>(
         return Some(written);
     }
     let all = format!("legal values are {}; the first is the lecture's", quoted(legal.clone()));
-    let problem = notes.add(value.span(), format!("`{key}` cannot be {written}"), "no course decides so");
+    let problem =
+        notes.add(value.span(), format!("`{key}` cannot be {written}"), "no course decides so");
     problem.help(match did_you_mean(&written, legal) {
         Some(meant) => format!("did you mean `{meant}`? {all}"),
         None => all,
@@ -128,8 +143,13 @@ pub(super) fn written<T: Choice + PartialEq>(value: &T) -> String {
 /// The schema of a choice: its values, the default, what each means.
 pub(super) fn schema<T: Choice>() -> Schema {
     let values: Vec<Json> = T::VALUES.iter().map(|(_, written, _)| json(written)).collect();
-    let means: Vec<String> = T::VALUES.iter().map(|(_, written, means)| format!("`{written}`: {means}")).collect();
-    json_schema!({ "enum": values, "default": values.first(), "markdownDescription": means.join("; ") })
+    let means: Vec<String> =
+        T::VALUES.iter().map(|(_, written, means)| format!("`{written}`: {means}")).collect();
+    json_schema!({
+        "enum": values,
+        "default": values.first(),
+        "markdownDescription": means.join("; "),
+    })
 }
 
 /// A set of effects as a course gives it.
@@ -169,7 +189,8 @@ pub(crate) struct RawEpsilon(pub(super) f64);
 impl RawEpsilon {
     /// Courses teach values from here ...
     pub(super) const LEAST: f64 = RAY_EPSILON;
-    /// ... to here; a greater one loses contact shadows, a lesser one leaves acne in single precision.
+    /// ... to here; a greater one loses contact shadows, a lesser one leaves acne in single
+    /// precision.
     pub(super) const MOST: f64 = 1e-3;
 }
 
@@ -178,7 +199,11 @@ impl Read for RawEpsilon {
         let wanted = format!("a number from {:e} to {:e}", Self::LEAST, Self::MOST);
         let number = finite(value, &wanted, notes)?;
         if !(Self::LEAST..=Self::MOST).contains(&number) {
-            notes.add(value.span(), format!("this is not {wanted}"), format!("{wanted} is due here"));
+            notes.add(
+                value.span(),
+                format!("this is not {wanted}"),
+                format!("{wanted} is due here"),
+            );
             return None;
         }
         Some(Self(number))
@@ -199,11 +224,17 @@ impl JsonSchema for RawEpsilon {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "type": "number", "minimum": Self::LEAST, "maximum": Self::MOST, "default": RAY_EPSILON })
+        json_schema!({
+            "type": "number",
+            "minimum": Self::LEAST,
+            "maximum": Self::MOST,
+            "default": RAY_EPSILON,
+        })
     }
 }
 
-/// Declares all decisions: for each its type, its key in the file and in [`Course`](super::Course), and its texts. Needs `table!` in scope.
+/// Declares all decisions: for each its type, its key in the file and in [`Course`](super::Course),
+/// and its texts. Needs `table!` in scope.
 macro_rules! decisions {
     ($(#[doc = $decides:tt] $key:ident : $name:ident [$($rule:literal),*] $(D $number:literal)? {
         #[doc = $first_means:tt]
@@ -261,7 +292,8 @@ macro_rules! decisions {
         )*
 
         table! {
-            /// What a course decides where courses differ; a key left out is decided as the lecture does.
+            /// What a course decides where courses differ; a key left out is decided as the lecture
+            /// does.
             "a course" RawCourse {
                 $( #[doc = $decides] $key: $name, )*
                 /// RAY_EPSILON: a hit at a lesser t does not count.
@@ -271,7 +303,8 @@ macro_rules! decisions {
             }
         }
 
-        /// What a course decided: one legal value for everything on which courses differ. The default is the lecture.
+        /// What a course decided: one legal value for everything on which courses differ. The
+        /// default is the lecture.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct Course {
             $(
@@ -287,7 +320,11 @@ macro_rules! decisions {
         impl Default for Course {
             fn default() -> Self {
                 let always_simulated = $crate::effects::Effects::NONE;
-                Self { $( $key: $name::default(), )* epsilon: $crate::RAY_EPSILON, always_simulated }
+                Self {
+                    $( $key: $name::default(), )*
+                    epsilon: $crate::RAY_EPSILON,
+                    always_simulated,
+                }
             }
         }
 
@@ -334,7 +371,8 @@ macro_rules! decisions {
             },
             $crate::course::Decision {
                 key: "always_simulated",
-                decides: "The effects that every program of this course simulates in every stage, also before their own stage",
+                decides: "The effects that every program of this course simulates in every stage, \
+                    also before their own stage",
                 rules: &[],
                 number: None,
                 legal: $crate::course::Legal::Effects,

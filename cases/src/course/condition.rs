@@ -9,8 +9,8 @@ use crate::scene::raw::read::{Notes, Read, Value};
 
 /// A set of courses: for some keys of `course.toml`, the values that a course of the set may have.
 ///
-/// It is written as `{ index_of_air = 1.0003, two_sided = ["never", "transmissive"] }`. A key that is
-/// left out may have any value.
+/// It is written as `{ index_of_air = 1.0003, two_sided = ["never", "transmissive"] }`. A key that
+/// is left out may have any value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Condition(Vec<Clause>);
 
@@ -34,14 +34,21 @@ impl Condition {
 impl Read for Condition {
     fn read(value: &Value<'_>, notes: &mut Notes) -> Option<Self> {
         let Some(entries) = value.get_ref().as_table() else {
-            notes.wrong(value, "a table of the keys of course.toml, each with one legal value or a list of them");
+            notes.wrong(
+                value,
+                "a table of the keys of course.toml, each with one legal value or a list of them",
+            );
             return None;
         };
         let keys = || DECISIONS.iter().map(|decision| decision.key);
         let mut clauses = Some(vec![]);
         for (key, value) in entries {
-            let clause = match DECISIONS.iter().position(|decision| decision.key == key.get_ref().as_ref()) {
-                Some(decision) => values(&DECISIONS[decision], value, notes).map(|values| Clause { decision, values }),
+            let clause = match DECISIONS
+                .iter()
+                .position(|decision| decision.key == key.get_ref().as_ref())
+            {
+                Some(decision) => values(&DECISIONS[decision], value, notes)
+                    .map(|values| Clause { decision, values }),
                 None => {
                     let message = format!("unknown key `{}`", key.get_ref());
                     let problem = notes.add(key.span(), message, "course.toml has no such key");
@@ -64,7 +71,9 @@ fn values(decision: &Decision, value: &Value<'_>, notes: &mut Notes) -> Option<V
         (Legal::Effects, _) | (_, DeValue::String(_) | DeValue::Integer(_) | DeValue::Float(_)) => {
             value_as_written(decision, value, notes).map(|one| vec![one])
         }
-        (_, DeValue::Array(items)) => items.iter().map(|item| value_as_written(decision, item, notes)).collect(),
+        (_, DeValue::Array(items)) => {
+            items.iter().map(|item| value_as_written(decision, item, notes)).collect()
+        }
         _ => {
             notes.wrong(value, "a legal value of this key, or a list of them");
             None

@@ -1,4 +1,5 @@
-//! What a course decides: each key of `course.toml` with its legal values, the lecture's first. The doc comments are the texts of the handout.
+//! What a course decides: each key of `course.toml` with its legal values, the lecture's first. The
+//! doc comments are the texts of the handout.
 
 use super::choice::decisions;
 use crate::scene::raw::read::table;
@@ -32,7 +33,7 @@ decisions! {
         /// Phong's (R·V)₊^ns, R the direction to the light mirrored about N
         Phong = "phong",
     }
-    /// Which surfaces a light shines on from behind: on these, B is 1 and the size of N·L counts, whatever its sign
+    /// The surfaces that a light also shines on from behind, where B is 1 and |N·L| counts
     two_sided: TwoSided [3, 11] {
         /// none
         Never = "never",
@@ -73,7 +74,7 @@ decisions! {
         /// as from outside
         AsOutside = "as_outside",
     }
-    /// The depths at which a ray still spawns others; in a scene with max_depth 0, no ray does, whatever the course decides
+    /// The depths at which a ray still spawns others; at max_depth 0, no ray does in any course
     depth: DepthTest [13] {
         /// depth < max_depth
         Less = "<",

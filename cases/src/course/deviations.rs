@@ -16,13 +16,17 @@ pub struct Deviation {
 
 /// Returns the courses that differ from the lecture in one key, in the order of [`DECISIONS`].
 ///
-/// A choice has every other value. A range has its far end and a value within, since students' programs are
-/// free in it. A set of effects has shadows alone, and all effects.
+/// A choice has every other value. A range has its far end and a value within, since students'
+/// programs are free in it. A set of effects has shadows alone, and all effects.
 pub fn deviations() -> Vec<Deviation> {
     let of_decision = |decision: &'static Decision| {
         let values: Vec<String> = match decision.legal {
-            Legal::OneOf(values) => values.iter().skip(1).map(|(value, _)| (*value).to_owned()).collect(),
-            Legal::Range { least, most, .. } => vec![format!("{:e}", (least * most).sqrt()), format!("{most:e}")],
+            Legal::OneOf(values) => {
+                values.iter().skip(1).map(|(value, _)| (*value).to_owned()).collect()
+            }
+            Legal::Range { least, most, .. } => {
+                vec![format!("{:e}", (least * most).sqrt()), format!("{most:e}")]
+            }
             Legal::Effects => {
                 let sets = [Effects::NONE.with(Effect::Shadows), Effects::ALL];
                 sets.map(super::choice::effects_as_written).to_vec()

@@ -37,13 +37,14 @@ pub fn reasons(scene: &Scene, course: &Course) -> Vec<Reason> {
 
 /// Makes `scene` request `effects` and no others.
 ///
-/// Two effects belong to objects and lights, so that no tracer can leave them out by itself. Without
-/// transforms, every matrix becomes the identity. Without attenuation, no light weakens.
+/// Two effects belong to objects and lights, so that no tracer can leave them out by itself.
+/// Without transforms, every matrix becomes the identity. Without attenuation, no light weakens.
 pub fn simulate_only(scene: &mut Scene, effects: Effects) {
     scene.effects = effects;
     if !effects.has(Effect::Transforms) {
         for object in &mut scene.objects {
-            (object.world_from_object, object.object_from_world) = (DAffine3::IDENTITY, DAffine3::IDENTITY);
+            (object.world_from_object, object.object_from_world) =
+                (DAffine3::IDENTITY, DAffine3::IDENTITY);
         }
     }
     if !effects.has(Effect::Attenuation) {
@@ -93,7 +94,9 @@ fn shadows(scene: &Scene, course: &Course) -> Result<String, String> {
         return Err("there is no object".into());
     }
     if !scene.objects.iter().any(|object| blocks(scene, course, object)) {
-        return Err("every object is transparent, and in this course such an object casts no shadow".into());
+        return Err(
+            "every object is transparent, and in this course such an object casts no shadow".into(),
+        );
     }
     match scene.objects.as_slice() {
         [only] if !shadows_itself(scene, course, only) => {
@@ -150,9 +153,17 @@ fn spawning(scene: &Scene, key: &str, colour: fn(&Material) -> DVec3) -> Result<
     if scene.render.max_depth == 0 { Err("render.max_depth is 0".into()) } else { Ok(because) }
 }
 
-fn material_with(scene: &Scene, key: &str, colour: fn(&Material) -> DVec3) -> Result<String, String> {
+fn material_with(
+    scene: &Scene,
+    key: &str,
+    colour: fn(&Material) -> DVec3,
+) -> Result<String, String> {
     named(
-        scene.objects.iter().map(|object| scene.material(object)).find(|m| colour(m).max_element() > 0.0),
+        scene
+            .objects
+            .iter()
+            .map(|object| scene.material(object))
+            .find(|m| colour(m).max_element() > 0.0),
         |material| format!("material \"{}\" has {key} > 0", material.name),
         &format!("no object's material has {key} > 0"),
     )

@@ -42,7 +42,9 @@ impl Place {
                 return Ok(Self::Descriptor(number));
             }
             let found = match fs::symlink_metadata(&path) {
-                Err(why) if matches!(why.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => {
+                Err(why)
+                    if matches!(why.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) =>
+                {
                     return Self::free(path);
                 }
                 found => found?.file_type(),
@@ -105,7 +107,8 @@ pub fn is_stdout(name: &Path) -> bool {
 
 /// Returns whether `name` is a stream, a pipe or a device. Such a name does not end in a format.
 pub fn is_stream(name: &Path) -> bool {
-    is_standard(name) || matches!(Place::of(name), Ok(Place::Descriptor(_) | Place::Pipe | Place::Device))
+    is_standard(name)
+        || matches!(Place::of(name), Ok(Place::Descriptor(_) | Place::Pipe | Place::Device))
 }
 
 /// Returns the folder around `path`, which is `.` for a bare name.

@@ -52,7 +52,9 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, ReadError> {
         () => {}
     }
     let mut bytes = vec![];
-    File::open(path).and_then(|file| file.take(limit + 1).read_to_end(&mut bytes)).map_err(ReadError::of)?;
+    File::open(path)
+        .and_then(|file| file.take(limit + 1).read_to_end(&mut bytes))
+        .map_err(ReadError::of)?;
     match bytes.len() as u64 {
         found if found > limit => Err(ReadError::TooLarge { found, limit }),
         _ => Ok(bytes),
@@ -64,7 +66,8 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, ReadError> {
 /// # Errors
 /// [`ReadError`].
 pub fn read_text(path: &Path, limit: u64) -> Result<String, ReadError> {
-    String::from_utf8(read(path, limit)?).map_err(|why| ReadError::NotText(why.utf8_error().valid_up_to()))
+    String::from_utf8(read(path, limit)?)
+        .map_err(|why| ReadError::NotText(why.utf8_error().valid_up_to()))
 }
 
 #[cfg(test)]
@@ -85,7 +88,13 @@ mod tests {
         assert_eq!(refused(&at("pipe")), "it is not a regular file");
         assert_eq!(refused(Path::new("/dev/zero")), "it is not a regular file");
         assert_eq!(refused(&at("four/x")), "it cannot be read: Not a directory (os error 20)");
-        assert_eq!(read(&at("four"), 3).unwrap_err().to_string(), "it has 4 bytes; at most 3 are read");
-        assert_eq!(read_text(&at("four"), 4).unwrap_err().to_string(), "it is not a text: byte 1 is not UTF-8");
+        assert_eq!(
+            read(&at("four"), 3).unwrap_err().to_string(),
+            "it has 4 bytes; at most 3 are read"
+        );
+        assert_eq!(
+            read_text(&at("four"), 4).unwrap_err().to_string(),
+            "it is not a text: byte 1 is not UTF-8"
+        );
     }
 }

@@ -14,10 +14,13 @@ use super::write::{Part, Target, WriteError, write};
 ///
 /// # Errors
 /// [`WriteError`] about the first file that failed. A name that is not a regular file is refused.
-pub fn write_all<'a>(files: impl IntoIterator<Item = (&'a Path, &'a [u8])>) -> Result<usize, WriteError> {
+pub fn write_all<'a>(
+    files: impl IntoIterator<Item = (&'a Path, &'a [u8])>,
+) -> Result<usize, WriteError> {
     let mut parts = vec![];
     for (name, bytes) in files {
-        let prepared = prepare(name, bytes).map_err(|source| WriteError::untouched(name, source))?;
+        let prepared =
+            prepare(name, bytes).map_err(|source| WriteError::untouched(name, source))?;
         parts.push((name, prepared));
     }
     let mut replaced: Vec<(PathBuf, Option<Vec<u8>>)> = vec![];
@@ -42,7 +45,8 @@ fn prepare(name: &Path, bytes: &[u8]) -> io::Result<(PathBuf, Part)> {
 
 /// Gives a file its old content back, or removes it where there was none.
 ///
-/// The rename of its neighbour has failed already, so there is nobody to report a second failure to.
+/// The rename of its neighbour has failed already, so there is nobody to report a second failure
+/// to.
 fn restore(path: &Path, old: Option<&[u8]>) {
     let _ = match old {
         Some(old) => write(path, old).map_err(|why| why.source),
@@ -76,8 +80,10 @@ mod tests {
             let error = write_all(set.iter().map(|path| (&**path, &b"new"[..]))).unwrap_err();
             assert_eq!(error.name, path(unwritable));
             assert_eq!(fs::read_to_string(path("a")).unwrap(), "old", "{unwritable}");
-            let mut left: Vec<_> =
-                fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+            let mut left: Vec<_> = fs::read_dir(folder.path())
+                .unwrap()
+                .map(|entry| entry.unwrap().file_name())
+                .collect();
             left.sort();
             assert_eq!(left, ["a", "b"], "{unwritable}");
         }

@@ -16,7 +16,8 @@ static PARTS: AtomicU64 = AtomicU64::new(0);
 
 /// A `WriteError` says why an output was not written, or not completely.
 #[derive(Debug, thiserror::Error)]
-#[error("cannot write {}: {source}{}", shown(name), if *is_untouched { "; nothing was changed" } else { "" })]
+#[error("cannot write {}: \
+    {source}{}", shown(name), if *is_untouched { "; nothing was changed" } else { "" })]
 pub struct WriteError {
     /// The name as the caller gave it.
     pub name: PathBuf,
@@ -83,7 +84,9 @@ pub fn write(name: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     let poured = match target {
         Target::Stdout => pour(io::stdout().lock(), bytes),
         Target::Stderr => pour(io::stderr().lock(), bytes),
-        Target::Open(path) => OpenOptions::new().append(true).open(path).and_then(|file| pour(file, bytes)),
+        Target::Open(path) => {
+            OpenOptions::new().append(true).open(path).and_then(|file| pour(file, bytes))
+        }
         Target::Pipe(path) => open_pipe(&path).map_err(untouched).map(|pipe| pour(pipe, bytes))?,
         Target::File(path) => return replace(&path, bytes).map_err(untouched),
     };
@@ -143,12 +146,19 @@ impl Target {
             Place::Pipe => Ok(Self::Pipe(name.to_owned())),
             Place::Free(path) => match folder_of(&path) {
                 folder if folder.is_dir() => Ok(Self::File(path)),
-                folder => refused(ErrorKind::NotFound, &format!("there is no folder `{}`", folder.display())),
+                folder => refused(
+                    ErrorKind::NotFound,
+                    &format!("there is no folder `{}`", folder.display()),
+                ),
             },
             // Opening the file changes nothing, and checks the permission.
-            Place::File(path) => OpenOptions::new().write(true).open(&path).map(|_| Self::File(path)),
+            Place::File(path) => {
+                OpenOptions::new().write(true).open(&path).map(|_| Self::File(path))
+            }
             Place::Folder => refused(ErrorKind::IsADirectory, "it is a folder"),
-            Place::Disk => refused(ErrorKind::InvalidInput, "it is a disk, and its content would be lost"),
+            Place::Disk => {
+                refused(ErrorKind::InvalidInput, "it is a disk, and its content would be lost")
+            }
             Place::Other => refused(ErrorKind::InvalidInput, "it is neither a file nor a pipe"),
         }
     }
@@ -158,12 +168,15 @@ impl Target {
 #[cfg(unix)]
 fn open_pipe(path: &Path) -> io::Result<File> {
     use std::os::unix::fs::OpenOptionsExt;
-    let probe = OpenOptions::new().write(true).custom_flags(libc::O_NONBLOCK).open(path).map_err(|why| {
-        match why.raw_os_error() == Some(libc::ENXIO) {
-            true => io::Error::new(ErrorKind::InvalidInput, "nobody reads from this pipe: start its reader first"),
+    let probe = OpenOptions::new().write(true).custom_flags(libc::O_NONBLOCK).open(path).map_err(
+        |why| match why.raw_os_error() == Some(libc::ENXIO) {
+            true => io::Error::new(
+                ErrorKind::InvalidInput,
+                "nobody reads from this pipe: start its reader first",
+            ),
             false => why,
-        }
-    })?;
+        },
+    )?;
     // A write through the probe would fail if the reader is slow. The probe stays open until the
     // pipe is open, so that the reader does not see the end of its input in between.
     let pipe = OpenOptions::new().write(true).open(path);
@@ -207,7 +220,8 @@ impl Part {
     /// Creates a file in the folder of `path`.
     fn beside(path: &Path) -> io::Result<Self> {
         loop {
-            let name = format!("{PART}{}-{}", std::process::id(), PARTS.fetch_add(1, Ordering::Relaxed));
+            let name =
+                format!("{PART}{}-{}", std::process::id(), PARTS.fetch_add(1, Ordering::Relaxed));
             let path = folder_of(path).join(name);
             match File::create_new(&path) {
                 // A killed process with the same number has left this name.

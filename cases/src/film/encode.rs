@@ -1,7 +1,7 @@
 //! The one place that turns linear light into integers.
 //!
-//! A channel is clamped to 0..1 and brought to one of 256 (or 65,536) levels, without gamma: as the courses do,
-//! so that a level is the same amount of light everywhere. NaN becomes 0.
+//! A channel is clamped to 0..1 and brought to one of 256 (or 65,536) levels, without gamma: as the
+//! courses do, so that a level is the same amount of light everywhere. NaN becomes 0.
 
 /// Which level light between two levels becomes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -29,7 +29,8 @@ impl Quantiser {
     fn whole(self, level: f64) -> u32 {
         let below = level as u32;
         match self {
-            // What is cut off is exact, so that this is `level.round()`: without a call, which most machines need for that.
+            // What is cut off is exact, so that this is `level.round()`: without a call, which most
+            // machines need for that.
             Self::Rounding => below + u32::from(level - f64::from(below) >= 0.5),
             Self::Truncating => below,
         }
@@ -42,7 +43,8 @@ pub fn byte(light: f64) -> u8 {
     Quantiser::Rounding.byte(light)
 }
 
-/// Linear light in 8-bit levels, 0..255, not rounded: the scale on which images are compared. NaN stays NaN.
+/// Linear light in 8-bit levels, 0..255, not rounded: the scale on which images are compared. NaN
+/// stays NaN.
 #[inline]
 pub fn level(light: f64) -> f64 {
     light.clamp(0.0, 1.0) * 255.0

@@ -1,8 +1,9 @@
-//! OpenEXR files of several parts, each of named planes: float pictures that image viewers open, and a line of notes.
+//! OpenEXR files of several parts, each of named planes: float pictures that image viewers open,
+//! and a line of notes.
 //!
-//! A plane is called as viewers expect it: `R`, `G`, `B` for the main picture, `lo.R` for the red of the layer `lo`. The bytes
-//! depend on the content alone: one thread writes, and all notes are one attribute, since attributes are kept in a hash map,
-//! whose order changes from run to run.
+//! A plane is called as viewers expect it: `R`, `G`, `B` for the main picture, `lo.R` for the red
+//! of the layer `lo`. The bytes depend on the content alone: one thread writes, and all notes are
+//! one attribute, since attributes are kept in a hash map, whose order changes from run to run.
 
 use std::io::Cursor;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -10,9 +11,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use ::exr::meta::Headers;
 use ::exr::meta::header::Header;
 use ::exr::prelude::{
-    AnyChannel, AnyChannels, AttributeValue, Compression, Encoding, FlatSamples, Image as Exr, ImageAttributes,
-    IntegerBounds, Layer as ExrPart, LayerAttributes, MetaData, ReadChannels, ReadLayers, ReadSpecificChannel,
-    SampleType, Text, Vec2, WritableImage, f16, read,
+    AnyChannel, AnyChannels, AttributeValue, Compression, Encoding, FlatSamples, Image as Exr,
+    ImageAttributes, IntegerBounds, Layer as ExrPart, LayerAttributes, MetaData, ReadChannels,
+    ReadLayers, ReadSpecificChannel, SampleType, Text, Vec2, WritableImage, f16, read,
 };
 use glam::DVec3;
 
@@ -55,7 +56,8 @@ pub enum Depth {
     Float,
 }
 
-/// The red, green and blue planes of `image` as the layer `name`, or as the main picture where `name` is empty.
+/// The red, green and blue planes of `image` as the layer `name`, or as the main picture where
+/// `name` is empty.
 pub fn rgb(name: &str, image: &Image, depth: Depth) -> [Plane; 3] {
     let plane = |channel: &str, pick: fn(&DVec3) -> f64| Plane {
         name: plane_name(name, channel),
@@ -82,7 +84,8 @@ impl Part {
     }
 }
 
-/// The bytes of a file of `size` (width, height) with these parts, and `notes`, which may be any text.
+/// The bytes of a file of `size` (width, height) with these parts, and `notes`, which may be any
+/// text.
 ///
 /// # Errors
 /// No part, a plane of another size, or what the encoder says.
@@ -91,14 +94,24 @@ pub fn encode(size: (u32, u32), parts: &[Part], notes: &str) -> Result<Vec<u8>, 
     if parts.is_empty() {
         return Err(PictureError::Broken("there is no picture to write".to_owned()));
     }
-    if let Some(plane) = parts.iter().flat_map(|part| &part.planes).find(|plane| plane.samples.len() != wanted) {
+    if let Some(plane) =
+        parts.iter().flat_map(|part| &part.planes).find(|plane| plane.samples.len() != wanted)
+    {
         let (name, n) = (&plane.name, plane.samples.len());
-        return Err(PictureError::Broken(format!("plane {name} has {n} pixels, {wanted} are wanted")));
+        return Err(PictureError::Broken(format!(
+            "plane {name} has {n} pixels, {wanted} are wanted"
+        )));
     }
     let size = (size.0 as usize, size.1 as usize);
     let attributes = ImageAttributes::new(IntegerBounds::from_dimensions(size));
-    let mut file = Exr::from_layers(attributes, parts.iter().map(|part| exr_part(part, size)).collect::<Vec<_>>());
-    file.layer_data[0].attributes.other.insert(Text::from(NOTES), AttributeValue::Text(Text::from(notes)));
+    let mut file = Exr::from_layers(
+        attributes,
+        parts.iter().map(|part| exr_part(part, size)).collect::<Vec<_>>(),
+    );
+    file.layer_data[0]
+        .attributes
+        .other
+        .insert(Text::from(NOTES), AttributeValue::Text(Text::from(notes)));
     let mut out = Vec::new();
     file.write().non_parallel().to_buffered(Cursor::new(&mut out)).map_err(broken)?;
     Ok(out)
@@ -107,7 +120,9 @@ pub fn encode(size: (u32, u32), parts: &[Part], notes: &str) -> Result<Vec<u8>, 
 fn exr_part(part: &Part, size: (usize, usize)) -> ExrPart<AnyChannels<FlatSamples>> {
     let channel = |plane: &Plane| {
         let samples = match plane.depth {
-            Depth::Half => FlatSamples::F16(plane.samples.iter().map(|sample| f16::from_f32(*sample)).collect()),
+            Depth::Half => FlatSamples::F16(
+                plane.samples.iter().map(|sample| f16::from_f32(*sample)).collect(),
+            ),
             Depth::Float => FlatSamples::F32(plane.samples.clone()),
         };
         AnyChannel::new(plane.name.as_str(), samples)
@@ -120,13 +135,19 @@ fn exr_part(part: &Part, size: (usize, usize)) -> ExrPart<AnyChannels<FlatSample
     )
 }
 
-/// The first part and the notes that `bytes` hold, every part demanded to be `width` × `height` before anything is decoded.
+/// The first part and the notes that `bytes` hold, every part demanded to be `width` × `height`
+/// before anything is decoded.
 ///
 /// # Errors
 /// [`PictureError`]: another size, too many parts or planes, or a broken file.
 pub fn decode_first(bytes: &[u8], width: u32, height: u32) -> Result<(Part, String), PictureError> {
     demand(bytes, (width, height))?;
-    let reader = read().no_deep_data().largest_resolution_level().all_channels().first_valid_layer().all_attributes();
+    let reader = read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .first_valid_layer()
+        .all_attributes();
     let file = guarded(|| reader.non_parallel().from_buffered(Cursor::new(bytes)))?;
     let notes = notes_in(&file.layer_data.attributes);
     Ok((our_part(file.layer_data), notes))
@@ -150,7 +171,10 @@ pub struct Shown {
 /// # Errors
 /// [`PictureError`]: `admit` refuses the size, a plane is missing or holds no floats, the planes do
 /// not cover the whole picture, or the file is damaged.
-pub fn decode_rgb(bytes: &[u8], admit: impl Fn((u32, u32)) -> Result<(), PictureError>) -> Result<Shown, PictureError> {
+pub fn decode_rgb(
+    bytes: &[u8],
+    admit: impl Fn((u32, u32)) -> Result<(), PictureError>,
+) -> Result<Shown, PictureError> {
     let headers = headers(bytes)?;
     let first = headers.first().ok_or_else(|| PictureError::Broken("it has no part".to_owned()))?;
     let size = size(first);
@@ -178,7 +202,9 @@ fn demand_rgb(first: &Header) -> Result<(), PictureError> {
     }
     let shown = first.shared_attributes.display_window;
     if (shown.position, shown.size) != (first.own_attributes.layer_position, first.layer_size) {
-        return broken("it is a part of a picture: its data window is not its display window".to_owned());
+        return broken(
+            "it is a part of a picture: its data window is not its display window".to_owned(),
+        );
     }
     for wanted in ["R", "G", "B"] {
         let plane = first.channels.list.iter().find(|plane| plane.name.eq(wanted));
@@ -196,7 +222,8 @@ fn demand_rgb(first: &Header) -> Result<(), PictureError> {
 /// Checks that a file of `length` bytes can hold the planes. So a short file cannot claim much
 /// memory.
 fn demand_length(length: usize, first: &Header) -> Result<(), PictureError> {
-    let sample_bytes: usize = first.channels.list.iter().map(|plane| plane.sample_type.bytes_per_sample()).sum();
+    let sample_bytes: usize =
+        first.channels.list.iter().map(|plane| plane.sample_type.bytes_per_sample()).sum();
     let wanted = first.layer_size.0.saturating_mul(first.layer_size.1).saturating_mul(sample_bytes);
     if wanted / MOST_RATIO > length {
         let ((width, height), n) = (size(first), first.channels.list.len());
@@ -213,7 +240,12 @@ fn demand_length(length: usize, first: &Header) -> Result<(), PictureError> {
 /// As [`decode_first`].
 pub fn decode(bytes: &[u8], width: u32, height: u32) -> Result<(Vec<Part>, String), PictureError> {
     demand(bytes, (width, height))?;
-    let reader = read().no_deep_data().largest_resolution_level().all_channels().all_layers().all_attributes();
+    let reader = read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .all_layers()
+        .all_attributes();
     let file = guarded(|| reader.non_parallel().from_buffered(Cursor::new(bytes)))?;
     let notes = file.layer_data.first().map(|part| notes_in(&part.attributes)).unwrap_or_default();
     Ok((file.layer_data.into_iter().map(our_part).collect(), notes))
@@ -223,9 +255,18 @@ pub fn decode(bytes: &[u8], width: u32, height: u32) -> Result<(Vec<Part>, Strin
 ///
 /// # Errors
 /// As [`decode_first`].
-pub fn plane_names(bytes: &[u8], width: u32, height: u32) -> Result<Vec<(String, Vec<String>)>, PictureError> {
-    let planes = |header: &Header| header.channels.list.iter().map(|channel| channel.name.to_string()).collect();
-    Ok(demand(bytes, (width, height))?.iter().map(|header| (name(header), planes(header))).collect())
+pub fn plane_names(
+    bytes: &[u8],
+    width: u32,
+    height: u32,
+) -> Result<Vec<(String, Vec<String>)>, PictureError> {
+    let planes = |header: &Header| {
+        header.channels.list.iter().map(|channel| channel.name.to_string()).collect()
+    };
+    Ok(demand(bytes, (width, height))?
+        .iter()
+        .map(|header| (name(header), planes(header)))
+        .collect())
 }
 
 /// Returns the notes that `bytes` hold; an empty text where there are none. Nothing is decoded.
@@ -260,7 +301,9 @@ fn headers(bytes: &[u8]) -> Result<Headers, PictureError> {
     let n_planes: usize = headers.iter().map(|header| header.channels.list.len()).sum();
     if headers.len() > MOST || n_planes > MOST {
         let n = headers.len();
-        return Err(PictureError::Broken(format!("it has {n} parts with {n_planes} planes, at most {MOST} are read")));
+        return Err(PictureError::Broken(format!(
+            "it has {n} parts with {n_planes} planes, at most {MOST} are read"
+        )));
     }
     Ok(headers)
 }
@@ -275,7 +318,11 @@ fn notes_in(attributes: &LayerAttributes) -> String {
 fn our_part(part: ExrPart<AnyChannels<FlatSamples>>) -> Part {
     let plane = |channel: AnyChannel<FlatSamples>| Plane {
         name: channel.name.to_string(),
-        depth: if matches!(channel.sample_data, FlatSamples::F16(_)) { Depth::Half } else { Depth::Float },
+        depth: if matches!(channel.sample_data, FlatSamples::F16(_)) {
+            Depth::Half
+        } else {
+            Depth::Float
+        },
         samples: channel.sample_data.values_as_f32().collect(),
     };
     let name = part.attributes.layer_name.as_ref().map(Text::to_string).unwrap_or_default();
@@ -284,8 +331,8 @@ fn our_part(part: ExrPart<AnyChannels<FlatSamples>>) -> Part {
 
 /// Calls the decoder. A panic of it is an error of the file.
 ///
-/// The decoder (1.74.2) indexes out of bounds where a block is shorter than the header says. What it
-/// reads lies in memory, so that nothing is left behind half changed.
+/// The decoder (1.74.2) indexes out of bounds where a block is shorter than the header says. What
+/// it reads lies in memory, so that nothing is left behind half changed.
 fn guarded<T>(read: impl FnOnce() -> ::exr::error::Result<T>) -> Result<T, PictureError> {
     let unfit = |_| PictureError::Broken("its blocks do not fit its header".to_owned());
     catch_unwind(AssertUnwindSafe(read)).map_err(unfit)?.map_err(broken)
@@ -296,61 +343,4 @@ fn broken(why: ::exr::error::Error) -> PictureError {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    const SIZE: (u32, u32) = (7, 5);
-
-    /// Sixteenths, so that half precision loses nothing.
-    fn plane(name: &str, scale: f32, depth: Depth) -> Plane {
-        Plane { name: name.to_owned(), samples: (0..35).map(|n| n as f32 * scale).collect(), depth }
-    }
-
-    fn two_parts() -> Vec<Part> {
-        let first = vec![plane("R", 0.1, Depth::Float), plane("lo.R", -0.0625, Depth::Half)];
-        let second = vec![plane("no_shadows.R", 0.5, Depth::Half)];
-        [("answer", first), ("mistakes", second)].map(|(name, planes)| Part { name: name.to_owned(), planes }).into()
-    }
-
-    #[test]
-    fn parts_and_notes_come_back_bit_for_bit() {
-        let bytes = encode(SIZE, &two_parts(), "{\"slack\":1}").unwrap();
-        assert_eq!(decode(&bytes, 7, 5).unwrap(), (two_parts(), "{\"slack\":1}".to_owned()));
-        assert_eq!(decode_first(&bytes, 7, 5).unwrap(), (two_parts().remove(0), "{\"slack\":1}".to_owned()));
-    }
-
-    #[test]
-    fn the_same_content_gives_the_same_bytes() {
-        assert_eq!(encode(SIZE, &two_parts(), "x").unwrap(), encode(SIZE, &two_parts(), "x").unwrap());
-    }
-
-    #[test]
-    fn another_size_is_refused() {
-        let bytes = encode(SIZE, &two_parts(), "").unwrap();
-        for error in [decode(&bytes, 8, 5).unwrap_err(), decode_first(&bytes, 8, 5).unwrap_err()] {
-            assert!(matches!(error, PictureError::Size { found: (7, 5), wanted: (8, 5) }), "{error}");
-        }
-        assert!(encode((8, 5), &two_parts(), "").is_err());
-        assert!(encode(SIZE, &[], "").is_err());
-    }
-
-    #[test]
-    fn a_plane_that_is_not_there_is_named() {
-        let error = two_parts()[1].plane("no_shadows.G").unwrap_err();
-        assert!(error.to_string().contains("part \"mistakes\" has no plane no_shadows.G"), "{error}");
-    }
-
-    #[test]
-    fn every_cut_and_every_broken_byte_is_an_error_or_a_picture_but_no_panic() {
-        let bytes = encode(SIZE, &two_parts(), "notes").unwrap();
-        for end in 0..bytes.len() {
-            assert!(decode(&bytes[..end], 7, 5).is_err(), "cut at {end}");
-        }
-        for at in 0..bytes.len() {
-            let mut broken = bytes.clone();
-            broken[at] ^= 0x55;
-            let _ = decode(&broken, 7, 5);
-            let _ = decode_first(&broken, 7, 5);
-        }
-    }
-}
+mod tests;

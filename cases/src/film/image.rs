@@ -11,7 +11,8 @@ pub struct Image {
 }
 
 impl Image {
-    /// The picture whose pixel (i, j) is `colour(i, j)`; i counts from the left, j from the top. [rule 1]
+    /// The picture whose pixel (i, j) is `colour(i, j)`; i counts from the left, j from the top.
+    /// [rule 1]
     pub fn from_fn(width: u32, height: u32, mut colour: impl FnMut(u32, u32) -> DVec3) -> Self {
         let mut pixels = Vec::with_capacity(width as usize * height as usize);
         for j in 0..height {
@@ -22,7 +23,11 @@ impl Image {
 
     /// The picture of the given pixels, or `None` where their count is not width · height.
     pub fn from_pixels(width: u32, height: u32, pixels: Vec<DVec3>) -> Option<Self> {
-        (pixels.len() as u64 == u64::from(width) * u64::from(height)).then_some(Self { width, height, pixels })
+        (pixels.len() as u64 == u64::from(width) * u64::from(height)).then_some(Self {
+            width,
+            height,
+            pixels,
+        })
     }
 
     /// Pixels in a row.
@@ -45,7 +50,12 @@ impl Image {
     /// # Panics
     /// Outside the picture.
     pub fn pixel(&self, i: u32, j: u32) -> DVec3 {
-        assert!(i < self.width && j < self.height, "pixel ({i}, {j}) lies outside {}×{}", self.width, self.height);
+        assert!(
+            i < self.width && j < self.height,
+            "pixel ({i}, {j}) lies outside {}×{}",
+            self.width,
+            self.height
+        );
         self.pixels[j as usize * self.width as usize + i as usize]
     }
 }

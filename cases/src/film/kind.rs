@@ -78,7 +78,11 @@ pub fn read_exact(bytes: &[u8], width: u32, height: u32) -> Result<Image, Pictur
 
 fn demand_pixels(image: &Image) -> Result<(), PictureError> {
     match image.pixels().is_empty() {
-        true => Err(PictureError::Broken(format!("a picture of {}×{} pixels has none", image.width(), image.height()))),
+        true => Err(PictureError::Broken(format!(
+            "a picture of {}×{} pixels has none",
+            image.width(),
+            image.height()
+        ))),
         false => Ok(()),
     }
 }

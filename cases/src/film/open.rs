@@ -37,12 +37,15 @@ impl<R: Read + Seek> Rows<R> {
         }
         let length = file.seek(SeekFrom::End(0))?;
         if length > MOST_BYTES {
-            return Err(PictureError::Broken(format!("it has {length} bytes; at most {MOST_BYTES} can be read")));
+            return Err(PictureError::Broken(format!(
+                "it has {length} bytes; at most {MOST_BYTES} can be read"
+            )));
         }
         file.rewind()?;
         let mut bytes = vec![];
         file.take(MOST_BYTES).read_to_end(&mut bytes)?;
-        let shown = exr::decode_rgb(&bytes, |size| admit(size, true).and_then(|()| has_pixels(size)))?;
+        let shown =
+            exr::decode_rgb(&bytes, |size| admit(size, true).and_then(|()| has_pixels(size)))?;
         Ok(Self::held(shown.size, shown.pixels, words(1.0) / answer::full_light(&shown.part)))
     }
 }
@@ -65,7 +68,9 @@ pub fn most_bytes(head: &[u8]) -> Result<u64, PictureError> {
 fn admit(found: (u32, u32), is_held: bool) -> Result<(), PictureError> {
     let too_large = |most| Err(PictureError::TooLarge { found, most });
     match found {
-        (width, height) if width.max(height) > MOST_SIDE => too_large(format!("{MOST_SIDE}×{MOST_SIDE}")),
+        (width, height) if width.max(height) > MOST_SIDE => {
+            too_large(format!("{MOST_SIDE}×{MOST_SIDE}"))
+        }
         (width, height) if is_held && u64::from(width) * u64::from(height) > MOST_HELD => {
             too_large(format!("{MOST_HELD} pixels of this kind"))
         }

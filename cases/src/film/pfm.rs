@@ -69,8 +69,12 @@ impl Header {
         let follow = behind.saturating_sub(if is_crlf { 2 } else { 1 });
         let n_off = follow.abs_diff(promised);
         let how = if follow > promised { "too many" } else { "too few" };
-        let text = format!("the header demands {promised} bytes of floats, {follow} follow: {n_off} {how}");
-        Err(PictureError::Broken(text + cause(n_off, follow > promised && is_text(&head[self.end..]))))
+        let text = format!(
+            "the header demands {promised} bytes of floats, {follow} follow: {n_off} {how}"
+        );
+        Err(PictureError::Broken(
+            text + cause(n_off, follow > promised && is_text(&head[self.end..])),
+        ))
     }
 
     /// Reads the floats, with which `file` continues. The top row comes first in the result.
@@ -78,12 +82,17 @@ impl Header {
         let (width, height) = (self.size.0 as usize, self.size.1 as usize);
         let mut pixels = vec![[0.0; 3]; width * height];
         let mut stored = vec![0; width * self.n_channels * 4];
-        let light = |four: [u8; 4]| if self.is_little { f32::from_le_bytes(four) } else { f32::from_be_bytes(four) };
+        let light = |four: [u8; 4]| {
+            if self.is_little { f32::from_le_bytes(four) } else { f32::from_be_bytes(four) }
+        };
         for row in pixels.chunks_exact_mut(width).rev() {
             file.read_exact(&mut stored)?;
             let samples = stored.as_chunks::<4>().0;
             match self.n_channels {
-                3 => row.iter_mut().zip(samples.as_chunks::<3>().0).for_each(|(to, from)| *to = from.map(light)),
+                3 => row
+                    .iter_mut()
+                    .zip(samples.as_chunks::<3>().0)
+                    .for_each(|(to, from)| *to = from.map(light)),
                 _ => row.iter_mut().zip(samples).for_each(|(to, from)| *to = [light(*from); 3]),
             }
         }
@@ -95,9 +104,12 @@ impl Header {
 fn cause(n_off: u64, is_text: bool) -> &'static str {
     match n_off {
         _ if is_text => {
-            "; every line end in it is CR LF, as in a file that was written as text: write it in binary mode"
+            "; every line end in it is CR LF, as in a file that was written as text: write it in \
+                binary mode"
         }
-        1 | 2 => "; the header is the likely cause: one white space, or CR LF, must follow the scale",
+        1 | 2 => {
+            "; the header is the likely cause: one white space, or CR LF, must follow the scale"
+        }
         _ => "",
     }
 }
@@ -130,7 +142,11 @@ impl<'a> Words<'a> {
             return Err(wrong("overlong word", word));
         }
         if n.is_none() {
-            let text = if self.head.len() < MOST_HEADER { "the header ends early" } else { "the header does not end" };
+            let text = if self.head.len() < MOST_HEADER {
+                "the header ends early"
+            } else {
+                "the header does not end"
+            };
             return Err(PictureError::Broken(text.to_owned()));
         }
         self.at += word.len();
@@ -140,7 +156,9 @@ impl<'a> Words<'a> {
     fn number<T: std::str::FromStr>(&mut self) -> Result<T, PictureError> {
         let word = self.next()?;
         let shown = word.escape_default();
-        word.parse().map_err(|_| PictureError::Broken(format!("the header holds \"{shown}\" where a number belongs")))
+        word.parse().map_err(|_| {
+            PictureError::Broken(format!("the header holds \"{shown}\" where a number belongs"))
+        })
     }
 
     fn skip_space(&mut self) {
@@ -163,7 +181,13 @@ pub(super) fn encode(image: &Image) -> Vec<u8> {
     let mut out = format!("PF\n{width} {height}\n-1.0\n").into_bytes();
     for j in (0..height).rev() {
         for i in 0..width {
-            out.extend(image.pixel(i, j).to_array().into_iter().flat_map(|light| (light as f32).to_le_bytes()));
+            out.extend(
+                image
+                    .pixel(i, j)
+                    .to_array()
+                    .into_iter()
+                    .flat_map(|light| (light as f32).to_le_bytes()),
+            );
         }
     }
     out

@@ -8,7 +8,10 @@
 
 use std::io::{BufReader, ErrorKind, Read, Seek};
 
-use ::png::{BitDepth, ColorType, Compression, DecodeOptions, Decoder, DecodingError, Encoder, Filter, Limits, Reader};
+use ::png::{
+    BitDepth, ColorType, Compression, DecodeOptions, Decoder, DecodingError, Encoder, Filter,
+    Limits, Reader,
+};
 use ::png::{EncodingError, Transformations};
 
 use super::encode::WORDS_IN_BYTE;
@@ -81,7 +84,8 @@ impl<R: Read + Seek> PngRows<R> {
             return self.source.next(row);
         }
         self.source.next(&mut self.row)?;
-        for (pixel, channels) in row.chunks_exact_mut(3).zip(self.row.chunks_exact(self.n_channels)) {
+        for (pixel, channels) in row.chunks_exact_mut(3).zip(self.row.chunks_exact(self.n_channels))
+        {
             pixel.copy_from_slice(&rgb(self.n_channels).map(|at| channels[at]));
         }
         Ok(())
@@ -93,11 +97,15 @@ impl<R: Read + Seek> PngRows<R> {
         let at = rgb(self.n_channels);
         if self.is_deep {
             let samples = self.row.as_chunks::<2>().0;
-            for (pixel, channels) in row.chunks_exact_mut(3).zip(samples.chunks_exact(self.n_channels)) {
+            for (pixel, channels) in
+                row.chunks_exact_mut(3).zip(samples.chunks_exact(self.n_channels))
+            {
                 pixel.copy_from_slice(&at.map(|at| f64::from(u16::from_be_bytes(channels[at]))));
             }
         } else {
-            for (pixel, channels) in row.chunks_exact_mut(3).zip(self.row.chunks_exact(self.n_channels)) {
+            for (pixel, channels) in
+                row.chunks_exact_mut(3).zip(self.row.chunks_exact(self.n_channels))
+            {
                 pixel.copy_from_slice(&at.map(|at| f64::from(channels[at]) * WORDS_IN_BYTE));
             }
         }
@@ -140,9 +148,9 @@ fn damaged(why: DecodingError) -> PictureError {
             PictureError::Broken("the PNG ends early, before its end mark (IEND)".to_owned())
         }
         DecodingError::IoError(why) => PictureError::Io(why),
-        DecodingError::LimitsExceeded => {
-            PictureError::Broken(format!("a part of the PNG beside its pixels has more than {MOST_CHUNK} bytes"))
-        }
+        DecodingError::LimitsExceeded => PictureError::Broken(format!(
+            "a part of the PNG beside its pixels has more than {MOST_CHUNK} bytes"
+        )),
         other => PictureError::Broken(format!("the PNG is damaged: {}", plain(&other.to_string()))),
     }
 }
@@ -157,7 +165,10 @@ fn plain(text: &str) -> String {
 }
 
 /// Encodes an RGB picture whose samples have `N` bytes, the high one first.
-pub(super) fn encode<const N: usize>(image: &Image, level: impl Fn(f64) -> [u8; N]) -> Result<Vec<u8>, PictureError> {
+pub(super) fn encode<const N: usize>(
+    image: &Image,
+    level: impl Fn(f64) -> [u8; N],
+) -> Result<Vec<u8>, PictureError> {
     let mut levels = Vec::with_capacity(image.pixels().len() * 3 * N);
     for pixel in image.pixels() {
         levels.extend_from_slice(pixel.to_array().map(&level).as_flattened());

@@ -34,17 +34,29 @@ impl<R: Read + Seek> Rows<R> {
         let read = "PNG or PFM";
         let (head, kind) = look(&mut file, read)?;
         if kind == Signature::Exr {
-            return Err(PictureError::Foreign { read, found: "these are the bytes of an OpenEXR file" });
+            return Err(PictureError::Foreign {
+                read,
+                found: "these are the bytes of an OpenEXR file",
+            });
         }
-        let admit = |found, _| if found == wanted { Ok(()) } else { Err(PictureError::Size { found, wanted }) };
+        let admit = |found, _| {
+            if found == wanted { Ok(()) } else { Err(PictureError::Size { found, wanted }) }
+        };
         Self::plain(file, &head, kind, &admit)
     }
 
     /// Opens a PNG or a PFM that begins with `head`.
-    pub(super) fn plain(mut file: R, head: &[u8], kind: Signature, admit: Admit) -> Result<Self, PictureError> {
+    pub(super) fn plain(
+        mut file: R,
+        head: &[u8],
+        kind: Signature,
+        admit: Admit,
+    ) -> Result<Self, PictureError> {
         let admit = |found, is_held| admit(found, is_held).and_then(|()| has_pixels(found));
         if kind == Signature::Png {
-            size_of(head).filter(|size| has_pixels(*size).is_err()).map_or(Ok(()), |size| admit(size, false))?;
+            size_of(head)
+                .filter(|size| has_pixels(*size).is_err())
+                .map_or(Ok(()), |size| admit(size, false))?;
             let rows = PngRows::open(file, &admit)?;
             return Ok(Self { size: rows.size, source: Source::Png(rows) });
         }
@@ -76,9 +88,9 @@ impl<R: Read + Seek> Rows<R> {
     /// The file is damaged, its samples are not bytes, or there are no more rows.
     pub fn bytes(&mut self, levels: &mut [u8]) -> Result<(), PictureError> {
         match &mut self.source {
-            Source::Png(rows) if !rows.is_deep => {
-                levels.chunks_exact_mut(self.size.0 as usize * 3).try_for_each(|row| rows.bytes(row))
-            }
+            Source::Png(rows) if !rows.is_deep => levels
+                .chunks_exact_mut(self.size.0 as usize * 3)
+                .try_for_each(|row| rows.bytes(row)),
             _ => Err(PictureError::Broken("its samples are not bytes".to_owned())),
         }
     }
@@ -91,10 +103,13 @@ impl<R: Read + Seek> Rows<R> {
     /// The file is damaged, or there are no more rows.
     pub fn words(&mut self, levels: &mut [f64]) -> Result<(), PictureError> {
         match &mut self.source {
-            Source::Png(rows) => levels.chunks_exact_mut(self.size.0 as usize * 3).try_for_each(|row| rows.words(row)),
+            Source::Png(rows) => levels
+                .chunks_exact_mut(self.size.0 as usize * 3)
+                .try_for_each(|row| rows.words(row)),
             Source::Held(pixels, unit, at) => {
                 let rest = pixels.get(*at..*at + levels.len() / 3);
-                let rest = rest.ok_or_else(|| PictureError::Broken("it has no more rows".to_owned()))?;
+                let rest =
+                    rest.ok_or_else(|| PictureError::Broken("it has no more rows".to_owned()))?;
                 let samples = rest.as_flattened().iter().map(|sample| f64::from(*sample) * *unit);
                 levels.iter_mut().zip(samples).for_each(|(to, from)| *to = from);
                 *at += rest.len();
@@ -113,14 +128,20 @@ impl<R: Read + Seek> Rows<R> {
         let mut row = vec![0.0; width as usize * 3];
         for _ in 0..height {
             self.words(&mut row)?;
-            pixels.extend(row.as_chunks::<3>().0.iter().map(|levels| DVec3::from_array(levels.map(of_words))));
+            pixels.extend(
+                row.as_chunks::<3>().0.iter().map(|levels| DVec3::from_array(levels.map(of_words))),
+            );
         }
-        Image::from_pixels(width, height, pixels).ok_or_else(|| PictureError::Broken("pixels are missing".to_owned()))
+        Image::from_pixels(width, height, pixels)
+            .ok_or_else(|| PictureError::Broken("pixels are missing".to_owned()))
     }
 }
 
 /// Returns the first bytes of `file` and the kind of picture that they belong to.
-pub(super) fn look(file: &mut (impl Read + Seek), read: &'static str) -> Result<(Vec<u8>, Signature), PictureError> {
+pub(super) fn look(
+    file: &mut (impl Read + Seek),
+    read: &'static str,
+) -> Result<(Vec<u8>, Signature), PictureError> {
     let mut head = vec![];
     file.by_ref().take(MOST_HEADER as u64).read_to_end(&mut head)?;
     file.rewind()?;
@@ -131,7 +152,9 @@ pub(super) fn look(file: &mut (impl Read + Seek), read: &'static str) -> Result<
 /// Checks that a picture of this size has pixels.
 pub(super) fn has_pixels((width, height): (u32, u32)) -> Result<(), PictureError> {
     match width.min(height) {
-        0 => Err(PictureError::Broken(format!("it is {width}×{height} pixels, which is no picture"))),
+        0 => {
+            Err(PictureError::Broken(format!("it is {width}×{height} pixels, which is no picture")))
+        }
         _ => Ok(()),
     }
 }

@@ -36,23 +36,29 @@ pub(super) fn of(head: &[u8], read: &'static str) -> Result<Signature, PictureEr
 }
 
 /// Text mode changes line ends, cuts the top bit off, or replaces bytes that are not letters.
-const TEXT_MODE: &str =
-    "it is a PNG that was transferred in text mode, which changes bytes: write and transfer it in binary mode";
+const TEXT_MODE: &str = "it is a PNG that was transferred in text mode, which changes bytes: \
+    write and transfer it in binary mode";
 
 fn foreign(head: &[u8]) -> &'static str {
     match head {
         [] => "the file is empty",
         [0x89, b'P', b'N', b'G', b'\r' | b'\n' | 0x1a, ..] => TEXT_MODE,
-        [b'\t', b'P', b'N', b'G', ..] | [0xef, 0xbb | 0xbf, 0xbd | 0xbf, b'P', b'N', b'G', ..] => TEXT_MODE,
+        [b'\t', b'P', b'N', b'G', ..] | [0xef, 0xbb | 0xbf, 0xbd | 0xbf, b'P', b'N', b'G', ..] => {
+            TEXT_MODE
+        }
         [0xc2, 0x89, b'P', b'N', b'G', ..] | [b'?', b'P', b'N', b'G', ..] => TEXT_MODE,
         [0x89, b'P', b'N', b'G', ..] => "it is a PNG whose first bytes are damaged",
         [b'B', b'M', ..] => "these are the bytes of a BMP",
         [0xff, 0xd8, ..] => "these are the bytes of a JPEG",
         [b'G', b'I', b'F', ..] => "these are the bytes of a GIF",
         [b'P', b'1'..=b'7', ..] => "these are the bytes of a PPM, PGM, PBM or PAM",
-        [b'P', b'F' | b'f', ..] => "these are the bytes of a PFM with a letter behind its first two",
+        [b'P', b'F' | b'f', ..] => {
+            "these are the bytes of a PFM with a letter behind its first two"
+        }
         [b'q', b'o', b'i', b'f', ..] => "these are the bytes of a QOI",
-        [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => "these are the bytes of a WebP",
+        [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => {
+            "these are the bytes of a WebP"
+        }
         [b'I', b'I', 0x2a, 0, ..] | [b'M', b'M', 0, 0x2a, ..] => "these are the bytes of a TIFF",
         [b'#', b'?', ..] => "these are the bytes of a Radiance picture (.hdr)",
         [b'<', ..] => "these are the bytes of a text or an SVG",

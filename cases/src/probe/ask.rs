@@ -91,7 +91,8 @@ pub enum Ask {
         #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
         r: f64,
     },
-    /// The normal turned against the ray, and whether the ray is inside. Answer: `facing`. [rule 11]
+    /// The normal turned against the ray, and whether the ray is inside. Answer: `facing`. [rule
+    /// 11]
     FacingNormal {
         /// Direction of the ray.
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
@@ -109,7 +110,8 @@ pub enum Ask {
         /// Whether the point is seen from inside its object.
         inside: bool,
     },
-    /// S_j A_j I_j B_j [kd (N·L_j) + ks (N·H_j)₊^ns]: one light without its ambient part. Answer: `colour`. [rule 3]
+    /// S_j A_j I_j B_j [kd (N·L_j) + ks (N·H_j)₊^ns]: one light without its ambient part. Answer:
+    /// `colour`. [rule 3]
     LightTerm {
         /// The material.
         material: Material,
@@ -231,7 +233,8 @@ pub enum Ask {
         #[cfg_attr(feature = "authoring", schemars(with = "[[f64; 4]; 4]"))]
         object_from_world: DAffine3,
     },
-    /// The sphere of radius 0.5 about the origin under M. Answer: `hit` in world space, or `miss`. [rule 14] [rule 20]
+    /// The sphere of radius 0.5 about the origin under M. Answer: `hit` in world space, or `miss`.
+    /// [rule 14] [rule 20]
     TransformedSphere {
         /// A ray in world space.
         ray: Ray,
@@ -280,7 +283,8 @@ pub enum Ask {
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         n_shading: DVec3,
     },
-    /// T where normals are interpolated. Answer: `vector`, or `miss` for total internal reflection. [rule 19]
+    /// T where normals are interpolated. Answer: `vector`, or `miss` for total internal reflection.
+    /// [rule 19]
     SmoothRefract {
         /// d.
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]

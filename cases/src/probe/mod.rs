@@ -1,4 +1,5 @@
-//! The wire protocol of the unit checks: a question a line, an answer a line, JSON. `docs/protocol.md` explains each.
+//! The wire protocol of the unit checks: a question a line, an answer a line, JSON.
+//! `docs/protocol.md` explains each.
 
 mod answer;
 mod ask;

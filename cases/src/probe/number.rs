@@ -19,7 +19,9 @@ impl Wire {
                 "inf" => Ok(f64::INFINITY),
                 "-inf" => Ok(f64::NEG_INFINITY),
                 "nan" => Ok(f64::NAN),
-                _ => Err(E::custom("a number must be a JSON number or one of \"inf\", \"-inf\", \"nan\"")),
+                _ => Err(E::custom(
+                    "a number must be a JSON number or one of \"inf\", \"-inf\", \"nan\"",
+                )),
             },
         }
     }

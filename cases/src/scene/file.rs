@@ -1,4 +1,5 @@
-//! Scene files: from a path or a text to the resolved scene, or to everything that is wrong with it.
+//! Scene files: from a path or a text to the resolved scene, or to everything that is wrong with
+//! it.
 
 use std::ops::Range;
 use std::path::Path;
@@ -15,8 +16,8 @@ use crate::course::Course;
 use crate::files;
 use crate::problem::{Problems, Source};
 
-/// Bytes of a file of which every error of syntax is reported. Of a larger one only the first is, since a few
-/// megabytes of rubbish have millions, at a kilobyte each.
+/// Bytes of a file of which every error of syntax is reported. Of a larger one only the first is,
+/// since a few megabytes of rubbish have millions, at a kilobyte each.
 const MAX_RECOVERED_BYTES: usize = 256 << 10;
 /// Bytes of a scene or case file.
 pub const MAX_SCENE_BYTES: u64 = 16 << 20;
@@ -104,13 +105,16 @@ pub(crate) fn root(source: &Arc<Source>) -> (Option<Value<'_>>, Notes) {
     (errors.is_empty().then(|| Spanned::new(0..0, DeValue::Table(table.into_inner()))), notes)
 }
 
-/// `span` with at least one character in it, so that there is something to underline: the one behind it, or else before.
+/// `span` with at least one character in it, so that there is something to underline: the one
+/// behind it, or else before.
 fn widened(text: &str, span: Range<usize>) -> Range<usize> {
     let Some((before, rest)) = text.split_at_checked(span.start) else { return 0..0 };
     match rest.chars().next() {
         _ if span.end > span.start && text.is_char_boundary(span.end) => span,
         Some(next) if next != '\n' => span.start..span.start + next.len_utf8(),
-        _ => before.chars().next_back().map_or(0..0, |last| span.start - last.len_utf8()..span.start),
+        _ => {
+            before.chars().next_back().map_or(0..0, |last| span.start - last.len_utf8()..span.start)
+        }
     }
 }
 

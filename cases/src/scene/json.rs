@@ -1,10 +1,12 @@
-//! The JSON form of the resolved scene: plain numbers, matrices as four rows of four, read without losing a bit.
+//! The JSON form of the resolved scene: plain numbers, matrices as four rows of four, read without
+//! losing a bit.
 
 use crate::scene::Scene;
 
 /// The scene as JSON text.
 pub fn to_string(scene: &Scene) -> String {
-    serde_json::to_string_pretty(scene).expect("a resolved scene holds only finite numbers and string keys")
+    serde_json::to_string_pretty(scene)
+        .expect("a resolved scene holds only finite numbers and string keys")
 }
 
 /// The scene that `text` holds.

@@ -40,7 +40,8 @@ pub struct Render {
     pub height: u32,
     /// A ray of this depth spawns no more; the eye ray has depth 0. [rule 13]
     pub max_depth: u32,
-    /// A path whose weight is below this in every channel spawns no more; 0 switches that off. [rule 13]
+    /// A path whose weight is below this in every channel spawns no more; 0 switches that off.
+    /// [rule 13]
     pub threshold: f64,
 }
 
@@ -61,7 +62,8 @@ pub struct Camera {
     /// Unit vector into the scene.
     #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub forward: DVec3,
-    /// Vertical angle of view in degrees, above 0 and below 180; square pixels give the horizontal one.
+    /// Vertical angle of view in degrees, above 0 and below 180; square pixels give the horizontal
+    /// one.
     pub fov_y_deg: f64,
 }
 
@@ -121,7 +123,8 @@ impl Light {
     }
 }
 
-/// A_j = min(1, 1 / (quadratic · r² + linear · r + constant)); none negative, not all zero. [rule 4]
+/// A_j = min(1, 1 / (quadratic · r² + linear · r + constant)); none negative, not all zero. [rule
+/// 4]
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -161,7 +164,8 @@ pub struct Material {
     /// Transmissive.
     #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub kt: DVec3,
-    /// Reflective: weight of the reflected ray; equals `ks` unless the file says otherwise. [rule 7]
+    /// Reflective: weight of the reflected ray; equals `ks` unless the file says otherwise. [rule
+    /// 7]
     #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub kr: DVec3,
     /// Specular exponent, at least 0.
@@ -197,7 +201,8 @@ impl Object {
         self.world_from_object == DAffine3::IDENTITY
     }
 
-    /// A⁻ᵀ, which takes an object-space normal to world space; the result is to be normalised. [rule 20]
+    /// A⁻ᵀ, which takes an object-space normal to world space; the result is to be normalised.
+    /// [rule 20]
     pub fn normal_matrix(&self) -> DMat3 {
         self.object_from_world.matrix3.transpose()
     }
@@ -246,7 +251,8 @@ pub enum Shape {
         /// Whether discs close both ends.
         capped: bool,
     },
-    /// A cylinder whose radius goes linearly from `bottom_radius` at z_min to `top_radius` at z_max; one may be 0.
+    /// A cylinder whose radius goes linearly from `bottom_radius` at z_min to `top_radius` at
+    /// z_max; one may be 0.
     Cone {
         /// Radius at z_min.
         bottom_radius: f64,

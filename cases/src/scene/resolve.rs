@@ -1,4 +1,5 @@
-//! From what is written to what is rendered: names become indices, lists of transforms matrices, groups dissolve.
+//! From what is written to what is rendered: names become indices, lists of transforms matrices,
+//! groups dissolve.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -7,8 +8,8 @@ use glam::{DAffine3, DVec3};
 
 use super::limits::{MAX_NESTING, MAX_OBJECTS, MAX_PIXELS, MAX_TRIANGLES};
 use super::model::{Attenuation, Camera, Light, Material, Mesh, Object, Render, Scene, Shape};
-use super::raw::numbers::{Index, unit};
-use super::raw::objects::{RawMesh, RawMeshInline, RawObject, RawTransform};
+use super::raw::numbers::unit;
+use super::raw::objects::{RawMesh, RawObject, RawTransform};
 use super::raw::read::{At, Each, Maybe, Notes};
 use super::raw::{RawAttenuation, RawCamera, RawLight, RawMaterial, RawRender, RawScene};
 use super::{mesh, transform};
@@ -34,8 +35,10 @@ pub(crate) fn scene(
     notes: &mut Notes,
 ) -> Option<Scene> {
     let n_before = notes.len();
-    let materials: Vec<Material> = raw.materials.iter().filter_map(|(name, raw)| material(name, raw, notes)).collect();
-    let index_of = raw.materials.keys().enumerate().map(|(index, name)| (name.as_str(), index)).collect();
+    let materials: Vec<Material> =
+        raw.materials.iter().filter_map(|(name, raw)| material(name, raw, notes)).collect();
+    let index_of =
+        raw.materials.keys().enumerate().map(|(index, name)| (name.as_str(), index)).collect();
     let mut walk = Walk {
         base,
         materials: index_of,
@@ -44,7 +47,12 @@ pub(crate) fn scene(
         meshes: vec![],
         objects: vec![],
     };
-    let root = Context { name: "objects", material: None, world_from_here: DAffine3::IDENTITY, nesting: 0 };
+    let root = Context {
+        name: "objects",
+        material: None,
+        world_from_here: DAffine3::IDENTITY,
+        nesting: 0,
+    };
     walk.list(&raw.objects, &root, notes);
     let (meshes, objects) = (walk.meshes, walk.objects);
     let camera = raw.camera.0.as_ref().and_then(|raw| camera(raw, notes));
@@ -81,12 +89,20 @@ pub(crate) fn render(raw: &RawRender, notes: &mut Notes) -> Option<Render> {
 pub(crate) fn camera(raw: &RawCamera, notes: &mut Notes) -> Option<Camera> {
     let eye = raw.eye.get();
     let Some(forward) = unit(raw.look_at.get() - eye) else {
-        notes.add(raw.look_at.span.clone(), "the camera looks at its own eye", "the same point as `eye`");
+        notes.add(
+            raw.look_at.span.clone(),
+            "the camera looks at its own eye",
+            "the same point as `eye`",
+        );
         return None;
     };
     let across = forward.cross(raw.up.get());
     if across.length() < LEAST_SINE_OF_UP {
-        let problem = notes.add(raw.up.span.clone(), "`up` is parallel to the view", "no way to tell what is right");
+        let problem = notes.add(
+            raw.up.span.clone(),
+            "`up` is parallel to the view",
+            "no way to tell what is right",
+        );
         problem.help("any direction that does not point along `look_at` − `eye` will do");
         return None;
     }
@@ -104,25 +120,36 @@ pub(crate) fn light(raw: &RawLight, notes: &mut Notes) -> Option<Light> {
             ambient: raw.ambient.get(),
             attenuation: attenuation(&raw.attenuation, notes)?,
         },
-        RawLight::Directional(raw) => {
-            Light::Directional { direction: raw.direction.get(), colour: raw.colour.get(), ambient: raw.ambient.get() }
-        }
+        RawLight::Directional(raw) => Light::Directional {
+            direction: raw.direction.get(),
+            colour: raw.colour.get(),
+            ambient: raw.ambient.get(),
+        },
     })
 }
 
 fn attenuation(raw: &At<RawAttenuation>, notes: &mut Notes) -> Option<Attenuation> {
     let [quadratic, linear, constant] = [raw.quadratic.get(), raw.linear.get(), raw.constant.get()];
     if [quadratic, linear, constant] == [0.0; 3] {
-        let problem =
-            notes.add(raw.span.clone(), "an attenuation cannot be all 0", "this divides by 0 at every distance");
-        problem.help("for a light that does not weaken leave `attenuation` out, or write `{ constant = 1 }`");
+        let problem = notes.add(
+            raw.span.clone(),
+            "an attenuation cannot be all 0",
+            "this divides by 0 at every distance",
+        );
+        problem.help(
+            "for a light that does not weaken leave `attenuation` out, or write `{ constant = 1 }`",
+        );
         return None;
     }
     Some(Attenuation { quadratic, linear, constant })
 }
 
 /// Returns the material that `raw` describes; `None` where it could not be read.
-pub(crate) fn material(name: &str, raw: &Maybe<RawMaterial>, notes: &mut Notes) -> Option<Material> {
+pub(crate) fn material(
+    name: &str,
+    raw: &Maybe<RawMaterial>,
+    notes: &mut Notes,
+) -> Option<Material> {
     let raw = raw.0.as_ref()?;
     let [ks, kt] = [raw.ks.get(), raw.kt.get()];
     needed(
@@ -155,10 +182,19 @@ pub(crate) fn material(name: &str, raw: &Maybe<RawMaterial>, notes: &mut Notes) 
     })
 }
 
-fn needed<T>(is_missing: bool, key: &str, because: &str, at: &At<T>, help: &str, notes: &mut Notes) {
+fn needed<T>(
+    is_missing: bool,
+    key: &str,
+    because: &str,
+    at: &At<T>,
+    help: &str,
+    notes: &mut Notes,
+) {
     if is_missing {
         let label = format!("with `{because}`, `{key}` is needed too");
-        notes.add(at.span.clone(), format!("missing key `{key}`"), label).help(format!("give {help}"));
+        notes
+            .add(at.span.clone(), format!("missing key `{key}`"), label)
+            .help(format!("give {help}"));
     }
 }
 
@@ -189,7 +225,13 @@ impl Walk<'_> {
         }
     }
 
-    fn object(&mut self, raw: &At<RawObject>, place: String, around: &Context<'_>, notes: &mut Notes) {
+    fn object(
+        &mut self,
+        raw: &At<RawObject>,
+        place: String,
+        around: &Context<'_>,
+        notes: &mut Notes,
+    ) {
         let name = self.name(raw, place, notes);
         let world_from_object = around.world_from_here * product(&raw.transforms, notes);
         let material = raw.material.as_ref().or(around.material);
@@ -199,8 +241,12 @@ impl Walk<'_> {
                 notes.add(raw.span.clone(), "groups are nested too deeply", label);
                 return;
             }
-            let inside =
-                Context { name: &name, material, world_from_here: world_from_object, nesting: around.nesting + 1 };
+            let inside = Context {
+                name: &name,
+                material,
+                world_from_here: world_from_object,
+                nesting: around.nesting + 1,
+            };
             return self.list(group, &inside, notes);
         }
         let material = self.material(material, raw, notes);
@@ -211,11 +257,20 @@ impl Walk<'_> {
                 "this object's matrix is singular, or nearly so",
                 "all its transforms together",
             );
-            problem.help("together with those of its groups they flatten it, or blow it up beyond all numbers");
+            problem.help(
+                "together with those of its groups they flatten it, or blow it up beyond \
+                all numbers",
+            );
         }
         if let (Some(material), Some(shape)) = (material, shape) {
             self.push(
-                Object { name, shape, material, world_from_object, object_from_world: world_from_object.inverse() },
+                Object {
+                    name,
+                    shape,
+                    material,
+                    world_from_object,
+                    object_from_world: world_from_object.inverse(),
+                },
                 raw,
                 notes,
             );
@@ -224,7 +279,11 @@ impl Walk<'_> {
 
     fn push(&mut self, object: Object, raw: &At<RawObject>, notes: &mut Notes) {
         if self.objects.len() == MAX_OBJECTS {
-            notes.add(raw.span.clone(), format!("a scene has at most {MAX_OBJECTS} objects"), "too many");
+            notes.add(
+                raw.span.clone(),
+                format!("a scene has at most {MAX_OBJECTS} objects"),
+                "too many",
+            );
             return;
         }
         self.objects.push(object);
@@ -234,15 +293,25 @@ impl Walk<'_> {
     fn name(&mut self, raw: &At<RawObject>, place: String, notes: &mut Notes) -> String {
         let Some(name) = &raw.name else { return place };
         if !self.names.insert(name.value.clone()) {
-            notes.add(name.span.clone(), format!("two objects are called `{}`", name.value), "this name is taken");
+            notes.add(
+                name.span.clone(),
+                format!("two objects are called `{}`", name.value),
+                "this name is taken",
+            );
         }
         name.value.clone()
     }
 
-    fn material(&self, name: Option<&At<String>>, raw: &At<RawObject>, notes: &mut Notes) -> Option<usize> {
+    fn material(
+        &self,
+        name: Option<&At<String>>,
+        raw: &At<RawObject>,
+        notes: &mut Notes,
+    ) -> Option<usize> {
         let known = || self.materials.keys().copied();
         let Some(name) = name else {
-            let problem = notes.add(raw.span.clone(), "missing key `material`", "an object needs this key");
+            let problem =
+                notes.add(raw.span.clone(), "missing key `material`", "an object needs this key");
             problem.help(format!("defined here: {}", quoted(known())));
             return None;
         };
@@ -260,13 +329,17 @@ impl Walk<'_> {
     }
 
     fn shape(&mut self, raw: &RawObject, notes: &mut Notes) -> Option<Shape> {
-        let mesh = raw.mesh.as_ref().and_then(|mesh| self.mesh(mesh, notes)).map(|mesh| Shape::Mesh { mesh });
+        let mesh = raw
+            .mesh
+            .as_ref()
+            .and_then(|mesh| self.mesh(mesh, notes))
+            .map(|mesh| Shape::Mesh { mesh });
         mesh.or_else(|| super::shapes::shape(raw, notes))
     }
 
     fn mesh(&mut self, raw: &At<RawMesh>, notes: &mut Notes) -> Option<usize> {
         let read = match &raw.value {
-            RawMesh::Inline(raw) => inline(raw, notes)?,
+            RawMesh::Inline(raw) => mesh::inline(raw, notes)?,
             RawMesh::File(raw) => {
                 let path = self.base.join(raw.file.as_str());
                 let key = (path, raw.smooth);
@@ -281,7 +354,8 @@ impl Walk<'_> {
         self.meshes.push(read);
         let most = |n: fn(&Mesh) -> usize| self.meshes.iter().map(n).sum::<usize>() > MAX_TRIANGLES;
         if most(|mesh| mesh.triangles.len()) || most(|mesh| mesh.vertices.len()) {
-            let message = format!("a scene has at most {MAX_TRIANGLES} triangles and as many vertices");
+            let message =
+                format!("a scene has at most {MAX_TRIANGLES} triangles and as many vertices");
             notes.add(raw.span.clone(), message, "this mesh exceeds them");
         }
         Some(self.meshes.len() - 1)
@@ -300,29 +374,4 @@ pub(crate) fn product(steps: &Each<At<RawTransform>>, notes: &mut Notes) -> DAff
         }
     }
     map
-}
-
-/// A mesh that is written out.
-fn inline(raw: &RawMeshInline, notes: &mut Notes) -> Option<Mesh> {
-    let n_vertices = raw.vertices.len();
-    let mut is_whole = true;
-    for triangle in &raw.triangles {
-        if let Some(Index(index)) = triangle.iter().find(|index| index.0 as usize >= n_vertices) {
-            let label = format!("there are {n_vertices} vertices, counted from 0");
-            notes.add(triangle.span.clone(), format!("there is no vertex {index}"), label);
-            is_whole = false;
-        }
-    }
-    if let Some(normals) = &raw.normals
-        && normals.len() != n_vertices
-    {
-        let message = format!("{} normals for {n_vertices} vertices", normals.len());
-        notes.add(normals.span.clone(), message, "a smooth mesh has one normal for every vertex");
-        is_whole = false;
-    }
-    is_whole.then(|| Mesh {
-        vertices: raw.vertices.iter().map(|vertex| vertex.get()).collect(),
-        triangles: raw.triangles.iter().map(|triangle| triangle.map(|index| index.0)).collect(),
-        normals: raw.normals.as_ref().map(|normals| normals.iter().map(|normal| normal.get()).collect()),
-    })
 }

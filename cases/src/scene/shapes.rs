@@ -1,4 +1,5 @@
-//! Shapes as they are written to shapes as they are rendered; meshes, which need more, are in `resolve`.
+//! Shapes as they are written to shapes as they are rendered; meshes, which need more, are in
+//! `resolve`.
 
 use std::ops::Range;
 
@@ -7,7 +8,8 @@ use super::raw::numbers::unit;
 use super::raw::objects::{RawBox, RawCone, RawCylinder, RawObject, RawPlane};
 use super::raw::read::Notes;
 
-/// The shape of `raw` that is no mesh and no group; `None` where it has none, or once what is wrong has been noted.
+/// The shape of `raw` that is no mesh and no group; `None` where it has none, or once what is wrong
+/// has been noted.
 pub(crate) fn shape(raw: &RawObject, notes: &mut Notes) -> Option<Shape> {
     if let Some(sphere) = &raw.sphere {
         return Some(Shape::Sphere { center: sphere.center.get(), radius: sphere.radius.get() });
@@ -24,7 +26,11 @@ pub(crate) fn shape(raw: &RawObject, notes: &mut Notes) -> Option<Shape> {
 fn cuboid(raw: &RawBox, notes: &mut Notes) -> Option<Shape> {
     let (min, max) = (raw.min.get(), raw.max.get());
     if !min.cmplt(max).all() {
-        notes.add(raw.max.span.clone(), "this box is empty", "`max` must be above `min` on every axis");
+        notes.add(
+            raw.max.span.clone(),
+            "this box is empty",
+            "`max` must be above `min` on every axis",
+        );
         return None;
     }
     Some(Shape::Box { min, max })
@@ -48,8 +54,11 @@ fn cone(raw: &RawCone, notes: &mut Notes) -> Option<Shape> {
     let (bottom_radius, top_radius) = (raw.bottom_radius.get(), raw.top_radius.get());
     let rises = rises(z_min, z_max, &raw.z_max.span, notes);
     if bottom_radius == top_radius {
-        let problem =
-            notes.add(raw.top_radius.span.clone(), "this cone has the same radius at both ends", "that is a cylinder");
+        let problem = notes.add(
+            raw.top_radius.span.clone(),
+            "this cone has the same radius at both ends",
+            "that is a cylinder",
+        );
         problem.help("use `cylinder`");
         return None;
     }
@@ -61,6 +70,10 @@ fn rises(z_min: f64, z_max: f64, span: &Range<usize>, notes: &mut Notes) -> Opti
     if z_min < z_max {
         return Some(());
     }
-    notes.add(span.clone(), "the upper end lies below the lower one", "`z_max` must be above `z_min`");
+    notes.add(
+        span.clone(),
+        "the upper end lies below the lower one",
+        "`z_max` must be above `z_min`",
+    );
     None
 }

@@ -5,8 +5,9 @@ use glam::{DAffine3, DMat3, DVec3};
 use super::raw::objects::{RawRotation, RawScale, RawShear, RawTransform};
 use crate::maths;
 
-/// Below this a matrix counts as singular: |det| over the product of the lengths of its columns (or rows, whichever is
-/// larger), which is 1 for any rotation and scale and does not change with the unit of length.
+/// Below this a matrix counts as singular: |det| over the product of the lengths of its columns (or
+/// rows, whichever is larger), which is 1 for any rotation and scale and does not change with the
+/// unit of length.
 const LEAST_VOLUME: f64 = 1e-9;
 
 /// The matrix of one step; `Err` says why it is none.
@@ -14,7 +15,9 @@ pub(crate) fn matrix(step: &RawTransform) -> Result<DAffine3, &'static str> {
     let map = match step {
         RawTransform::Translate(by) => DAffine3::from_translation(by.get()),
         RawTransform::Rotate(turn) => DAffine3::from_mat3(rotation(turn)),
-        RawTransform::Scale(RawScale::Uniform(factor)) => DAffine3::from_scale(DVec3::splat(factor.get())),
+        RawTransform::Scale(RawScale::Uniform(factor)) => {
+            DAffine3::from_scale(DVec3::splat(factor.get()))
+        }
         RawTransform::Scale(RawScale::Axes(factors)) => DAffine3::from_scale(factors.get()),
         RawTransform::Shear(shear) => DAffine3::from_mat3(slant(shear)),
         RawTransform::Matrix(rows) => {
@@ -23,10 +26,17 @@ pub(crate) fn matrix(step: &RawTransform) -> Result<DAffine3, &'static str> {
                 return Err("the last row of a matrix is [0, 0, 0, 1]");
             }
             let column = |j: usize| DVec3::new(rows[0][j], rows[1][j], rows[2][j]);
-            DAffine3 { matrix3: DMat3::from_cols(column(0), column(1), column(2)), translation: column(3) }
+            DAffine3 {
+                matrix3: DMat3::from_cols(column(0), column(1), column(2)),
+                translation: column(3),
+            }
         }
     };
-    if is_invertible(&map) { Ok(map) } else { Err("this matrix is singular, or nearly so: it flattens space") }
+    if is_invertible(&map) {
+        Ok(map)
+    } else {
+        Err("this matrix is singular, or nearly so: it flattens space")
+    }
 }
 
 /// Whether `map` has an inverse that can be relied on, judged without regard to the unit of length.
@@ -38,7 +48,9 @@ pub(crate) fn is_invertible(map: &DAffine3) -> bool {
 /// |det| of the matrix with its columns made unit vectors; 0 where one of them is zero.
 fn volume(matrix: DMat3) -> f64 {
     let unit = |column| super::raw::numbers::unit(column).unwrap_or(DVec3::ZERO);
-    DMat3::from_cols(unit(matrix.x_axis), unit(matrix.y_axis), unit(matrix.z_axis)).determinant().abs()
+    DMat3::from_cols(unit(matrix.x_axis), unit(matrix.y_axis), unit(matrix.z_axis))
+        .determinant()
+        .abs()
 }
 
 /// Rodrigues' formula; a turn by a multiple of 90 degrees is exact.
@@ -76,7 +88,9 @@ mod tests {
 
     #[test]
     fn quarter_turns_are_exact() {
-        for (degrees, sin, cos) in [(0.0, 0.0, 1.0), (90.0, 1.0, 0.0), (180.0, 0.0, -1.0), (-90.0, -1.0, 0.0)] {
+        for (degrees, sin, cos) in
+            [(0.0, 0.0, 1.0), (90.0, 1.0, 0.0), (180.0, 0.0, -1.0), (-90.0, -1.0, 0.0)]
+        {
             for turns in [-720.0, 0.0, 360.0] {
                 assert_eq!(sin_cos_deg(degrees + turns), (sin, cos), "{degrees} + {turns}");
             }
@@ -98,7 +112,11 @@ mod tests {
         ];
         for (matrix, expected) in table {
             for unit in [1e-15, 1.0, 1e15] {
-                assert_eq!(is_invertible(&DAffine3::from_mat3(matrix * unit)), expected, "{matrix} in {unit}");
+                assert_eq!(
+                    is_invertible(&DAffine3::from_mat3(matrix * unit)),
+                    expected,
+                    "{matrix} in {unit}"
+                );
             }
         }
     }

@@ -9,16 +9,21 @@ use super::model::{Camera, Light, Material, Mesh, Object, Scene, Shape};
 use super::raw::numbers::MAX_NUMBER;
 use super::transform;
 
-/// How far the length of a unit vector may be from 1, and M M⁻¹ from the identity (relative to the size of its terms).
+/// How far the length of a unit vector may be from 1, and M M⁻¹ from the identity (relative to the
+/// size of its terms).
 const ROUNDING: f64 = 1e-6;
 
-/// Everything about `scene` that breaks what the type promises, each as a sentence that names the place; few are enough to
-/// refuse it, so at most a hundred.
+/// Everything about `scene` that breaks what the type promises, each as a sentence that names the
+/// place; few are enough to refuse it, so at most a hundred.
 pub(crate) fn broken(scene: &Scene) -> Vec<String> {
     let mut found = Found(vec![]);
     let render = &scene.render;
     let pixels = u64::from(render.width) * u64::from(render.height);
-    found.unless(pixels > 0 && pixels <= limits::MAX_PIXELS, "render", "the size is 0 or too large");
+    found.unless(
+        pixels > 0 && pixels <= limits::MAX_PIXELS,
+        "render",
+        "the size is 0 or too large",
+    );
     found.unless(
         render.threshold >= 0.0 && render.threshold <= MAX_NUMBER,
         "render.threshold",
@@ -52,7 +57,11 @@ impl Found {
     }
 
     fn finite(&mut self, place: impl Display, v: DVec3) {
-        self.unless(v.is_finite() && v.abs().max_element() <= MAX_NUMBER, place, "it has a number that cannot be used");
+        self.unless(
+            v.is_finite() && v.abs().max_element() <= MAX_NUMBER,
+            place,
+            "it has a number that cannot be used",
+        );
     }
 
     fn unit(&mut self, place: impl Display, v: DVec3) {
@@ -60,7 +69,11 @@ impl Found {
     }
 
     fn colour(&mut self, place: impl Display, c: DVec3) {
-        self.unless(c.min_element() >= 0.0 && c.max_element() <= MAX_NUMBER, place, "it is not a colour of at least 0");
+        self.unless(
+            c.min_element() >= 0.0 && c.max_element() <= MAX_NUMBER,
+            place,
+            "it is not a colour of at least 0",
+        );
     }
 
     fn size(&mut self, place: impl Display, x: f64) {
@@ -91,12 +104,16 @@ impl Found {
                 self.colour(format!("{place}.attenuation"), all);
                 self.unless(all != DVec3::ZERO, format!("{place}.attenuation"), "it is all 0");
             }
-            Light::Directional { direction, .. } => self.unit(format!("{place}.direction"), *direction),
+            Light::Directional { direction, .. } => {
+                self.unit(format!("{place}.direction"), *direction)
+            }
         }
     }
 
     fn material(&mut self, place: &str, m: &Material) {
-        for (name, colour) in [("ke", m.ke), ("ka", m.ka), ("kd", m.kd), ("ks", m.ks), ("kt", m.kt), ("kr", m.kr)] {
+        for (name, colour) in
+            [("ke", m.ke), ("ka", m.ka), ("kd", m.kd), ("ks", m.ks), ("kt", m.kt), ("kr", m.kr)]
+        {
             self.colour(format!("{place}.{name}"), colour);
         }
         self.colour(format!("{place}.ns"), DVec3::splat(m.ns));
@@ -112,7 +129,11 @@ impl Found {
         let reaches = mesh.triangles.iter().flatten().all(|index| (*index as usize) < n);
         self.unless(reaches, format_args!("{place}.triangles"), "an index points at no vertex");
         if let Some(normals) = &mesh.normals {
-            self.unless(normals.len() == n, format_args!("{place}.normals"), "they are not one for every vertex");
+            self.unless(
+                normals.len() == n,
+                format_args!("{place}.normals"),
+                "they are not one for every vertex",
+            );
             for normal in normals {
                 self.unit(format_args!("{place}.normals"), *normal);
             }
@@ -120,8 +141,16 @@ impl Found {
     }
 
     fn object(&mut self, place: &str, object: &Object, scene: &Scene) {
-        self.unless(object.material < scene.materials.len(), format!("{place}.material"), "it points at no material");
-        self.unless(transform::is_invertible(&object.world_from_object), place, "its matrix has no inverse");
+        self.unless(
+            object.material < scene.materials.len(),
+            format!("{place}.material"),
+            "it points at no material",
+        );
+        self.unless(
+            transform::is_invertible(&object.world_from_object),
+            place,
+            "its matrix has no inverse",
+        );
         let agree = are_inverse(&object.world_from_object, &object.object_from_world);
         self.unless(agree, place, "object_from_world is not the inverse of world_from_object");
         self.shape(&format!("{place}.shape"), object.shape, scene.meshes.len());
@@ -149,7 +178,11 @@ impl Found {
             }
             Shape::Cone { bottom_radius, top_radius, z_min, z_max, .. } => {
                 self.colour(place, DVec3::new(bottom_radius, top_radius, 0.0));
-                self.unless(bottom_radius != top_radius, place, "its radius is the same at both ends");
+                self.unless(
+                    bottom_radius != top_radius,
+                    place,
+                    "its radius is the same at both ends",
+                );
                 self.ends(place, z_min, z_max);
             }
             Shape::Mesh { mesh } => self.unless(mesh < n_meshes, place, "it points at no mesh"),
@@ -168,7 +201,10 @@ fn are_inverse(m: &DAffine3, inverse: &DAffine3) -> bool {
         return false;
     }
     let product = *m * *inverse;
-    let abs = |map: &DAffine3| DAffine3 { matrix3: map.matrix3.abs(), translation: map.translation.abs() };
+    let abs = |map: &DAffine3| DAffine3 {
+        matrix3: map.matrix3.abs(),
+        translation: map.translation.abs(),
+    };
     let terms = abs(m) * abs(inverse);
     let near = |found: DVec3, wanted: DVec3, size: DVec3| {
         ((found - wanted).abs()).cmple(ROUNDING * size.max(DVec3::splat(f64::MIN_POSITIVE))).all()

@@ -9,7 +9,9 @@ use toml::de::DeValue;
 use super::named::{Named, by_name, scene_of};
 use crate::problem::quoted;
 use crate::ray::Ray;
-use crate::scene::raw::numbers::{Colour, Depth, Direction, Index, NonNegative, Number, Point, Side, Size, Travel};
+use crate::scene::raw::numbers::{
+    Colour, Depth, Direction, Index, NonNegative, Number, Point, Side, Size, Travel,
+};
 use crate::scene::raw::objects::RawTransform;
 use crate::scene::raw::read::{At, Each, Notes, Read, Table, Value, table};
 use crate::scene::raw::{RawCamera, RawLight};
@@ -55,9 +57,12 @@ plain! {
     Flag("true or false") bool => bool, |flag, _| Some(flag);
     Levels("a whole number from 0 to 64") Depth => u32, |depth, _| Some(depth.0);
     Pixels("a whole number of pixels") Side => u32, |side, _| Some(side.0);
-    Pixel("[column, row], from 0 at the top left") [Index; 2] => [u32; 2], |pixel, _| Some(pixel.map(|index| index.0));
-    CameraTable("a camera, as in a scene") RawCamera => Camera, |raw, notes| resolve::camera(&raw, notes);
-    LightTable("a light, as in a scene") RawLight => Light, |raw, notes| resolve::light(&raw, notes);
+    Pixel("[column, row], from 0 at the top \
+        left") [Index; 2] => [u32; 2], |pixel, _| Some(pixel.map(|index| index.0));
+    CameraTable("a camera, as in a \
+        scene") RawCamera => Camera, |raw, notes| resolve::camera(&raw, notes);
+    LightTable("a light, as in a \
+        scene") RawLight => Light, |raw, notes| resolve::light(&raw, notes);
     RayTable("a ray") RawRay => Ray, |raw, notes| raw.resolve(notes);
 }
 
@@ -79,7 +84,11 @@ impl RawRay {
     fn resolve(&self, notes: &mut Notes) -> Option<Ray> {
         let (t_min, t_max) = (self.t_min.0, self.t_max.0);
         if t_min >= t_max {
-            notes.add(self.t_max.span.clone(), "the ray's interval is empty", "`t_max` must be above `t_min`");
+            notes.add(
+                self.t_max.span.clone(),
+                "the ray's interval is empty",
+                "`t_max` must be above `t_min`",
+            );
             return None;
         }
         Some(Ray { origin: self.origin.get(), direction: self.direction.get(), t_min, t_max })
@@ -92,8 +101,15 @@ pub(super) struct Bound(f64);
 
 impl Read for Bound {
     fn read(value: &Value<'_>, notes: &mut Notes) -> Option<Self> {
-        let is_infinite = matches!(value.get_ref(), DeValue::Float(float) if matches!(float.as_str(), "inf" | "+inf"));
-        if is_infinite { Some(Self(f64::INFINITY)) } else { NonNegative::read(value, notes).map(|x| Self(x.get())) }
+        let is_infinite = matches!(
+            value.get_ref(),
+            DeValue::Float(float) if matches!(float.as_str(), "inf" | "+inf")
+        );
+        if is_infinite {
+            Some(Self(f64::INFINITY))
+        } else {
+            NonNegative::read(value, notes).map(|x| Self(x.get()))
+        }
     }
 }
 
@@ -149,9 +165,15 @@ impl Arg for ObjectName {
         let objects = &scene_of(table, named)?.objects;
         let found = objects.iter().position(|object| object.name == name.value);
         if found.is_none() {
-            let problem =
-                notes.add(name.span.clone(), format!("no object is called `{}`", name.value), "not in this scene");
-            problem.help(format!("its objects are {}", quoted(objects.iter().map(|object| object.name.as_str()))));
+            let problem = notes.add(
+                name.span.clone(),
+                format!("no object is called `{}`", name.value),
+                "not in this scene",
+            );
+            problem.help(format!(
+                "its objects are {}",
+                quoted(objects.iter().map(|object| object.name.as_str()))
+            ));
         }
         found
     }
@@ -188,7 +210,11 @@ impl Arg for WorldFromObject {
         let steps = table.field::<At<Each<At<RawTransform>>>>(key, notes)?;
         let map = resolve::product(&steps, notes);
         if !transform::is_invertible(&map) {
-            notes.add(steps.span.clone(), "these transforms are singular, or nearly so", "all of them together");
+            notes.add(
+                steps.span.clone(),
+                "these transforms are singular, or nearly so",
+                "all of them together",
+            );
             return None;
         }
         Some(map)

@@ -1,5 +1,5 @@
-//! Questions of the unit checks as they are written: the arguments of [`Ask`], with names in place of scenes, materials and
-//! objects, and a list of transforms in place of matrices.
+//! Questions of the unit checks as they are written: the arguments of [`Ask`], with names in place
+//! of scenes, materials and objects, and a list of transforms in place of matrices.
 
 use super::args::{self, Arg};
 use super::named::Named;
@@ -10,7 +10,8 @@ use crate::scene::raw::read::{At, Notes, Read, Table, Value};
 /// Declares how each function is asked: its name, its [`Ask`], and what gives each argument.
 macro_rules! asks {
     ($($function:literal $variant:ident { $($name:ident : $arg:ident),* })*) => {
-        /// The functions that can be asked, each with the keys of its question and what each key takes.
+        /// The functions that can be asked, each with the keys of its question and what each key
+        /// takes.
         pub(crate) const FUNCTIONS: &[(&str, &[(&str, &str)])] =
             &[$(($function, &[$((key(stringify!($name)), <args::$arg as Arg>::TAKES)),*])),*];
 
@@ -41,8 +42,14 @@ asks! {
     "attenuation" Attenuation { light: LightTable, r: Distance }
     "facing_normal" FacingNormal { direction: Unit, normal: Unit }
     "ambient" Ambient { material: MaterialName, light: LightTable, inside: Flag }
-    "light_term" LightTerm { material: MaterialName, arriving: Rgb, normal: Unit, to_viewer: Unit, to_light: Unit }
-    "shade" Shade { scene: SceneName, object: ObjectName, point: Vector, normal: Unit, to_viewer: Unit, inside: Flag }
+    "light_term" LightTerm {
+        material: MaterialName, arriving: Rgb, normal: Unit,
+        to_viewer: Unit, to_light: Unit
+    }
+    "shade" Shade {
+        scene: SceneName, object: ObjectName, point: Vector,
+        normal: Unit, to_viewer: Unit, inside: Flag
+    }
     "to_light" ToLight { light: LightTable, point: Vector }
     "shadow" Shadow { scene: SceneName, light: LightIndex, point: Vector }
     "reflect" Reflect { direction: Unit, normal: Unit }
@@ -58,7 +65,10 @@ asks! {
     "barycentric" Barycentric { a: Vector, b: Vector, c: Vector, q: Vector }
     "interpolate" Interpolate { weights: Vector, normals: Units }
     "smooth_reflect" SmoothReflect { direction: Unit, n_geom: Unit, n_shading: Unit }
-    "smooth_refract" SmoothRefract { direction: Unit, n_geom: Unit, n_shading: Unit, eta_i: Length, eta_t: Length }
+    "smooth_refract" SmoothRefract {
+        direction: Unit, n_geom: Unit, n_shading: Unit,
+        eta_i: Length, eta_t: Length
+    }
 }
 
 /// The key that gives an argument: both matrices come from one list of transforms.
@@ -84,8 +94,11 @@ fn function(value: &Value<'_>, notes: &mut Notes) -> Option<At<String>> {
     if functions().any(|function| function == name.value) {
         return Some(name);
     }
-    let problem =
-        notes.add(name.span.clone(), format!("unknown function `{}`", name.value), "no such function is asked");
+    let problem = notes.add(
+        name.span.clone(),
+        format!("unknown function `{}`", name.value),
+        "no such function is asked",
+    );
     problem.help(match did_you_mean(&name, functions()) {
         Some(meant) => format!("did you mean `{meant}`?"),
         None => format!("the functions are {}", quoted(functions())),

@@ -9,7 +9,8 @@ use crate::scene::raw::objects::RawObject;
 use crate::scene::raw::read::{At, Each, Notes};
 use crate::scene::raw::vary::{RawVary, Reach};
 
-/// Greatest moves, either way; 0 where nothing moves. The keys of `[vary]` in a case file, whose reference says what each moves.
+/// Greatest moves, either way; 0 where nothing moves. The keys of `[vary]` in a case file, whose
+/// reference says what each moves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bounds {
     /// The eye, in scene units.

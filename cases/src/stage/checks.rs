@@ -18,7 +18,9 @@ use crate::probe::Answer;
 use crate::problem::{Problems, Source};
 use crate::scene::raw::numbers::{Depth, NonNegative, Rule, Side};
 use crate::scene::raw::read::{At, Each, Maybe, Notes, Table, Value, table};
-use crate::scene::raw::{RawCamera, RawLight, RawMaterial, RawRender, RawScene, numbers::Colour, objects::RawObject};
+use crate::scene::raw::{
+    RawCamera, RawLight, RawMaterial, RawRender, RawScene, numbers::Colour, objects::RawObject,
+};
 use crate::scene::{self, Material, Scene, resolve};
 
 table! {
@@ -27,7 +29,8 @@ table! {
         /// Settings that a question may depend on.
         render: RawCheckRender = "{}",
         /// Where the picture would be taken from; most questions do not depend on it.
-        camera: Maybe<RawCamera> = "{ eye = [0, 0, 10], look_at = [0, 0, 0], up = [0, 1, 0], fov_y_deg = 45 }",
+        camera: Maybe<RawCamera> = "{ eye = [0, 0, 10], look_at = [0, 0, 0], up = [0, 1, 0], \
+            fov_y_deg = 45 }",
         /// Colour of a ray that meets nothing.
         background: Colour = "[0, 0, 0]",
         /// The sources of light.
@@ -53,16 +56,28 @@ table! {
 
 /// Returns the checks of the file at `path` under `course`. Their scenes request every effect that
 /// the stage allows, or that the programs of the course always simulate.
-pub(super) fn load(path: &Path, stage: &str, allows: Effects, course: &Course) -> Result<Vec<Check>, Problems> {
+pub(super) fn load(
+    path: &Path,
+    stage: &str,
+    allows: Effects,
+    course: &Course,
+) -> Result<Vec<Check>, Problems> {
     let (name, text) = (path.display().to_string(), scene::read(path)?);
     let source = Source::new(name, text);
     let (root, mut notes) = scene::root(&source);
     let checks = root.and_then(|root| {
-        let table = Table::open("a file of unit checks", &["scenes", "materials", "check"], &root, &mut notes)?;
+        let table = Table::open(
+            "a file of unit checks",
+            &["scenes", "materials", "check"],
+            &root,
+            &mut notes,
+        )?;
         let base = path.parent().unwrap_or(Path::new(""));
         let named = named(&table, base, allows, course, &mut notes);
         let Some(items) = table.entry("check") else {
-            notes.add(0..0, "missing key `check`", "").help("unit checks are written as `[[check]]`");
+            notes
+                .add(0..0, "missing key `check`", "")
+                .help("unit checks are written as `[[check]]`");
             return None;
         };
         let Some(items) = items.get_ref().as_array() else {
@@ -79,15 +94,26 @@ pub(super) fn load(path: &Path, stage: &str, allows: Effects, course: &Course) -
     notes.finish(checks)
 }
 
-fn named(table: &Table<'_>, base: &Path, allows: Effects, course: &Course, notes: &mut Notes) -> Named {
+fn named(
+    table: &Table<'_>,
+    base: &Path,
+    allows: Effects,
+    course: &Course,
+    notes: &mut Notes,
+) -> Named {
     type Raw<T> = Option<BTreeMap<String, Maybe<T>>>;
     let scenes = table.field::<Raw<RawCheckScene>>("scenes", notes).flatten().unwrap_or_default();
-    let materials = table.field::<Raw<RawMaterial>>("materials", notes).flatten().unwrap_or_default();
-    let resolved: BTreeMap<String, Option<Material>> =
-        materials.iter().map(|(name, raw)| (name.clone(), resolve::material(name, raw, notes))).collect();
+    let materials =
+        table.field::<Raw<RawMaterial>>("materials", notes).flatten().unwrap_or_default();
+    let resolved: BTreeMap<String, Option<Material>> = materials
+        .iter()
+        .map(|(name, raw)| (name.clone(), resolve::material(name, raw, notes)))
+        .collect();
     let scenes = scenes
         .into_iter()
-        .map(|(name, raw)| (name, raw.0.and_then(|raw| check_scene(raw, &materials, base, allows, course, notes))))
+        .map(|(name, raw)| {
+            (name, raw.0.and_then(|raw| check_scene(raw, &materials, base, allows, course, notes)))
+        })
         .collect();
     Named { scenes, materials: resolved }
 }
@@ -127,7 +153,8 @@ fn check(
     names: &mut HashSet<String>,
     notes: &mut Notes,
 ) -> Option<Check> {
-    let table = Table::open("a check", &["name", "about", "rules", "ask", "paper", "under"], item, notes)?;
+    let table =
+        Table::open("a check", &["name", "about", "rules", "ask", "paper", "under"], item, notes)?;
     let name = table.field::<At<String>>("name", notes).and_then(|name| own(name, names, notes));
     let about = table.field::<String>("about", notes);
     let rules = table.field::<Vec<Rule>>("rules", notes);
@@ -149,11 +176,19 @@ fn check(
 fn own(name: At<String>, names: &mut HashSet<String>, notes: &mut Notes) -> Option<String> {
     let is_plain = |letter: char| letter.is_ascii_alphanumeric() || matches!(letter, '_' | '-');
     if name.is_empty() || !name.chars().all(is_plain) {
-        notes.add(name.span, "this name cannot be part of an id", "letters, digits, `_` and `-` can");
+        notes.add(
+            name.span,
+            "this name cannot be part of an id",
+            "letters, digits, `_` and `-` can",
+        );
         return None;
     }
     if !names.insert(name.value.clone()) {
-        notes.add(name.span, format!("two checks are called `{}`", name.value), "this name is taken");
+        notes.add(
+            name.span,
+            format!("two checks are called `{}`", name.value),
+            "this name is taken",
+        );
         return None;
     }
     Some(name.value)
@@ -178,20 +213,27 @@ fn paper(table: &Table<'_>, course: &Course, notes: &mut Notes) -> Option<Option
 fn answer(value: &Value<'_>, notes: &mut Notes) -> Option<Answer> {
     let form = json(value.get_ref());
     let answer = serde_json::from_value::<Answer>(form.clone()).map_err(|why| why.to_string());
-    // Keys that mean nothing are ignored when read; written again, the answer shows that they are gone.
+    // Keys that mean nothing are ignored when read; written again, the answer shows that they are
+    // gone.
     let whole = answer.and_then(|answer| match (&answer, serde_json::to_value(&answer)) {
         (Answer::Todo(_) | Answer::Panic(_), _) => Err("this is no right answer".to_owned()),
         (_, Ok(again)) if alike(&again, &form) => Ok(answer),
         _ => Err("it has keys that mean nothing here".to_owned()),
     });
-    whole.map_err(|why| notes.add(value.span(), "this is no answer in the form of the protocol", why)).ok()
+    whole
+        .map_err(|why| {
+            notes.add(value.span(), "this is no answer in the form of the protocol", why)
+        })
+        .ok()
 }
 
 /// Whether two values are equal, 1 and 1.0 being the same number.
 fn alike(a: &Json, b: &Json) -> bool {
     match (a, b) {
         (Json::Number(a), Json::Number(b)) => a.as_f64() == b.as_f64(),
-        (Json::Array(a), Json::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| alike(a, b)),
+        (Json::Array(a), Json::Array(b)) => {
+            a.len() == b.len() && a.iter().zip(b).all(|(a, b)| alike(a, b))
+        }
         (Json::Object(a), Json::Object(b)) => {
             a.len() == b.len() && a.iter().all(|(key, a)| b.get(key).is_some_and(|b| alike(a, b)))
         }
@@ -214,8 +256,9 @@ fn json(value: &DeValue<'_>) -> Json {
         },
         DeValue::Datetime(_) => Json::Null,
         DeValue::Array(items) => items.iter().map(|item| json(item.get_ref())).collect(),
-        DeValue::Table(entries) => {
-            entries.iter().map(|(key, item)| (key.get_ref().to_string(), json(Spanned::get_ref(item)))).collect()
-        }
+        DeValue::Table(entries) => entries
+            .iter()
+            .map(|(key, item)| (key.get_ref().to_string(), json(Spanned::get_ref(item))))
+            .collect(),
     }
 }

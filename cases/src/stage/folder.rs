@@ -12,7 +12,11 @@ pub fn is_case(path: &Path) -> bool {
 
 /// Returns the paths of what is in `folder`, ordered by name.
 pub(super) fn entries(folder: &Path) -> Result<Vec<PathBuf>, Problems> {
-    let list = || std::fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<std::io::Result<Vec<_>>>();
+    let list = || {
+        std::fs::read_dir(folder)?
+            .map(|entry| Ok(entry?.path()))
+            .collect::<std::io::Result<Vec<_>>>()
+    };
     let mut paths = list().map_err(|why| Problems::of_listing(folder, &why))?;
     paths.sort();
     Ok(paths)

@@ -1,4 +1,5 @@
-//! Loads stages. Every file of the folder is read, and the problems of all files are reported at once.
+//! Loads stages. Every file of the folder is read, and the problems of all files are reported at
+//! once.
 
 use std::path::{Path, PathBuf};
 
@@ -11,17 +12,22 @@ use crate::effects::Effects;
 use crate::problem::Problems;
 use crate::scene::{self, Scene};
 
-/// Returns the stages below `stages_dir` under `course`, ordered by name, each with its cases and unit
-/// checks ordered by file name.
+/// Returns the stages below `stages_dir` under `course`, ordered by name, each with its cases and
+/// unit checks ordered by file name.
 ///
 /// # Errors
 /// Everything that is wrong in any file of any stage.
 pub fn load_all(stages_dir: &Path, course: &Course) -> Result<Vec<Stage>, Problems> {
-    let folders: Vec<PathBuf> = entries(stages_dir)?.into_iter().filter(|path| path.is_dir()).collect();
+    let folders: Vec<PathBuf> =
+        entries(stages_dir)?.into_iter().filter(|path| path.is_dir()).collect();
     let names: Vec<String> = folders.iter().map(|folder| file_name(folder)).collect();
     if folders.is_empty() {
         let help = "stages are folders such as `01_ray_casting` with a `stage.toml`".to_owned();
-        return Err(Problems::of_file(stages_dir.display().to_string(), "there are no stages here", Some(help)));
+        return Err(Problems::of_file(
+            stages_dir.display().to_string(),
+            "there are no stages here",
+            Some(help),
+        ));
     }
     let stage = |(at, folder): (usize, &PathBuf)| stage(folder, &names[..at], course);
     let mut stages = all(folders.iter().enumerate().map(stage).collect())?;
@@ -39,17 +45,21 @@ pub fn load_all(stages_dir: &Path, course: &Course) -> Result<Vec<Stage>, Proble
 /// JSON where the name ends in `.json`.
 ///
 /// A resolved scene lists its effects. Any other scene requests those that it calls for under
-/// `course`; a case whose folder holds a `stage.toml`, those of them that its stage allows. Paths of
-/// meshes are relative to the folder of the file.
+/// `course`; a case whose folder holds a `stage.toml`, those of them that its stage allows. Paths
+/// of meshes are relative to the folder of the file.
 ///
 /// # Errors
 /// Everything that is wrong with the file.
 pub fn load_scene(path: &Path, course: &Course) -> Result<Scene, Problems> {
-    if is_case(path) { load_case(path, course).map(|case| case.scene) } else { scene::load(path, course) }
+    if is_case(path) {
+        load_case(path, course).map(|case| case.scene)
+    } else {
+        scene::load(path, course)
+    }
 }
 
-/// Returns the image case at `path`. Its scene requests the effects that it calls for under `course`
-/// and that the stage around it allows.
+/// Returns the image case at `path`. Its scene requests the effects that it calls for under
+/// `course` and that the stage around it allows.
 ///
 /// # Errors
 /// Everything that is wrong with the case or its `stage.toml`; a case outside any stage.
@@ -90,7 +100,11 @@ fn stage(folder: &Path, before: &[String], course: &Course) -> Result<Stage, Pro
     let raw = raw_stage(&folder.join("stage.toml"), Some(before));
     let allows = raw.as_ref().map_or_else(|_| Effects::all(), allowed);
     let files = entries(folder)?;
-    let cases = files.iter().filter(|path| is_case(path)).map(|path| case(path, &id, allows, course)).collect();
+    let cases = files
+        .iter()
+        .filter(|path| is_case(path))
+        .map(|path| case(path, &id, allows, course))
+        .collect();
     let checks = checks(&folder.join("checks"), &id, allows, course);
     let (raw, (cases, checks)) = both(raw, both(all(cases), checks))?;
     Ok(Stage {
@@ -107,10 +121,16 @@ fn stage(folder: &Path, before: &[String], course: &Course) -> Result<Stage, Pro
 }
 
 /// The unit checks of the files in `folder`, if there is such a folder.
-fn checks(folder: &Path, stage: &str, allows: Effects, course: &Course) -> Result<Vec<Check>, Problems> {
+fn checks(
+    folder: &Path,
+    stage: &str,
+    allows: Effects,
+    course: &Course,
+) -> Result<Vec<Check>, Problems> {
     let files = if folder.is_dir() { entries(folder)? } else { vec![] };
     let files = files.iter().filter(|path| is_toml(path));
-    all(files.map(|path| checks::load(path, stage, allows, course)).collect()).map(|lists| lists.concat())
+    all(files.map(|path| checks::load(path, stage, allows, course)).collect())
+        .map(|lists| lists.concat())
 }
 
 /// Returns the case at `path` in the stage of that id.
@@ -123,11 +143,18 @@ fn case(path: &Path, stage: &str, allows: Effects, course: &Course) -> Result<Ca
 ///
 /// # Errors
 /// Everything that is wrong with the text.
-pub fn parse_case(path: &Path, text: &str, stage: &str, allows: Effects, course: &Course) -> Result<Case, Problems> {
+pub fn parse_case(
+    path: &Path,
+    text: &str,
+    stage: &str,
+    allows: Effects,
+    course: &Course,
+) -> Result<Case, Problems> {
     let (raw, mut notes) = scene::document::<RawCase>(&path.display().to_string(), text);
     let found = raw.and_then(|raw| {
         let base = path.parent().unwrap_or(Path::new(""));
-        let bounds = raw.vary.as_ref().map(|vary| Bounds::read(vary, raw.scene.0.as_ref(), &mut notes));
+        let bounds =
+            raw.vary.as_ref().map(|vary| Bounds::read(vary, raw.scene.0.as_ref(), &mut notes));
         let mut scene = scene::body(&raw.render.0, &raw.scene.0, base, course, &mut notes)?;
         limit(&mut scene, allows, course, &mut notes);
         Some(Case {

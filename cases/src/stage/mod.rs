@@ -30,8 +30,8 @@ pub struct Stage {
     pub title: String,
     /// What the stage is about, in a few sentences.
     pub about: String,
-    /// The effects that its cases may show, as `stage.toml` lists them. A case requests what its scene
-    /// calls for, as far as this, or the course for all stages, allows it.
+    /// The effects that its cases may show, as `stage.toml` lists them. A case requests what its
+    /// scene calls for, as far as this, or the course for all stages, allows it.
     pub allows: Effects,
     /// The picture that earns nothing in its cases: what a tracer shows that lacks this stage.
     pub base: Base,
@@ -78,7 +78,8 @@ pub struct Case {
     pub points: u64,
     /// What to render; its effects are those the stage allows.
     pub scene: Scene,
-    /// How far its numbers may be moved to make another case like it; `None` where the file does not say.
+    /// How far its numbers may be moved to make another case like it; `None` where the file does
+    /// not say.
     pub bounds: Option<Bounds>,
 }
 

@@ -22,8 +22,11 @@ pub(super) fn by_name<'n, T>(
     notes: &mut Notes,
 ) -> Option<&'n T> {
     let Some(found) = of.get(name.as_str()) else {
-        let problem =
-            notes.add(name.span.clone(), format!("`{}` is not defined", name.value), format!("not in [{section}]"));
+        let problem = notes.add(
+            name.span.clone(),
+            format!("`{}` is not defined", name.value),
+            format!("not in [{section}]"),
+        );
         let defined = format!("defined here: {}", quoted(of.keys().map(String::as_str)));
         problem.help(match did_you_mean(name, of.keys().map(String::as_str)) {
             Some(meant) => format!("did you mean `{meant}`? {defined}"),

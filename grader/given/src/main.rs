@@ -1,4 +1,5 @@
-//! A Whitted ray tracer, one function at a time. Given: nothing to write here; start with `../README.md`.
+//! A Whitted ray tracer, one function at a time. Given: nothing to write here; start with
+//! `../README.md`.
 
 // Until every function is written, some arguments, helpers and imports are not used yet.
 #![allow(unused_variables, unused_imports, dead_code)]

@@ -1,4 +1,5 @@
-//! One object: takes the ray to object space, asks the object's shape, brings the hit back. Given: nothing to write here.
+//! One object: takes the ray to object space, asks the object's shape, brings the hit back. Given:
+//! nothing to write here.
 
 use cases::{Effect, Hit, Mesh, Object, Ray, Scene, Shape, SurfaceHit};
 use glam::DVec3;
@@ -23,7 +24,13 @@ pub fn intersect_object(scene: &Scene, index: usize, ray: &Ray) -> Option<Hit> {
     let object = &scene.objects[index];
     let smooth = scene.effects.has(Effect::SmoothNormals);
     let hit = in_world(object, &scene.meshes, smooth, ray)?;
-    Some(Hit { t: hit.t, point: ray.at(hit.t), n_geom: hit.n_geom, n_shading: hit.n_shading, object: index })
+    Some(Hit {
+        t: hit.t,
+        point: ray.at(hit.t),
+        n_geom: hit.n_geom,
+        n_shading: hit.n_shading,
+        object: index,
+    })
 }
 
 /// Nearest hit of a world-space `ray` with an `object` that is no mesh, or `None`.
@@ -31,15 +38,20 @@ pub fn intersect_transformed(object: &Object, ray: &Ray) -> Option<SurfaceHit> {
     in_world(object, &[], false, ray).map(|hit| SurfaceHit { t: hit.t, normal: hit.n_geom })
 }
 
-/// An object whose matrix is the identity is asked in world space, so stages 1 to 4 need no transform. [rule 20]
+/// An object whose matrix is the identity is asked in world space, so stages 1 to 4 need no
+/// transform. [rule 20]
 fn in_world(object: &Object, meshes: &[Mesh], smooth: bool, ray: &Ray) -> Option<TwoNormals> {
     if object.is_untransformed() {
         return in_object(&object.shape, meshes, smooth, ray);
     }
-    let hit = in_object(&object.shape, meshes, smooth, &ray_to_object(ray, &object.object_from_world))?;
+    let hit =
+        in_object(&object.shape, meshes, smooth, &ray_to_object(ray, &object.object_from_world))?;
     let n_geom = normal_to_world(hit.n_geom, &object.object_from_world);
-    let n_shading =
-        if hit.n_shading == hit.n_geom { n_geom } else { normal_to_world(hit.n_shading, &object.object_from_world) };
+    let n_shading = if hit.n_shading == hit.n_geom {
+        n_geom
+    } else {
+        normal_to_world(hit.n_shading, &object.object_from_world)
+    };
     Some(TwoNormals { t: hit.t, n_geom, n_shading })
 }
 
@@ -49,7 +61,9 @@ fn in_object(shape: &Shape, meshes: &[Mesh], smooth: bool, ray: &Ray) -> Option<
         Shape::Plane { normal, k } => intersect_plane(ray, normal, k),
         Shape::Square {} => intersect_square(ray),
         Shape::Box { min, max } => intersect_box(ray, min, max),
-        Shape::Cylinder { radius, z_min, z_max, capped } => intersect_cylinder(ray, radius, [z_min, z_max], capped),
+        Shape::Cylinder { radius, z_min, z_max, capped } => {
+            intersect_cylinder(ray, radius, [z_min, z_max], capped)
+        }
         Shape::Cone { bottom_radius, top_radius, z_min, z_max, capped } => {
             intersect_cone(ray, [bottom_radius, top_radius], [z_min, z_max], capped)
         }
@@ -74,7 +88,10 @@ fn intersect_mesh(mesh: &Mesh, smooth: bool, ray: &Ray) -> Option<TwoNormals> {
     let n_shading = match &mesh.normals {
         Some(normals) if smooth => {
             let [a, b, c] = corners.map(|corner| mesh.vertices[corner]);
-            interpolate_normal(barycentric(a, b, c, ray.at(hit.t)), corners.map(|corner| normals[corner]))
+            interpolate_normal(
+                barycentric(a, b, c, ray.at(hit.t)),
+                corners.map(|corner| normals[corner]),
+            )
         }
         _ => hit.normal,
     };

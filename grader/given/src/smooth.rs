@@ -7,7 +7,8 @@ use crate::refraction::refract;
 
 /// (α, β, γ): the weights of the corners `a`, `b`, `c` at a point `q` of their triangle. [rule 17]
 ///
-/// - All four in the same frame; `q` lies in the plane of the triangle, up to rounding; the triangle has an area.
+/// - All four in the same frame; `q` lies in the plane of the triangle, up to rounding; the
+///   triangle has an area.
 /// - α + β + γ = 1, α a + β b + γ c = q. Outside the triangle a weight is negative.
 pub fn barycentric(a: DVec3, b: DVec3, c: DVec3, q: DVec3) -> DVec3 {
     todo!("barycentric [rule 17]: src/smooth.rs")
@@ -15,15 +16,17 @@ pub fn barycentric(a: DVec3, b: DVec3, c: DVec3, q: DVec3) -> DVec3 {
 
 /// N̂: the normals of the three corners, weighted by (α, β, γ), then normalised. [rule 18]
 ///
-/// - Unit vectors in the frame of the mesh; so is the result. The weighted sum is never the zero vector.
+/// - Unit vectors in the frame of the mesh; so is the result. The weighted sum is never the zero
+///   vector.
 pub fn interpolate_normal(weights: DVec3, normals: [DVec3; 3]) -> DVec3 {
     todo!("interpolate_normal [rule 18]: src/smooth.rs")
 }
 
-/// R where normals are interpolated: off the interpolated normal, unless that would lead into the object. [rule 19]
+/// R where normals are interpolated: off the interpolated normal, unless that would lead into the
+/// object. [rule 19]
 ///
-/// - Unit vectors in world space; d points towards the surface, `n_geom` is turned against it (d·N ≤ 0), and `n_shading`
-///   was turned over together with it.
+/// - Unit vectors in world space; d points towards the surface, `n_geom` is turned against it (d·N
+///   ≤ 0), and `n_shading` was turned over together with it.
 /// - R must leave the surface: if R · `n_geom` ≤ 0, it is computed again with `n_geom`.
 pub fn smooth_reflect(direction: DVec3, n_geom: DVec3, n_shading: DVec3) -> DVec3 {
     todo!("smooth_reflect [rule 19]: src/smooth.rs")
@@ -32,9 +35,16 @@ pub fn smooth_reflect(direction: DVec3, n_geom: DVec3, n_shading: DVec3) -> DVec
 /// T where normals are interpolated, or `None` for total internal reflection. [rule 19]
 ///
 /// - Arguments as in `smooth_reflect`; indices as in `refract`.
-/// - The interpolated normal decides on total internal reflection and gives T. If that T does not go through the surface
-///   (T · `n_geom` ≥ 0), both are decided again with `n_geom`.
-/// - Where the interpolated normal faces away from the ray (d · `n_shading` ≥ 0), `n_geom` is used from the start.
-pub fn smooth_refract(direction: DVec3, n_geom: DVec3, n_shading: DVec3, eta_i: f64, eta_t: f64) -> Option<DVec3> {
+/// - The interpolated normal decides on total internal reflection and gives T. If that T does not
+///   go through the surface (T · `n_geom` ≥ 0), both are decided again with `n_geom`.
+/// - Where the interpolated normal faces away from the ray (d · `n_shading` ≥ 0), `n_geom` is used
+///   from the start.
+pub fn smooth_refract(
+    direction: DVec3,
+    n_geom: DVec3,
+    n_shading: DVec3,
+    eta_i: f64,
+    eta_t: f64,
+) -> Option<DVec3> {
     todo!("smooth_refract [rule 19]: src/smooth.rs")
 }

@@ -10,13 +10,15 @@ use indicatif::{ProgressState, ProgressStyle};
 ///
 /// A template that cannot be understood gives the usual bar.
 pub fn style(template: &str) -> ProgressStyle {
-    let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+    let style =
+        ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
     style.with_key("left", |state: &ProgressState, out: &mut dyn std::fmt::Write| {
         let _ = out.write_str(&left(state.pos(), state.len().unwrap_or(0), state.eta()));
     })
 }
 
-/// Returns the time that is left, such as `, 12 s left`; empty before the first step and after the last one.
+/// Returns the time that is left, such as `, 12 s left`; empty before the first step and after the
+/// last one.
 pub fn left(done: u64, all: u64, guess: Duration) -> String {
     match guess.as_secs() {
         _ if done == 0 || done >= all => String::new(),

@@ -8,15 +8,18 @@ const UNKNOWN: usize = 100;
 /// Narrower than this, text would be more breaks than words.
 const LEAST: usize = 40;
 
-/// Returns the columns of the terminal behind the output stream, at least 40; 100 where it is no terminal.
+/// Returns the columns of the terminal behind the output stream, at least 40; 100 where it is no
+/// terminal.
 pub fn columns() -> usize {
-    terminal_size_of(std::io::stdout()).map_or(UNKNOWN, |(Width(columns), _)| usize::from(columns).max(LEAST))
+    terminal_size_of(std::io::stdout())
+        .map_or(UNKNOWN, |(Width(columns), _)| usize::from(columns).max(LEAST))
 }
 
 /// Returns `text` with every line that is wider than `columns` broken between words.
 ///
-/// What follows of a broken line stands four columns deeper than its beginning. A word that is wider
-/// than a line is broken as well. Escape codes for colour take no columns; a tab becomes four spaces.
+/// What follows of a broken line stands four columns deeper than its beginning. A word that is
+/// wider than a line is broken as well. Escape codes for colour take no columns; a tab becomes four
+/// spaces.
 pub fn folded(text: &str, columns: usize) -> String {
     let mut out = String::with_capacity(text.len());
     for line in text.split_inclusive('\n') {
@@ -47,7 +50,8 @@ pub fn count(n: usize, word: &str) -> String {
     if n == 1 { format!("1 {word}") } else { format!("{n} {word}s") }
 }
 
-/// Returns names for a message, such as `` `a`, `b` and 5 more ``: at most `most`, then how many are left.
+/// Returns names for a message, such as `` `a`, `b` and 5 more ``: at most `most`, then how many
+/// are left.
 pub fn some<'a>(names: impl IntoIterator<Item = &'a str>, most: usize) -> String {
     let names: Vec<String> = names.into_iter().map(|name| format!("`{name}`")).collect();
     match names.len() {
@@ -68,7 +72,10 @@ mod tests {
     fn long_lines_are_broken_between_words_and_indented() {
         let table = [
             ("short\n\n  too\n", "short\n\n  too\n"),
-            ("  one two three four five six seven\n", "  one two three four\n      five six seven\n"),
+            (
+                "  one two three four five six seven\n",
+                "  one two three four\n      five six seven\n",
+            ),
             ("aaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "aaaaaaaaaaaaaaaa\n    aaaaaaaaaaaaaa"),
             ("\u{1b}[31mone two three four\u{1b}[0m", "\u{1b}[31mone two three four\u{1b}[0m"),
             ("光光光光光光光光光光光", "光光光光光光光光\n    光光光"),
@@ -81,10 +88,16 @@ mod tests {
 
     proptest! {
         #[test]
-        fn no_line_is_wider_and_no_letter_is_lost(text in "[ a-z:#\\[\n\u{1b}m光é-]{0,200}", columns in 40..120usize) {
+        fn no_line_is_wider_and_no_letter_is_lost(
+            text in "[ a-z:#\\[\n\u{1b}m光é-]{0,200}",
+            columns in 40..120usize,
+        ) {
             let out = folded(&text, columns);
-            prop_assert!(out.lines().all(|line| textwrap::core::display_width(line) <= columns), "{out}");
-            let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).collect::<String>();
+            let is_wide = |line: &str| textwrap::core::display_width(line) > columns;
+            prop_assert!(!out.lines().any(is_wide), "{out}");
+            let letters = |text: &str| -> String {
+                text.chars().filter(|c| !c.is_whitespace()).collect()
+            };
             prop_assert_eq!(letters(&out), letters(&text));
         }
     }
@@ -97,6 +110,9 @@ mod tests {
         }
         assert_eq!(some(["a", "b", "c"], 3), "`a`, `b` and `c`");
         assert_eq!(some(["a", "b", "c", "d", "e"], 3), "`a`, `b`, `c` and 2 more");
-        assert_eq!((count(1, "check"), count(0, "check")), ("1 check".to_owned(), "0 checks".to_owned()));
+        assert_eq!(
+            (count(1, "check"), count(0, "check")),
+            ("1 check".to_owned(), "0 checks".to_owned())
+        );
     }
 }

@@ -42,12 +42,17 @@ pub fn name(bytes: &[u8]) -> String {
 
 /// Returns JSON text of the same value that is guarded as [`shown`] guards text.
 ///
-/// In JSON, hidden characters and commands can stand in strings alone, where `\u` codes are allowed.
+/// In JSON, hidden characters and commands can stand in strings alone, where `\u` codes are
+/// allowed.
 pub fn json(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for (at, c) in text.char_indices() {
         if is_hidden(c) && !matches!(c, '\n' | '\t') || c == '#' && opens_command(&text[at + 1..]) {
-            let units = c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")).collect::<String>();
+            let units = c
+                .encode_utf16(&mut [0; 2])
+                .iter()
+                .map(|unit| format!("\\u{unit:04x}"))
+                .collect::<String>();
             out.push_str(&units);
         } else {
             out.push(c);
@@ -57,9 +62,12 @@ pub fn json(text: &str) -> String {
 }
 
 /// Returns whether `c` does not show as itself: it would be invisible, change how others show, or
-/// not be allowed in XML. Spaces of any width show as what they are; line breaks and tabs are hidden.
+/// not be allowed in XML. Spaces of any width show as what they are; line breaks and tabs are
+/// hidden.
 pub fn is_hidden(c: char) -> bool {
-    use GeneralCategory::{Control, Format, LineSeparator, ParagraphSeparator, PrivateUse, Surrogate, Unassigned};
+    use GeneralCategory::{
+        Control, Format, LineSeparator, ParagraphSeparator, PrivateUse, Surrogate, Unassigned,
+    };
     if c.is_ascii() {
         return c.is_ascii_control();
     }
@@ -72,8 +80,9 @@ pub fn is_hidden(c: char) -> bool {
 
 /// Letters, marks and symbols that take no ink: fillers, joiners, selectors of a variant.
 fn is_inkless(c: char) -> bool {
-    matches!(c, '\u{34f}' | '\u{115f}'..='\u{1160}' | '\u{17b4}'..='\u{17b5}' | '\u{180b}'..='\u{180f}')
-        || matches!(c, '\u{2800}' | '\u{3164}' | '\u{fe00}'..='\u{fe0f}' | '\u{ffa0}' | '\u{e0100}'..='\u{e01ef}')
+    matches!(c, '\u{34f}' | '\u{115f}'..='\u{1160}' | '\u{17b4}'..='\u{17b5}')
+        || matches!(c, '\u{180b}'..='\u{180f}' | '\u{2800}' | '\u{3164}')
+        || matches!(c, '\u{fe00}'..='\u{fe0f}' | '\u{ffa0}' | '\u{e0100}'..='\u{e01ef}')
 }
 
 /// Whether escape codes for colour may pass.
@@ -127,8 +136,8 @@ fn colour_code(behind: &str) -> Option<usize> {
     numbers[end..].starts_with('m').then_some(1 + end + 1)
 }
 
-/// Whether a `#` before `behind` opens a command: `##[`, `##vso[`, `##teamcity[` and the like. A kept
-/// escape character does not part it, since a reader may drop that.
+/// Whether a `#` before `behind` opens a command: `##[`, `##vso[`, `##teamcity[` and the like. A
+/// kept escape character does not part it, since a reader may drop that.
 fn opens_command(behind: &str) -> bool {
     let is_name = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-' | '\u{1b}');
     behind.strip_prefix('#').is_some_and(|rest| rest.trim_start_matches(is_name).starts_with('['))

@@ -1,4 +1,5 @@
-//! The one way to print. No output panics where its reader has gone away, as in `grader lint | head`.
+//! The one way to print. No output panics where its reader has gone away, as in
+//! `grader lint | head`.
 
 use std::io::{self, Write};
 
@@ -17,7 +18,8 @@ pub fn out(text: &str) -> io::Result<()> {
     raw(finished(text, AutoStream::choice(&stream)).as_bytes())
 }
 
-/// Prints text to the error stream, like [`out`]. An error is dropped, since no stream is left to report it on.
+/// Prints text to the error stream, like [`out`]. An error is dropped, since no stream is left to
+/// report it on.
 pub fn err(text: &str) {
     let stream = io::stderr();
     let text = finished(text, AutoStream::choice(&stream));

@@ -1,4 +1,5 @@
-//! The arguments of a program, and what is made from them: completions, man pages, the page of the command line.
+//! The arguments of a program, and what is made from them: completions, man pages, the page of the
+//! command line.
 
 use std::fmt::Write;
 use std::io;
@@ -16,8 +17,8 @@ const COLUMNS: usize = 100;
 /// Returns the arguments that this program was called with.
 ///
 /// # Errors
-/// The exit code, after this has printed help (0) or what is wrong with the call (2); 3 where help cannot
-/// be printed.
+/// The exit code, after this has printed help (0) or what is wrong with the call (2); 3 where help
+/// cannot be printed.
 pub fn arguments<A: Parser>() -> Result<A, ExitCode> {
     A::try_parse().map_err(|why| {
         let text = why.render().ansi().to_string();
@@ -68,7 +69,8 @@ pub fn man(mut program: Command, what: Option<&Path>) -> Result<Man, String> {
     if !what.is_dir() && !text.contains('/') {
         let name = program.get_name();
         return Err(format!(
-            "there is no command `{text}`, which `{name} --help` would list, and no folder `{text}`; \
+            "there is no command `{text}`, which `{name} --help` would list, and no folder \
+                `{text}`; \
              to write the pages into a new folder, call it `./{text}`"
         ));
     }
@@ -96,12 +98,15 @@ fn markdown(mut program: Command) -> String {
     text.trim_end().to_owned() + "\n"
 }
 
-/// Returns `page` with the help of `program` between its marks, `<!-- NAME -->` and `<!-- end of NAME -->`; the page
-/// as it is where the marks are missing.
+/// Returns `page` with the help of `program` between its marks, `<!-- NAME -->` and
+/// `<!-- end of NAME -->`; the page as it is where the marks are missing.
 pub fn in_page(page: &str, program: Command) -> String {
     let name = program.get_name().to_owned();
     let (start, end) = (format!("<!-- {name} -->\n"), format!("<!-- end of {name} -->"));
-    match page.split_once(&start).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1))) {
+    match page
+        .split_once(&start)
+        .and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)))
+    {
         Some((before, after)) => format!("{before}{start}\n{}\n{end}{after}", markdown(program)),
         None => page.to_owned(),
     }

@@ -36,7 +36,9 @@ impl Grader for OnBench<'_> {
     }
 
     fn digest(&self, path: &Path) -> Option<String> {
-        submission::read(path, &self.bench.workshop.template).ok().map(|submission| submission.digest)
+        submission::read(path, &self.bench.workshop.template)
+            .ok()
+            .map(|submission| submission.digest)
     }
 
     fn grade(&self, submission: &Submission) -> Result<Graded, GradeError> {

@@ -1,13 +1,14 @@
 //! A whole class, graded on all cores.
 //!
 //! ```text
-//! OUT/results/KEY/{record.json, report.html}   what was graded, under the hash of (epoch, submission, name): never changed
+//! OUT/results/KEY/{record.json, report.html}   what was graded, under the hash of
+//!                                              (epoch, submission, name): never changed
 //! OUT/records/ID.json, OUT/reports/ID.html     the same by the submission's id, as of the last run
 //! OUT/class.csv, OUT/class.html                the table
 //! ```
 //!
-//! A result appears by one rename, so a run that was killed goes on where it was. What the grader or the machine failed
-//! at is never published: the next run tries again.
+//! A result appears by one rename, so a run that was killed goes on where it was. What the grader
+//! or the machine failed at is never published: the next run tries again.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -34,12 +35,14 @@ pub use submissions::{LeftAside, Submission};
 
 use store::Store;
 
-/// What grading one submission takes; behind a trait so that a class can be graded without a compiler in tests.
+/// What grading one submission takes; behind a trait so that a class can be graded without a
+/// compiler in tests.
 pub trait Grader: Sync {
     /// Hash of all that a score depends on but the submission.
     fn epoch(&self) -> &str;
 
-    /// Hash of the files that count, or `None` where what is there cannot be graded, and grading it again costs nothing.
+    /// Hash of the files that count, or `None` where what is there cannot be graded, and grading it
+    /// again costs nothing.
     fn digest(&self, submission: &Path) -> Option<String>;
 
     /// Grades it, on one thread.
@@ -101,10 +104,12 @@ pub enum BatchError {
         why: io::Error,
     },
     /// Nothing in it is a submission.
-    #[error("there is no submission in {}: each is a folder or an archive (.zip, .tar.gz, .tgz, .tar) in it", .0.display())]
+    #[error("there is no submission in {}: each is a folder or an archive (.zip, .tar.gz, .tgz, \
+        .tar) in it", .0.display())]
     Empty(PathBuf),
     /// The results cannot be written.
-    #[error("cannot write the results to {}: {why}; results of finished submissions are kept", .out.display())]
+    #[error("cannot write the results to {}: {why}; results of finished submissions are \
+        kept", .out.display())]
     Out {
         /// As it was given.
         out: PathBuf,
@@ -117,7 +122,11 @@ pub enum BatchError {
 ///
 /// # Errors
 /// See [`BatchError`].
-pub fn run(grader: &impl Grader, options: &Options, listener: &dyn Listener) -> Result<Summary, BatchError> {
+pub fn run(
+    grader: &impl Grader,
+    options: &Options,
+    listener: &dyn Listener,
+) -> Result<Summary, BatchError> {
     let unwritable = |why| BatchError::Out { out: options.out.clone(), why };
     let (submissions, left_aside) = submissions::list(&options.folder, &options.out)
         .map_err(|why| BatchError::Folder { folder: options.folder.clone(), why })?;
@@ -126,7 +135,8 @@ pub fn run(grader: &impl Grader, options: &Options, listener: &dyn Listener) -> 
     }
     let store = Store::open(&options.out, grader.epoch()).map_err(unwritable)?;
     listener.begin(submissions.len());
-    let brought = bring_all(grader, &store, &submissions, options.jobs, listener).map_err(unwritable)?;
+    let brought =
+        bring_all(grader, &store, &submissions, options.jobs, listener).map_err(unwritable)?;
     listener.end();
     let summary = summarise(&submissions, &brought, left_aside);
     if summary.n_left == 0 {
@@ -156,15 +166,19 @@ fn bring_all(
         if is_over.load(Ordering::Relaxed) {
             return Ok(Brought::Left);
         }
-        bring(grader, store, &submissions[*n], listener).inspect_err(|_| is_over.store(true, Ordering::Relaxed))
+        bring(grader, store, &submissions[*n], listener)
+            .inspect_err(|_| is_over.store(true, Ordering::Relaxed))
     };
     let all = 0..submissions.len();
-    let (suspects, others): (Vec<usize>, Vec<usize>) = all.partition(|n| store.deaths(&submissions[*n].id).is_some());
+    let (suspects, others): (Vec<usize>, Vec<usize>) =
+        all.partition(|n| store.deaths(&submissions[*n].id).is_some());
     let mut brought = side_by_side(jobs, &others, work);
     brought.extend(side_by_side(1, &suspects, work));
-    let or_failed = |one: Result<_, Panicked>| one.unwrap_or_else(|why| Ok(Brought::Failed(why.to_string())));
+    let or_failed =
+        |one: Result<_, Panicked>| one.unwrap_or_else(|why| Ok(Brought::Failed(why.to_string())));
     let brought = brought.into_iter().map(or_failed).collect::<io::Result<Vec<Brought>>>()?;
-    let mut in_order: Vec<(usize, Brought)> = others.into_iter().chain(suspects).zip(brought).collect();
+    let mut in_order: Vec<(usize, Brought)> =
+        others.into_iter().chain(suspects).zip(brought).collect();
     in_order.sort_by_key(|(n, _)| *n);
     Ok(in_order.into_iter().map(|(_, brought)| brought).collect())
 }
@@ -180,8 +194,14 @@ enum Brought {
     Left,
 }
 
-/// Takes the result of an earlier run or grades; what is published is shown under the submission's id.
-fn bring(grader: &impl Grader, store: &Store, one: &Submission, listener: &dyn Listener) -> io::Result<Brought> {
+/// Takes the result of an earlier run or grades; what is published is shown under the submission's
+/// id.
+fn bring(
+    grader: &impl Grader,
+    store: &Store,
+    one: &Submission,
+    listener: &dyn Listener,
+) -> io::Result<Brought> {
     let brought = find_or_grade(grader, store, one)?;
     match &brought {
         Brought::Taken(record) => listener.taken(one, record),
@@ -200,11 +220,14 @@ fn find_or_grade(grader: &impl Grader, store: &Store, one: &Submission) -> io::R
     if grader.is_stopped() {
         return Ok(Brought::Left);
     }
-    if let Some(record) = grader.digest(&one.path).and_then(|digest| store.find(&digest, &one.name)) {
+    if let Some(record) = grader.digest(&one.path).and_then(|digest| store.find(&digest, &one.name))
+    {
         return Ok(Brought::Taken(record));
     }
     if store.deaths(&one.id).is_some_and(|n| n >= MAX_DEATHS) {
-        let why = format!("the grader died {MAX_DEATHS} times while it graded this alone: see why, and run again");
+        let why = format!(
+            "the grader died {MAX_DEATHS} times while it graded this alone: see why, and run again"
+        );
         return Ok(Brought::Failed(why));
     }
     store.begin(&one.id)?;
@@ -230,18 +253,25 @@ fn fault(record: &Record) -> Option<String> {
     let parts = checks.map(|check| (&*check.id, check.verdict, &check.finding));
     let build = ("build", record.build.verdict, &record.build.finding);
     parts.chain([build]).find_map(|(what, verdict, finding)| {
-        let is_internal = finding.as_ref().is_some_and(|finding| finding.kind == FindingKind::Internal);
+        let is_internal =
+            finding.as_ref().is_some_and(|finding| finding.kind == FindingKind::Internal);
         let why = finding.as_ref().map_or("no reason is given", |finding| &finding.message);
         (verdict == Verdict::Ours || is_internal).then(|| plain::shown(&format!("{what}: {why}")))
     })
 }
 
-fn summarise(submissions: &[Submission], brought: &[Brought], left_aside: Vec<LeftAside>) -> Summary {
+fn summarise(
+    submissions: &[Submission],
+    brought: &[Brought],
+    left_aside: Vec<LeftAside>,
+) -> Summary {
     let mut summary = Summary { left_aside, ..Summary::default() };
     for (one, brought) in submissions.iter().zip(brought) {
         match brought {
             Brought::Taken(_) => summary.n_done += 1,
-            Brought::Graded(_) => (summary.n_done, summary.n_graded) = (summary.n_done + 1, summary.n_graded + 1),
+            Brought::Graded(_) => {
+                (summary.n_done, summary.n_graded) = (summary.n_done + 1, summary.n_graded + 1)
+            }
             Brought::Failed(why) => summary.failed.push((one.name.clone(), why.clone())),
             Brought::Left => summary.n_left += 1,
         }
@@ -254,7 +284,11 @@ fn write_table(out: &Path, submissions: Vec<Submission>, brought: Vec<Brought>) 
         Brought::Taken(record) | Brought::Graded(record) => Some(record),
         Brought::Failed(_) | Brought::Left => None,
     };
-    let entry = |(one, brought): (Submission, Brought)| Entry { id: one.id, name: one.name, record: record(brought) };
+    let entry = |(one, brought): (Submission, Brought)| Entry {
+        id: one.id,
+        name: one.name,
+        record: record(brought),
+    };
     let entries: Vec<Entry> = submissions.into_iter().zip(brought).map(entry).collect();
     files::write(&out.join("class.csv"), class::csv(&entries).as_bytes())?;
     files::write(&out.join("class.html"), class::page(&entries).as_bytes())

@@ -1,4 +1,5 @@
-//! How far a run has come: a bar with the time left on a terminal, else a line for each submission that is finished.
+//! How far a run has come: a bar with the time left on a terminal, else a line for each submission
+//! that is finished.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -69,7 +70,10 @@ impl Listener for Shown {
     }
 
     fn failed(&self, submission: &Submission, why: &str) {
-        self.step(format!("{}: not graded, and not the student's fault: {why}", submission.name), true);
+        self.step(
+            format!("{}: not graded, and not the student's fault: {why}", submission.name),
+            true,
+        );
     }
 
     fn end(&self) {
@@ -78,5 +82,9 @@ impl Listener for Shown {
 }
 
 fn line(submission: &Submission, record: &Record) -> String {
-    format!("{}: {} points", submission.name, words::share(record.score.earned, record.score.possible))
+    format!(
+        "{}: {} points",
+        submission.name,
+        words::share(record.score.earned, record.score.possible)
+    )
 }

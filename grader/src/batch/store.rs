@@ -24,8 +24,8 @@ pub(super) struct Store {
 
 /// The ending of a file that notes that a submission is being graded.
 const DOING: &str = ".doing";
-/// The ending of a file with the number of deaths of a suspect, which is kept until the submission has
-/// a record.
+/// The ending of a file with the number of deaths of a suspect, which is kept until the submission
+/// has a record.
 const SUSPECT: &str = ".suspect";
 
 impl Store {
@@ -65,7 +65,8 @@ impl Store {
 
     /// Notes that a submission has a record, so that no death of a run is laid to its charge.
     pub(super) fn clear(&self, id: &str) {
-        let _ = std::fs::remove_file(self.work.path().join(format!("{id}{SUSPECT}"))); // Most have none.
+        // Most have none.
+        let _ = std::fs::remove_file(self.work.path().join(format!("{id}{SUSPECT}")));
     }
 
     fn doing(&self, id: &str) -> PathBuf {
@@ -89,13 +90,16 @@ impl Store {
         (is_whole && record.submission.digest == digest).then_some(record)
     }
 
-    /// Stores a record and its report. What is under the same key already can only be broken, or just as good; but what
-    /// could not be read has no digest to tell it by, so there the new one counts.
+    /// Stores a record and its report. What is under the same key already can only be broken, or
+    /// just as good; but what could not be read has no digest to tell it by, so there the new one
+    /// counts.
     pub(super) fn publish(&self, graded: &Graded) -> io::Result<()> {
         let Record { submission, .. } = &graded.record;
         let folder = self.folder(&submission.digest, &submission.path);
         let is_told_apart = !submission.digest.is_empty();
-        if folder.exists() && !(is_told_apart && self.find(&submission.digest, &submission.path).is_some()) {
+        if folder.exists()
+            && !(is_told_apart && self.find(&submission.digest, &submission.path).is_some())
+        {
             std::fs::remove_dir_all(&folder)?;
         }
         files::publish_folder(&folder, |fresh| {
@@ -106,9 +110,13 @@ impl Store {
 
     /// Puts a published record and its report where people look for them.
     pub(super) fn show(&self, id: &str, record: &Record) -> io::Result<()> {
-        let report = self.folder(&record.submission.digest, &record.submission.path).join("report.html");
+        let report =
+            self.folder(&record.submission.digest, &record.submission.path).join("report.html");
         self.link(&report, &self.out.join("reports").join(format!("{id}.html")))?;
-        files::write(&self.out.join("records").join(format!("{id}.json")), record.to_json().as_bytes())
+        files::write(
+            &self.out.join("records").join(format!("{id}.json")),
+            record.to_json().as_bytes(),
+        )
     }
 
     /// Makes `to` a second name of `from`, or a copy where the file system has no second names.
@@ -118,28 +126,34 @@ impl Store {
             return files::write(to, &std::fs::read(from)?);
         }
         let renamed = std::fs::rename(&part, to);
-        let _ = std::fs::remove_file(&part); // A rename onto another name of the same file leaves both.
+        // A rename onto another name of the same file leaves both.
+        let _ = std::fs::remove_file(&part);
         renamed
     }
 }
 
-/// Returns what was being graded when earlier runs died, from the folders that they left. A submission
-/// that was graded alone has one death more.
+/// Returns what was being graded when earlier runs died, from the folders that they left. A
+/// submission that was graded alone has one death more.
 fn suspects(left: &[Left]) -> io::Result<BTreeMap<String, u32>> {
     let mut suspects = BTreeMap::new();
     for left in left {
         let files = files::below(&left.path)?;
         let ids = |ending| {
-            let id = move |path: &PathBuf| Some(path.file_name()?.to_str()?.strip_suffix(ending)?.to_owned());
+            let id = move |path: &PathBuf| {
+                Some(path.file_name()?.to_str()?.strip_suffix(ending)?.to_owned())
+            };
             files.iter().filter_map(move |path| Some((id(path)?, path)))
         };
         let known = ids(SUSPECT).map(|(id, path)| {
-            let n_deaths = std::fs::read_to_string(path).ok().and_then(|text| text.trim().parse().ok());
+            let n_deaths =
+                std::fs::read_to_string(path).ok().and_then(|text| text.trim().parse().ok());
             (id, n_deaths.unwrap_or(0))
         });
         let known: BTreeMap<String, u32> = known.collect();
         let is_alone = u32::from(ids(DOING).count() == 1);
-        let doing = ids(DOING).map(|(id, _)| (known.get(&id).unwrap_or(&0) + is_alone, id)).map(|(n, id)| (id, n));
+        let doing = ids(DOING)
+            .map(|(id, _)| (known.get(&id).unwrap_or(&0) + is_alone, id))
+            .map(|(n, id)| (id, n));
         for (id, n_deaths) in known.clone().into_iter().chain(doing) {
             let most: &mut u32 = suspects.entry(id).or_default();
             *most = n_deaths.max(*most);

@@ -36,7 +36,8 @@ pub(super) fn list(folder: &Path, out: &Path) -> io::Result<(Vec<Submission>, Ve
         let path = entry?.path();
         let is_out = out.is_some() && path.canonicalize().ok() == out;
         match why_not(&path)? {
-            Some(why) => left_aside.push(LeftAside { name: plain::name(file_name(&path).as_encoded_bytes()), why }),
+            Some(why) => left_aside
+                .push(LeftAside { name: plain::name(file_name(&path).as_encoded_bytes()), why }),
             None if is_out => {}
             None => found.push(path),
         }
@@ -49,10 +50,15 @@ fn why_not(path: &Path) -> io::Result<Option<&'static str>> {
     let kind = path.symlink_metadata()?.file_type();
     let name = file_name(path).as_encoded_bytes();
     Ok(match () {
-        () if name.starts_with(b".") || name == b"__MACOSX" => Some("made by a system, not by a student"),
+        () if name.starts_with(b".") || name == b"__MACOSX" => {
+            Some("made by a system, not by a student")
+        }
         () if kind.is_symlink() => Some("a link: its target may be anywhere"),
         () if kind.is_dir() || (kind.is_file() && looks_handed_in(path)) => None,
-        () => Some("neither a folder nor an archive (.zip, .tar.gz, .tgz, .tar) nor a single source or document"),
+        () => Some(
+            "neither a folder nor an archive (.zip, .tar.gz, .tgz, .tar) nor a single source or \
+                document",
+        ),
     })
 }
 
@@ -65,7 +71,8 @@ fn named(mut paths: Vec<PathBuf>) -> Vec<Submission> {
     }
     let submission = |path: PathBuf| {
         let slug = slug(stem(&path));
-        let is_its_own = slug.as_bytes() == stem(&path) && takers.get(&slug.to_lowercase()) == Some(&1);
+        let is_its_own =
+            slug.as_bytes() == stem(&path) && takers.get(&slug.to_lowercase()) == Some(&1);
         let hash = blake3::hash(file_name(&path).as_encoded_bytes()).to_hex();
         let id = if is_its_own { slug } else { format!("{slug}~{}", &hash[..12]) };
         Submission { id, name: plain::name(stem(&path)), path }

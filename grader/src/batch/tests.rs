@@ -1,4 +1,5 @@
-//! A class of made-up submissions: what is graded when, and that nothing but the submissions decides the tables.
+//! A class of made-up submissions: what is graded when, and that nothing but the submissions
+//! decides the tables.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -9,7 +10,8 @@ use super::*;
 use crate::record::Finding;
 use crate::report::sample;
 
-/// Grades a folder by the text of its file `points`; remembers whom, and may stop or fail on the way.
+/// Grades a folder by the text of its file `points`; remembers whom, and may stop or fail on the
+/// way.
 struct Fake {
     epoch: &'static str,
     /// Stops when it has graded so many.
@@ -51,12 +53,17 @@ impl Grader for Fake {
         if let Ok(title) = fs::read_to_string(submission.path.join("title")) {
             record.stages[0].title = format!("title: {title}");
         }
-        let ours = |message: &str| Finding { message: message.to_owned(), ..sample::finding(FindingKind::Internal) };
+        let ours = |message: &str| Finding {
+            message: message.to_owned(),
+            ..sample::finding(FindingKind::Internal)
+        };
         match text.as_str() {
             "machine" => return Err(GradeError::Machine("the disk is full".to_owned())),
             "panic" => panic!("a fault in the grader"),
             "ours" => record.stages[0].checks[0].verdict = Verdict::Ours,
-            "internal" => record.stages[0].checks[0].finding = Some(ours("no memory for the judge")),
+            "internal" => {
+                record.stages[0].checks[0].finding = Some(ours("no memory for the judge"))
+            }
             points => record.score.earned = points.parse().unwrap_or(0),
         }
         self.graded.lock().unwrap().push(submission.name.clone());
@@ -108,7 +115,11 @@ impl Class {
     /// Everything for people, by path.
     fn shown(&self) -> BTreeMap<String, Vec<u8>> {
         let mut paths = vec![self.out("class.csv"), self.out("class.html")];
-        paths.extend(["records", "reports"].iter().flat_map(|folder| files::below(&self.out(folder)).unwrap()));
+        paths.extend(
+            ["records", "reports"]
+                .iter()
+                .flat_map(|folder| files::below(&self.out(folder)).unwrap()),
+        );
         let name = |path: &PathBuf| path.strip_prefix(self.out("")).unwrap().display().to_string();
         paths.iter().map(|path| (name(path), fs::read(path).unwrap())).collect()
     }
@@ -126,8 +137,16 @@ fn each_submission_gets_a_record_a_report_and_a_row() {
     let files = ["alice", "bob", "carol"];
     let expected = files.map(|id| format!("records/{id}.json")).into_iter();
     let expected = expected.chain(files.map(|id| format!("reports/{id}.html")));
-    assert_eq!(names, ["class.csv", "class.html"].map(str::to_owned).into_iter().chain(expected).collect::<Vec<_>>());
-    let record: Record = serde_json::from_slice(&fs::read(class.out("records/bob.json")).unwrap()).unwrap();
+    assert_eq!(
+        names,
+        ["class.csv", "class.html"]
+            .map(str::to_owned)
+            .into_iter()
+            .chain(expected)
+            .collect::<Vec<_>>()
+    );
+    let record: Record =
+        serde_json::from_slice(&fs::read(class.out("records/bob.json")).unwrap()).unwrap();
     assert_eq!((record.submission.path.as_str(), record.score.earned), ("bob", 2000));
 }
 
@@ -202,7 +221,8 @@ fn what_a_kill_leaves_behind_does_no_harm() {
     let class = Class::new(&THREE);
     class.run(&Fake::new("1", ALL), 1);
     let before = class.shown();
-    // Killed between the two files of a folder, in the middle of a file, and before the names for people were given.
+    // Killed between the two files of a folder, in the middle of a file, and before the names for
+    // people were given.
     let results: Vec<PathBuf> = files::below(&class.out("results")).unwrap();
     fs::remove_file(results.iter().find(|path| path.ends_with("report.html")).unwrap()).unwrap();
     let broken = results.iter().rfind(|path| path.ends_with("record.json")).unwrap();
@@ -247,7 +267,13 @@ fn what_killed_the_grader_comes_last_and_not_for_ever() {
 
 #[test]
 fn what_is_our_fault_is_reported_and_never_published() {
-    let class = Class::new(&[("a", "machine"), ("b", "ours"), ("c", "internal"), ("d", "panic"), ("e", "5000")]);
+    let class = Class::new(&[
+        ("a", "machine"),
+        ("b", "ours"),
+        ("c", "internal"),
+        ("d", "panic"),
+        ("e", "5000"),
+    ]);
     let summary = class.run(&Fake::new("1", ALL), 2);
     assert_eq!((summary.n_done, summary.failed.len(), summary.exit_code()), (1, 4, 3));
     assert!(summary.failed[0].1.contains("the disk is full"), "{:?}", summary.failed);
@@ -278,7 +304,8 @@ fn names_become_ids_that_are_safe_and_differ() {
     let class = Class::new(&odd.map(|name| (if name == ".." { "dots.." } else { name }, "1")));
     fs::write(class.place.path().join("in/dave.zip"), "").unwrap();
     class.hand_in("dave", "1");
-    let (found, _) = submissions::list(&class.place.path().join("in"), Path::new("/nowhere")).unwrap();
+    let (found, _) =
+        submissions::list(&class.place.path().join("in"), Path::new("/nowhere")).unwrap();
     assert_eq!(found.len(), 10);
     let mut ids: Vec<String> = found.iter().map(|one| one.id.to_lowercase()).collect();
     ids.sort();
@@ -327,8 +354,15 @@ fn what_somebody_handed_in_has_a_row_whatever_it_is() {
 #[test]
 fn an_empty_or_missing_folder_is_an_error() {
     let place = tempfile::tempdir().unwrap();
-    let at = |folder: &str| Options { folder: place.path().join(folder), out: place.path().join("out"), jobs: 1 };
+    let at = |folder: &str| Options {
+        folder: place.path().join(folder),
+        out: place.path().join("out"),
+        jobs: 1,
+    };
     fs::create_dir(place.path().join("in")).unwrap();
     assert!(matches!(run(&Fake::new("1", ALL), &at("in"), &Silent), Err(BatchError::Empty(_))));
-    assert!(matches!(run(&Fake::new("1", ALL), &at("missing"), &Silent), Err(BatchError::Folder { .. })));
+    assert!(matches!(
+        run(&Fake::new("1", ALL), &at("missing"), &Silent),
+        Err(BatchError::Folder { .. })
+    ));
 }

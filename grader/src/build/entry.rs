@@ -26,7 +26,8 @@ pub(super) const VERSION: u32 = 2;
 #[derive(Debug, thiserror::Error)]
 pub enum StoreError {
     /// The entry differs from what was published.
-    #[error("{} was changed after it was stored ({change}); it has been removed: run again to make it", .folder.display())]
+    #[error("{} was changed after it was stored ({change}); it has been removed: run again to \
+        make it", .folder.display())]
     Changed {
         /// The folder of the entry.
         folder: PathBuf,
@@ -34,7 +35,10 @@ pub enum StoreError {
         change: String,
     },
     /// The entry was changed, and could not be removed.
-    #[error("{} was changed after it was stored ({change}), and cannot be removed: delete it", .folder.display())]
+    #[error(
+        "{} was changed after it was stored ({change}), and cannot be removed: delete it",
+        .folder.display()
+    )]
     Stuck {
         /// The folder of the entry.
         folder: PathBuf,
@@ -109,7 +113,8 @@ impl<T: DeserializeOwned> Entry<T> {
         if folder.symlink_metadata().is_err_and(|why| why.kind() == io::ErrorKind::NotFound) {
             return Ok(None);
         }
-        let index = open(&folder.join(INDEX)).and_then(|file| Ok(serde_json::from_reader(io::BufReader::new(file))?));
+        let index = open(&folder.join(INDEX))
+            .and_then(|file| Ok(serde_json::from_reader(io::BufReader::new(file))?));
         let Index { about, digests } = index.map_err(|why| unreadable(folder, INDEX, why))?;
         let entry = Self { folder: folder.to_owned(), about, digests };
         entry.check().map(|()| Some(entry))
@@ -131,7 +136,10 @@ impl<T> Entry<T> {
         // No other file may lie there, since compilers take what they find.
         let surplus = names.iter().find(|name| *name != INDEX && !self.digests.contains_key(*name));
         if let Some(name) = surplus {
-            return Err(spoilt(&self.folder, format!("{} was added", plain::name(name.as_bytes()))));
+            return Err(spoilt(
+                &self.folder,
+                format!("{} was added", plain::name(name.as_bytes())),
+            ));
         }
         self.digests.iter().try_for_each(|(name, published)| {
             let found = open(&self.folder.join(name)).and_then(digest);
@@ -149,8 +157,10 @@ impl<T> Entry<T> {
     pub(super) fn bytes(&self, name: &str) -> Result<Vec<u8>, StoreError> {
         let mut bytes = vec![];
         let read = open(&self.folder.join(name)).and_then(|mut file| file.read_to_end(&mut bytes));
-        let is_published =
-            self.digests.get(name).is_some_and(|digest| *digest == blake3::hash(&bytes).to_hex().as_str());
+        let is_published = self
+            .digests
+            .get(name)
+            .is_some_and(|digest| *digest == blake3::hash(&bytes).to_hex().as_str());
         match read {
             Ok(_) if is_published => Ok(bytes),
             Ok(_) => Err(spoilt(&self.folder, format!("{name} has another content"))),
@@ -159,11 +169,13 @@ impl<T> Entry<T> {
     }
 }
 
-/// Returns the error of a file of an entry that cannot be read. The entry is removed unless the machine
-/// is to blame: then it may be whole, and others use it.
+/// Returns the error of a file of an entry that cannot be read. The entry is removed unless the
+/// machine is to blame: then it may be whole, and others use it.
 fn unreadable(folder: &Path, what: &str, source: io::Error) -> StoreError {
     match blame::of(&source) {
-        Blame::Machine => StoreError::Read { folder: folder.to_owned(), what: what.to_owned(), source },
+        Blame::Machine => {
+            StoreError::Read { folder: folder.to_owned(), what: what.to_owned(), source }
+        }
         Blame::File => spoilt(folder, format!("{what}: {source}")),
     }
 }
@@ -172,20 +184,25 @@ fn unreadable(folder: &Path, what: &str, source: io::Error) -> StoreError {
 fn spoilt(folder: &Path, change: String) -> StoreError {
     let folder = folder.to_owned();
     match leftovers::remove(&folder) {
-        Err(source) if source.kind() != io::ErrorKind::NotFound => StoreError::Stuck { folder, change, source },
+        Err(source) if source.kind() != io::ErrorKind::NotFound => {
+            StoreError::Stuck { folder, change, source }
+        }
         _ => StoreError::Changed { folder, change },
     }
 }
 
 /// Returns the names in a folder.
 fn names(folder: &Path) -> io::Result<Vec<String>> {
-    let name = |entry: io::Result<std::fs::DirEntry>| Ok(entry?.file_name().to_string_lossy().into_owned());
+    let name = |entry: io::Result<std::fs::DirEntry>| {
+        Ok(entry?.file_name().to_string_lossy().into_owned())
+    };
     std::fs::read_dir(folder)?.map(name).collect()
 }
 
 /// Opens a regular file; a link in its place is an error.
 fn open(path: &Path) -> io::Result<File> {
-    let file = File::options().read(true).custom_flags(libc::O_NOFOLLOW | libc::O_NONBLOCK).open(path)?;
+    let file =
+        File::options().read(true).custom_flags(libc::O_NOFOLLOW | libc::O_NONBLOCK).open(path)?;
     let is_file = file.metadata()?.is_file();
     is_file.then_some(file).ok_or_else(|| io::Error::other("it is no regular file"))
 }
@@ -218,12 +235,16 @@ mod tests {
     fn check(what: &str, change: impl Fn(&Path)) {
         let (_home, folder) = entry();
         let taken = Entry::<String>::take(&folder).unwrap().unwrap();
-        assert_eq!((taken.about.as_str(), taken.bytes("a").unwrap()), ("two letters", b"aaaa".to_vec()));
+        assert_eq!(
+            (taken.about.as_str(), taken.bytes("a").unwrap()),
+            ("two letters", b"aaaa".to_vec())
+        );
         change(&folder);
         let refused = Entry::<String>::take(&folder).map(|taken| taken.is_some());
         assert!(matches!(refused, Err(StoreError::Changed { .. })), "{what}: {refused:?}");
         assert!(folder.symlink_metadata().is_err(), "{what}: it is still there");
-        publish(&folder, &"again".to_owned(), |fresh| std::fs::write(fresh.join("a"), "aaaa")).unwrap();
+        publish(&folder, &"again".to_owned(), |fresh| std::fs::write(fresh.join("a"), "aaaa"))
+            .unwrap();
         assert_eq!(Entry::<String>::take(&folder).unwrap().unwrap().about, "again", "{what}");
     }
 

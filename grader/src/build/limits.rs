@@ -23,15 +23,22 @@ pub(super) fn stopped(outcome: Outcome, limits: &Limits) -> BuildError {
     match outcome {
         Outcome::Interrupted => BuildError::Interrupted,
         Outcome::Machine(shortage) => Fault::Machine(shortage).into(),
-        Outcome::NoProgram(why) => Fault::Other(format!("the build cannot be started: {why}")).into(),
+        Outcome::NoProgram(why) => {
+            Fault::Other(format!("the build cannot be started: {why}")).into()
+        }
         Outcome::TimedOut(Clock::Cpu) => {
             let seconds = limits.cpu.as_secs();
-            rejected(&format!("takes more than {seconds} s of CPU time (a macro that calls itself?)"))
+            rejected(&format!(
+                "takes more than {seconds} s of CPU time (a macro that calls itself?)"
+            ))
         }
-        Outcome::TimedOut(Clock::Idle) => {
-            rejected(&format!("waited for more than {} s without computing anything", limits.idle.as_secs()))
+        Outcome::TimedOut(Clock::Idle) => rejected(&format!(
+            "waited for more than {} s without computing anything",
+            limits.idle.as_secs()
+        )),
+        Outcome::TimedOut(Clock::Wall) => {
+            rejected(&format!("did not end within {} s", limits.wall.as_secs()))
         }
-        Outcome::TimedOut(Clock::Wall) => rejected(&format!("did not end within {} s", limits.wall.as_secs())),
         Outcome::OutOfMemory => rejected("takes more than 4 GiB of memory"),
         Outcome::TooMuchOutput(stream) => rejected(&format!("writes too much to {stream}")),
         Outcome::TooManyProcesses => rejected("starts too many processes"),

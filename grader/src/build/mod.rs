@@ -24,7 +24,11 @@ use crate::submission::{Kind, Submission};
 ///
 /// # Errors
 /// [`BuildError`].
-pub fn build(submission: &Submission, workshop: &Workshop, tell: &dyn Fn(&str)) -> Result<Built, BuildError> {
+pub fn build(
+    submission: &Submission,
+    workshop: &Workshop,
+    tell: &dyn Fn(&str),
+) -> Result<Built, BuildError> {
     match &submission.kind {
         Kind::Rust(rust) => rustc::build(&rust.sources, &submission.digest, workshop, tell),
         Kind::Own(own) => own::build(own, tell),

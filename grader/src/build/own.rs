@@ -16,7 +16,8 @@ const NEEDED: u64 = 16 << 20;
 /// Copies, builds if there is a command for it, and says what is to be run.
 pub(super) fn build(own: &Own, tell: &dyn Fn(&str)) -> Result<Built, BuildError> {
     let folder = Folder::new().map_err(Fault::from)?;
-    copy(own, &folder).map_err(|why| Fault::Other(format!("the submission cannot be copied: {why}")))?;
+    copy(own, &folder)
+        .map_err(|why| Fault::Other(format!("the submission cannot be copied: {why}")))?;
     let search = std::env::var_os("PATH").unwrap_or_else(|| "/usr/bin:/bin".into());
     let mut time = Duration::ZERO;
     if let Some(words) = &own.build {
@@ -49,13 +50,20 @@ fn command(words: &[String], folder: &Path) -> (PathBuf, Vec<OsString>) {
         Some(rest) => folder.join(rest).into_os_string(),
         None => word.into(),
     };
-    (words.first().map(resolve).unwrap_or_default().into(), words.iter().skip(1).map(resolve).collect())
+    (
+        words.first().map(resolve).unwrap_or_default().into(),
+        words.iter().skip(1).map(resolve).collect(),
+    )
 }
 
 fn run(words: &[String], folder: &Path, search: &OsString) -> Result<Duration, BuildError> {
     let (program, args) = command(words, folder);
-    let environment =
-        [("PATH", search.clone()), ("HOME", folder.into()), ("TMPDIR", folder.into()), ("LANG", "C.UTF-8".into())];
+    let environment = [
+        ("PATH", search.clone()),
+        ("HOME", folder.into()),
+        ("TMPDIR", folder.into()),
+        ("LANG", "C.UTF-8".into()),
+    ];
     let call = Call {
         program,
         args,
@@ -72,8 +80,12 @@ fn run(words: &[String], folder: &Path, search: &OsString) -> Result<Duration, B
     let finished = sandbox::blame(&call, finished);
     let said = finished.stderr_text().unwrap_or_default();
     match finished.outcome {
-        Outcome::Exited(code) => Err(BuildError::Rejected(format!("the build command ends with code {code}:\n{said}"))),
-        Outcome::NoProgram(why) => Err(BuildError::Rejected(format!("the build command cannot be started: {why}"))),
+        Outcome::Exited(code) => {
+            Err(BuildError::Rejected(format!("the build command ends with code {code}:\n{said}")))
+        }
+        Outcome::NoProgram(why) => {
+            Err(BuildError::Rejected(format!("the build command cannot be started: {why}")))
+        }
         outcome => Err(stopped(outcome, &LIMITS)),
     }
 }

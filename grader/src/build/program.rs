@@ -65,7 +65,12 @@ impl Program {
     }
 
     /// Returns a program in a folder of its own, which goes away with it.
-    pub(super) fn in_folder(path: PathBuf, args: Vec<OsString>, search: OsString, folder: Folder) -> Self {
+    pub(super) fn in_folder(
+        path: PathBuf,
+        args: Vec<OsString>,
+        search: OsString,
+        folder: Folder,
+    ) -> Self {
         Self { folder: Some(folder), ..Self::new(path, args, search) }
     }
 
@@ -105,8 +110,9 @@ impl Program {
         let bytes = source.stored.bytes(PROGRAM)?;
         let mut made = source.made.lock().unwrap_or_else(PoisonError::into_inner);
         let placed = sandbox::place_program(&self.path, &bytes).and_then(|()| look(&self.path));
-        let why =
-            |why: io::Error| Fault::Other(format!("the program cannot be copied to {}: {why}", self.path.display()));
+        let why = |why: io::Error| {
+            Fault::Other(format!("the program cannot be copied to {}: {why}", self.path.display()))
+        };
         *made = Some(placed.map_err(why)?);
         Ok(())
     }
@@ -146,7 +152,9 @@ mod tests {
     #[test]
     fn a_program_that_harms_itself_is_noticed_and_made_again() {
         check("deleted", |path| std::fs::remove_file(path).unwrap());
-        check("rewritten with the same bytes", |path| std::fs::write(path, std::fs::read(path).unwrap()).unwrap());
+        check("rewritten with the same bytes", |path| {
+            std::fs::write(path, std::fs::read(path).unwrap()).unwrap()
+        });
         check("replaced by a link", |path| {
             std::fs::remove_file(path).unwrap();
             std::os::unix::fs::symlink("/bin/true", path).unwrap();
@@ -161,7 +169,10 @@ mod tests {
     fn what_is_stored_stays_as_it_is() {
         let (_home, folder, program) = program();
         std::fs::write(&program.path, "changed").unwrap();
-        assert!(Stored::take(&folder).unwrap().is_some(), "the copy is no second name of what is stored");
+        assert!(
+            Stored::take(&folder).unwrap().is_some(),
+            "the copy is no second name of what is stored"
+        );
         std::fs::write(folder.join(PROGRAM), "changed").unwrap();
         assert!(matches!(program.restore(), Err(Fault::Store(_))));
     }

@@ -1,4 +1,5 @@
-//! A submission in the template: one call of the compiler, stored under the hash of all that went into it.
+//! A submission in the template: one call of the compiler, stored under the hash of all that went
+//! into it.
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -59,7 +60,12 @@ fn built(stored: Stored, time: Duration) -> Result<Built, BuildError> {
 }
 
 /// Compiles in a folder of its own, and stores program and warnings as the entry `stored`.
-fn compile(rustc: &Path, sources: &BTreeMap<String, String>, sdk: &Sdk, stored: &Path) -> Result<Duration, BuildError> {
+fn compile(
+    rustc: &Path,
+    sources: &BTreeMap<String, String>,
+    sdk: &Sdk,
+    stored: &Path,
+) -> Result<Duration, BuildError> {
     let folder = Folder::new().map_err(Fault::from)?;
     for (name, text) in sources {
         let write = files::write(&folder.path().join(name), text.as_bytes());
@@ -139,7 +145,10 @@ mod tests {
         let finished = Finished { stderr: said, ..Finished::without_run(Outcome::Exited(1)) };
         let found = failed(finished, &sdk, &LIMITS);
         match is_rejected {
-            true => assert!(matches!(&found, BuildError::Rejected(why) if why.contains("find crate")), "{found}"),
+            true => assert!(
+                matches!(&found, BuildError::Rejected(why) if why.contains("find crate")),
+                "{found}"
+            ),
             false => {
                 assert!(matches!(&found, BuildError::Ours(Fault::Store(_))), "{found}");
                 assert!(!folder.exists(), "the spoilt libraries are still there");
@@ -153,6 +162,11 @@ mod tests {
         check(|library| std::fs::write(library, "a librarx").unwrap(), false);
         check(|library| std::fs::write(library, "").unwrap(), false);
         check(|library| std::fs::remove_file(library).unwrap(), false);
-        check(|library| std::os::unix::fs::symlink("/dev/null", library.with_extension("so")).unwrap(), false);
+        check(
+            |library| {
+                std::os::unix::fs::symlink("/dev/null", library.with_extension("so")).unwrap()
+            },
+            false,
+        );
     }
 }

@@ -1,4 +1,5 @@
-//! The crates that student code is linked with, compiled once for one compiler, one lock file and one state of `cases`.
+//! The crates that student code is linked with, compiled once for one compiler, one lock file and
+//! one state of `cases`.
 //!
 //! An entry `sdk-KEY` of the store holds the libraries, and says which of them the student's code
 //! may name. With these a submission is one call of rustc: no cargo, no lock, and no way for a
@@ -40,8 +41,14 @@ pub enum SdkError {
 }
 
 /// The build; part of the key.
-const ARGS: [&str; 6] =
-    ["build", "--release", "-p", "cases", "--no-default-features", "--message-format=json-render-diagnostics"];
+const ARGS: [&str; 6] = [
+    "build",
+    "--release",
+    "-p",
+    "cases",
+    "--no-default-features",
+    "--message-format=json-render-diagnostics",
+];
 
 impl Sdk {
     /// Takes the crates that lie in `store`, or makes them from the workspace at `root`. Student
@@ -53,8 +60,9 @@ impl Sdk {
         dependencies: &[String],
         tell: &dyn Fn(&str),
     ) -> Result<Self, SdkError> {
-        let key = key(toolchain, root, dependencies)
-            .map_err(|why| SdkError::Cases(format!("the sources of `cases` cannot be used: {why}")))?;
+        let key = key(toolchain, root, dependencies).map_err(|why| {
+            SdkError::Cases(format!("the sources of `cases` cannot be used: {why}"))
+        })?;
         let folder = store.join(format!("sdk-{key}"));
         // What a killed run left is in nobody's way, so a store that cannot be cleared is no reason
         // to stop.
@@ -63,11 +71,13 @@ impl Sdk {
             return Ok(Self { entry, key });
         }
         tell("compiling the crates that submissions use (once, a minute or so)");
-        let alone = alone(root, store)
-            .map_err(|why| SdkError::Cases(format!("`cases` cannot be made ready to be built: {why}")))?;
+        let alone = alone(root, store).map_err(|why| {
+            SdkError::Cases(format!("`cases` cannot be made ready to be built: {why}"))
+        })?;
         let artifacts = compile(toolchain, root, alone.path()).map_err(SdkError::Cases)?;
         publish(&artifacts, dependencies, &folder)?;
-        let missing = || SdkError::Cases(format!("{} is not there after it was stored", folder.display()));
+        let missing =
+            || SdkError::Cases(format!("{} is not there after it was stored", folder.display()));
         Ok(Self { entry: Entry::take(&folder)?.ok_or_else(missing)?, key })
     }
 
@@ -126,9 +136,11 @@ fn alone(root: &Path, store: &Path) -> io::Result<Held> {
 
 /// Returns the manifest of the workspace at `root` with `cases` as its only member.
 fn manifest(root: &Path) -> io::Result<String> {
-    let wrong = |why: String| io::Error::new(io::ErrorKind::InvalidData, format!("Cargo.toml: {why}"));
+    let wrong =
+        |why: String| io::Error::new(io::ErrorKind::InvalidData, format!("Cargo.toml: {why}"));
     let text = std::fs::read_to_string(root.join("Cargo.toml"))?;
-    let mut table: toml::Table = text.parse().map_err(|why: toml::de::Error| wrong(why.to_string()))?;
+    let mut table: toml::Table =
+        text.parse().map_err(|why: toml::de::Error| wrong(why.to_string()))?;
     let workspace = table.get_mut("workspace").and_then(toml::Value::as_table_mut);
     let workspace = workspace.ok_or_else(|| wrong("there is no workspace in it".to_owned()))?;
     workspace.insert("members".to_owned(), toml::Value::from(vec!["cases"]));
@@ -169,16 +181,25 @@ fn compile(toolchain: &Toolchain, root: &Path, alone: &Path) -> Result<Vec<Artif
         output = run(&[])?;
     }
     if !output.status.success() {
-        return Err(format!("`cases` does not build:\n{}", String::from_utf8_lossy(&output.stderr).trim()));
+        return Err(format!(
+            "`cases` does not build:\n{}",
+            String::from_utf8_lossy(&output.stderr).trim()
+        ));
     }
-    let messages = output.stdout.split(|byte| *byte == b'\n').filter_map(|line| serde_json::from_slice(line).ok());
+    let messages = output
+        .stdout
+        .split(|byte| *byte == b'\n')
+        .filter_map(|line| serde_json::from_slice(line).ok());
     Ok(messages.flat_map(libraries).collect())
 }
 
 fn libraries(message: Message) -> Vec<Artifact> {
-    let Some(target) = message.target.filter(|_| message.reason == "compiler-artifact") else { return vec![] };
-    let is_library =
-        |file: &PathBuf| file.extension().is_some_and(|end| end == "rlib" || end == "so" || end == "dylib");
+    let Some(target) = message.target.filter(|_| message.reason == "compiler-artifact") else {
+        return vec![];
+    };
+    let is_library = |file: &PathBuf| {
+        file.extension().is_some_and(|end| end == "rlib" || end == "so" || end == "dylib")
+    };
     let artifact = |file| Artifact { crate_name: target.name.replace('-', "_"), file };
     message.filenames.into_iter().filter(is_library).map(artifact).collect()
 }
@@ -188,14 +209,23 @@ fn publish(artifacts: &[Artifact], dependencies: &[String], folder: &Path) -> Re
     let mut externs = BTreeMap::new();
     for name in dependencies {
         let name = name.replace('-', "_");
-        let found = artifacts.iter().find(|artifact| artifact.crate_name == name).ok_or_else(|| {
-            SdkError::Cases(format!("the template depends on `{name}`, which `cases` does not bring along"))
-        })?;
-        externs.insert(name, found.file.file_name().unwrap_or_default().to_string_lossy().into_owned());
+        let found =
+            artifacts.iter().find(|artifact| artifact.crate_name == name).ok_or_else(|| {
+                SdkError::Cases(format!(
+                    "the template depends on `{name}`, which `cases` does not bring along"
+                ))
+            })?;
+        externs.insert(
+            name,
+            found.file.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        );
     }
     entry::publish(folder, &externs, |fresh| {
         for artifact in artifacts {
-            std::fs::copy(&artifact.file, fresh.join(artifact.file.file_name().unwrap_or_default()))?;
+            std::fs::copy(
+                &artifact.file,
+                fresh.join(artifact.file.file_name().unwrap_or_default()),
+            )?;
         }
         Ok(())
     })?;

@@ -21,7 +21,9 @@ impl Toolchain {
     /// # Errors
     /// Says how to get one.
     pub fn find(root: &Path) -> Result<Self, String> {
-        let sysroot = PathBuf::from(ask(Command::new("rustc").args(["--print", "sysroot"]).current_dir(root))?);
+        let sysroot = PathBuf::from(ask(Command::new("rustc")
+            .args(["--print", "sysroot"])
+            .current_dir(root))?);
         let version = ask(Command::new(sysroot.join("bin/rustc")).arg("-vV").current_dir(root))?;
         Ok(Self { sysroot, version })
     }
@@ -51,7 +53,10 @@ fn ask(command: &mut Command) -> Result<String, String> {
         _ => format!("the machine cannot start the Rust compiler: {why}"),
     })?;
     if !output.status.success() {
-        return Err(format!("the Rust compiler fails: {}: {HELP}", String::from_utf8_lossy(&output.stderr).trim()));
+        return Err(format!(
+            "the Rust compiler fails: {}: {HELP}",
+            String::from_utf8_lossy(&output.stderr).trim()
+        ));
     }
     Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }

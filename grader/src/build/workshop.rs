@@ -30,10 +30,16 @@ impl Workshop {
         let binary = std::env::current_exe().unwrap_or_default();
         let stages = stages.canonicalize().unwrap_or_default();
         let root = [stages.as_path(), &binary, &here].into_iter().find_map(root_above).ok_or(
-            "the workspace of the assignment (with `student_template` and `cases`) is not above the \
+            "the workspace of the assignment (with `student_template` and `cases`) is not above \
+                the \
              cases, the grader's binary, or the current folder: run from within it",
         )?;
-        Ok(Self { root, template: Template::carried(), toolchain: OnceLock::new(), sdk: OnceLock::new() })
+        Ok(Self {
+            root,
+            template: Template::carried(),
+            toolchain: OnceLock::new(),
+            sdk: OnceLock::new(),
+        })
     }
 
     /// Returns the folder where prepared things are stored between runs.
@@ -68,7 +74,9 @@ impl Workshop {
 /// Returns the nearest folder above `path` that holds the template and the cases.
 fn root_above(path: &Path) -> Option<PathBuf> {
     let is_root = |folder: &&Path| {
-        ["Cargo.lock", "cases/Cargo.toml", "student_template/Cargo.toml"].iter().all(|name| folder.join(name).is_file())
+        ["Cargo.lock", "cases/Cargo.toml", "student_template/Cargo.toml"]
+            .iter()
+            .all(|name| folder.join(name).is_file())
     };
     path.ancestors().find(is_root).map(Path::to_owned)
 }

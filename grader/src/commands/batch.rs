@@ -18,7 +18,8 @@ pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
     let allowance = arguments.limit.allowance();
     say_lowered(&allowance, talk);
     let bench = Bench { allowance, ..Bench::open(&stages(arguments.cases.as_deref())?)? };
-    // Done ahead so that the first wait is explained. Where it fails, the submissions that need the crates say so.
+    // Done ahead so that the first wait is explained. Where it fails, the submissions that need the
+    // crates say so.
     let _ = bench.workshop.sdk(&|what| {
         if !talk.is_quiet {
             say::err(what);
@@ -27,11 +28,14 @@ pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
     let grader = OnBench::new(&bench, &arguments.stage)?;
     let jobs = arguments.jobs.map_or_else(|| One::new(&arguments.folder).jobs, usize::from);
     let options = Options { folder: arguments.folder.clone(), out: arguments.out.clone(), jobs };
-    let summary = batch::run(&grader, &options, &Shown::new(talk.is_quiet)).map_err(|why| match &why {
-        BatchError::Folder { .. } | BatchError::Empty(_) => GradeError::Input(why.to_string()),
-        BatchError::Out { why: cause, .. } if is_usage(cause) => GradeError::Input(why.to_string()),
-        BatchError::Out { .. } => GradeError::Machine(why.to_string()),
-    })?;
+    let summary =
+        batch::run(&grader, &options, &Shown::new(talk.is_quiet)).map_err(|why| match &why {
+            BatchError::Folder { .. } | BatchError::Empty(_) => GradeError::Input(why.to_string()),
+            BatchError::Out { why: cause, .. } if is_usage(cause) => {
+                GradeError::Input(why.to_string())
+            }
+            BatchError::Out { .. } => GradeError::Machine(why.to_string()),
+        })?;
     if !talk.is_quiet {
         for aside in &summary.left_aside {
             say::err(&format!("left aside: {} ({})", aside.name, aside.why));
@@ -46,15 +50,21 @@ fn closing(summary: &Summary, options: &Options) -> String {
     let Summary { n_done, n_graded, n_left, failed, .. } = summary;
     let have = if *n_done == 1 { "has" } else { "have" };
     let submissions = lines::count(*n_done, "submission");
-    let mut text = format!("{submissions} {have} a record, {n_graded} of them graded in this run\n");
+    let mut text =
+        format!("{submissions} {have} a record, {n_graded} of them graded in this run\n");
     if *n_left > 0 {
-        text += &format!("{n_left} are left, so there is no table yet: run the same command again to go on\n");
+        text += &format!(
+            "{n_left} are left, so there is no table yet: run the same command again to go on\n"
+        );
     } else {
         text += &format!("table: {}\n", options.out.join("class.html").display());
     }
     text += &format!("protection: {LEVEL}\n");
     if !failed.is_empty() {
-        text += &format!("{} could not be graded, for no fault of the student's; run again:\n", failed.len());
+        text += &format!(
+            "{} could not be graded, for no fault of the student's; run again:\n",
+            failed.len()
+        );
         text.extend(failed.iter().map(|(name, why)| format!("  {name}: {why}\n")));
     }
     text

@@ -61,7 +61,11 @@ fn with_other(a: &Path, b: &Path, slack: f64) -> Outcome {
     let (mut a, mut b) = (Picture::open(a)?, Picture::open(b)?);
     let (width, height) = a.rows.size();
     if (width, height) != b.rows.size() {
-        return Err(GradeError::Input(format!("{} pixels, {}: nothing to compare", a.shown(), b.shown())));
+        return Err(GradeError::Input(format!(
+            "{} pixels, {}: nothing to compare",
+            a.shown(),
+            b.shown()
+        )));
     }
     let mut compared = RowsCompared::new(width, slack);
     if a.rows.has_bytes() && b.rows.has_bytes() {
@@ -88,7 +92,8 @@ fn bands<T: Copy + Default + Send>(
     let (width, height) = a.rows.size();
     let (width, height) = (width as usize, height as usize);
     let n_rows = (BAND_PIXELS / width).clamp(1, height);
-    let (mut one, mut other) = (vec![T::default(); n_rows * width * 3], vec![T::default(); n_rows * width * 3]);
+    let (mut one, mut other) =
+        (vec![T::default(); n_rows * width * 3], vec![T::default(); n_rows * width * 3]);
     for first in (0..height).step_by(n_rows) {
         if interrupted() {
             return Err(GradeError::Machine("interrupted while comparing".to_owned()));
@@ -99,8 +104,11 @@ fn bands<T: Copy + Default + Send>(
             read(&mut picture.rows, band).map_err(|why| unreadable(picture.name, &why))
         };
         let (mut read_a, mut read_b) = (|| read(a, one), || read(b, other));
-        let (a_read, b_read) =
-            if width * height < LEAST_SHARED { (read_a(), read_b()) } else { rayon::join(read_a, read_b) };
+        let (a_read, b_read) = if width * height < LEAST_SHARED {
+            (read_a(), read_b())
+        } else {
+            rayon::join(read_a, read_b)
+        };
         a_read.and(b_read)?;
         take(one, other);
     }
@@ -122,7 +130,8 @@ fn with_answer(name: &Path, answer: &Path, tolerance: Option<f64>) -> Outcome {
             let judge::Difference { n_out, cluster, .. } = judge::compare(&picture, &answer);
             let Limits { count, cluster: most, .. } = answer.limits;
             format!(
-                "they agree: {n_out} pixels differ by more than {slack} levels, {cluster} of them side by side; \
+                "they agree: {n_out} pixels differ by more than {slack} levels, {cluster} of them \
+                    side by side; \
                  {count} may, {most} of them side by side"
             )
         }
@@ -133,7 +142,8 @@ fn with_answer(name: &Path, answer: &Path, tolerance: Option<f64>) -> Outcome {
 
 /// Reads the stored answer `name`, which must be one for a picture of `size`.
 fn stored(name: &Path, size: (u32, u32)) -> Result<ImageAnswer, GradeError> {
-    let answer = exam::stored_answer(name).map_err(|why| GradeError::of(why.blame(), why.to_string()))?;
+    let answer =
+        exam::stored_answer(name).map_err(|why| GradeError::of(why.blame(), why.to_string()))?;
     let wanted = (answer.expected.width(), answer.expected.height());
     match wanted == size {
         true => Ok(answer),

@@ -21,14 +21,25 @@ pub(crate) fn run(arguments: &Doctor) -> Outcome {
     let lines: Vec<Line> = vec![
         ("compiler", Toolchain::find(&root).map(|toolchain| toolchain.name().to_owned())),
         ("linker", linker()),
-        ("workspace", here.as_ref().map(|workshop| workshop.root.display().to_string()).map_err(Clone::clone)),
-        ("store", here.as_ref().map_err(Clone::clone).and_then(|workshop| store(&workshop.store()))),
+        (
+            "workspace",
+            here.as_ref().map(|workshop| workshop.root.display().to_string()).map_err(Clone::clone),
+        ),
+        (
+            "store",
+            here.as_ref().map_err(Clone::clone).and_then(|workshop| store(&workshop.store())),
+        ),
         ("cases", folder.and_then(|folder| exam(&folder))),
         ("temporary files", temporary_files()),
         ("limits", limits()),
         ("memory", memory()),
         ("cores", Ok(cores.to_string())),
-        ("protection", Ok(format!("{LEVEL} (no Landlock, no seccomp: grade untrusted work as a user of its own)"))),
+        (
+            "protection",
+            Ok(format!(
+                "{LEVEL} (no Landlock, no seccomp: grade untrusted work as a user of its own)"
+            )),
+        ),
     ];
     let shown = |(name, found): &Line| match found {
         Ok(what) => format!("ok       {name}: {what}\n"),
@@ -42,7 +53,8 @@ pub(crate) fn run(arguments: &Doctor) -> Outcome {
 fn linker() -> Result<String, String> {
     let folders = ["/usr/bin", "/bin"];
     let found = folders.iter().map(|folder| Path::new(folder).join("cc")).find(|cc| cc.is_file());
-    let help = "there is no cc in /usr/bin: install gcc or clang (Debian, Ubuntu: apt install gcc; macOS: xcode-select --install)";
+    let help = "there is no cc in /usr/bin: install gcc or clang (Debian, Ubuntu: apt install \
+        gcc; macOS: xcode-select --install)";
     found.map(|cc| cc.display().to_string()).ok_or_else(|| help.to_owned())
 }
 
@@ -56,11 +68,19 @@ fn temporary_files() -> Result<String, String> {
 fn limits() -> Result<String, String> {
     let lowered = Allowance::default().picture.lowered();
     let texts = |is_enough: bool| -> Vec<String> {
-        lowered.iter().filter(|granted| granted.is_enough == is_enough).map(ToString::to_string).collect()
+        lowered
+            .iter()
+            .filter(|granted| granted.is_enough == is_enough)
+            .map(ToString::to_string)
+            .collect()
     };
     match (texts(false), texts(true)) {
-        (missing, _) if !missing.is_empty() => Err(format!("programs get {}: raise it", missing.join(", "))),
-        (_, lower) if !lower.is_empty() => Ok(format!("programs get {}, which is enough", lower.join(", "))),
+        (missing, _) if !missing.is_empty() => {
+            Err(format!("programs get {}: raise it", missing.join(", ")))
+        }
+        (_, lower) if !lower.is_empty() => {
+            Ok(format!("programs get {}, which is enough", lower.join(", ")))
+        }
         _ => Ok("none of this process is in the way".to_owned()),
     }
 }
@@ -69,10 +89,14 @@ fn limits() -> Result<String, String> {
 fn memory() -> Result<String, String> {
     let (needed, mib) = (Allowance::MEMORY, |bytes: u64| bytes >> 20);
     match memory_left() {
-        Some(left) if left < needed => {
-            Err(format!("{} MiB are left, but a program may use {} MiB: see --memory-limit", mib(left), mib(needed)))
+        Some(left) if left < needed => Err(format!(
+            "{} MiB are left, but a program may use {} MiB: see --memory-limit",
+            mib(left),
+            mib(needed)
+        )),
+        Some(left) => {
+            Ok(format!("{} MiB are left, and a program may use {} MiB", mib(left), mib(needed)))
         }
-        Some(left) => Ok(format!("{} MiB are left, and a program may use {} MiB", mib(left), mib(needed))),
         None => Ok("this system does not say how much is left".to_owned()),
     }
 }
@@ -84,14 +108,22 @@ fn store(folder: &Path) -> Result<String, String> {
     grader::files::write(&probe, b"")
         .and_then(|()| std::fs::remove_file(&probe))
         .map(|()| folder.display().to_string())
-        .map_err(|why| format!("{} cannot be written ({why}): it holds compiled crates", folder.display()))
+        .map_err(|why| {
+            format!("{} cannot be written ({why}): it holds compiled crates", folder.display())
+        })
 }
 
 fn exam(folder: &Path) -> Result<String, String> {
     let exam = Exam::load(folder).map_err(|why| why.to_string())?;
-    let n = |count: fn(&grader::exam::Questions) -> usize| exam.stages.iter().map(count).sum::<usize>();
-    let (cases, checks) = (n(|questions| questions.stage.cases.len()), n(|questions| questions.stage.checks.len()));
-    let text = format!("{}: {} stages, {cases} cases, {checks} unit checks", folder.display(), exam.stages.len());
+    let n =
+        |count: fn(&grader::exam::Questions) -> usize| exam.stages.iter().map(count).sum::<usize>();
+    let (cases, checks) =
+        (n(|questions| questions.stage.cases.len()), n(|questions| questions.stage.checks.len()));
+    let text = format!(
+        "{}: {} stages, {cases} cases, {checks} unit checks",
+        folder.display(),
+        exam.stages.len()
+    );
     let ids = exam.stages.iter().flat_map(|questions| questions.stage.ids());
     exam.trust(ids).map(|()| text.clone()).map_err(|untrusted| format!("{text}\n{untrusted}"))
 }

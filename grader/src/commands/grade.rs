@@ -11,7 +11,11 @@ use crate::exit::Outcome;
 use crate::progress::{Bar, Talk};
 
 /// Prints what a selection contains, before anything is run.
-pub(crate) fn say_selected(bench: &Bench, options: &Options, talk: &Talk) -> Result<(), GradeError> {
+pub(crate) fn say_selected(
+    bench: &Bench,
+    options: &Options,
+    talk: &Talk,
+) -> Result<(), GradeError> {
     let selected = bench.selected(&options.stages, &options.cases)?;
     selected.iter().filter(|_| !talk.is_quiet).for_each(|line| say::err(line));
     Ok(())
@@ -36,6 +40,10 @@ pub(crate) fn run(arguments: &Grade, talk: &Talk) -> Outcome {
 /// Says which limits of programs are lower than the course allows, if much is to be said.
 pub(crate) fn say_lowered(allowance: &Allowance, talk: &Talk) {
     if talk.is_verbose {
-        allowance.picture.lowered().iter().for_each(|granted| say::err(&format!("programs get {granted}")));
+        allowance
+            .picture
+            .lowered()
+            .iter()
+            .for_each(|granted| say::err(&format!("programs get {granted}")));
     }
 }

@@ -14,11 +14,21 @@ pub(crate) fn run(arguments: &Images, talk: &Talk) -> Outcome {
     let folder = &arguments.folder;
     match std::fs::metadata(folder) {
         Ok(found) if found.is_dir() => {}
-        Ok(_) => return Err(GradeError::Input(format!("{}: it is not a folder", folder.display()))),
-        Err(why) if why.kind() == ErrorKind::NotFound => {
-            return Err(GradeError::Input(format!("{}: there is no such folder", folder.display())));
+        Ok(_) => {
+            return Err(GradeError::Input(format!("{}: it is not a folder", folder.display())));
         }
-        Err(why) => return Err(GradeError::Input(format!("{}: it cannot be read: {why}", folder.display()))),
+        Err(why) if why.kind() == ErrorKind::NotFound => {
+            return Err(GradeError::Input(format!(
+                "{}: there is no such folder",
+                folder.display()
+            )));
+        }
+        Err(why) => {
+            return Err(GradeError::Input(format!(
+                "{}: it cannot be read: {why}",
+                folder.display()
+            )));
+        }
     }
     publish::check(&arguments.reports)?;
     let bench = Bench::open(&arguments.selection.stages()?)?;

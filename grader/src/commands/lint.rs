@@ -17,15 +17,22 @@ pub(crate) fn run(arguments: &Lint, talk: &Talk) -> Outcome {
     }
     if !has_stage(&folder) {
         let help = "a stage is a folder such as 01_ray_casting with a stage.toml";
-        return Err(GradeError::Input(format!("{}: there are no stages in it; {help}", folder.display())));
+        return Err(GradeError::Input(format!(
+            "{}: there are no stages in it; {help}",
+            folder.display()
+        )));
     }
     let found = lint::lint(&folder);
     let summary = found.summary.iter().filter(|_| !talk.is_quiet);
-    exit::print(&found.problems.iter().chain(summary).map(|line| format!("{line}\n")).collect::<String>())?;
+    exit::print(
+        &found.problems.iter().chain(summary).map(|line| format!("{line}\n")).collect::<String>(),
+    )?;
     Ok(if found.blame == Blame::Machine { Done::Ours } else { Done::of(found.problems.is_empty()) })
 }
 
-/// Whether some folder in `folder` is a stage. One that cannot be listed is left to the reader of the stages.
+/// Whether some folder in `folder` is a stage. One that cannot be listed is left to the reader of
+/// the stages.
 fn has_stage(folder: &Path) -> bool {
-    std::fs::read_dir(folder).map_or(true, |entries| entries.flatten().any(|it| it.path().join("stage.toml").is_file()))
+    std::fs::read_dir(folder)
+        .map_or(true, |entries| entries.flatten().any(|it| it.path().join("stage.toml").is_file()))
 }

@@ -24,7 +24,8 @@ pub(crate) fn check(reports: &Reports) -> Result<(), GradeError> {
     let named: Vec<&PathBuf> = [json, html, junit].into_iter().flatten().collect();
     named.iter().try_for_each(|path| files::check(path))?;
     let places: Vec<Option<PathBuf>> = named.iter().map(|path| place(path)).collect();
-    let is_twice = |(n, _): (usize, &&PathBuf)| places[n].is_some() && places[..n].contains(&places[n]);
+    let is_twice =
+        |(n, _): (usize, &&PathBuf)| places[n].is_some() && places[..n].contains(&places[n]);
     if named.iter().filter(|path| is_stdout(path)).count() > 1 {
         let text = "only one of --json, --html and --junit can go to standard output";
         return Err(GradeError::Input(text.to_owned()));
@@ -54,7 +55,8 @@ pub(crate) fn publish(graded: &Graded, reports: &Reports, talk: &Talk) -> Outcom
     let record = &graded.record;
     let Reports { json, html, junit, open: is_shown } = reports;
     let mut written: Result<(), GradeError> = Ok(());
-    let write = |path: &Path, text: &str| files::write(path, text.as_bytes()).map_err(GradeError::from);
+    let write =
+        |path: &Path, text: &str| files::write(path, text.as_bytes()).map_err(GradeError::from);
     if let Some(path) = json {
         written = written.and(write(path, &record.to_json()));
     }
@@ -80,18 +82,23 @@ pub(crate) fn publish(graded: &Graded, reports: &Reports, talk: &Talk) -> Outcom
 fn open(path: &Path) -> Result<(), GradeError> {
     let opener = if cfg!(target_os = "macos") { "open" } else { "xdg-open" };
     let mut command = Command::new(opener);
-    let started = command.arg(path).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn();
-    started.map(drop).map_err(|why| GradeError::Machine(format!("cannot run {opener} to show the page: {why}")))
+    let started =
+        command.arg(path).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn();
+    started
+        .map(drop)
+        .map_err(|why| GradeError::Machine(format!("cannot run {opener} to show the page: {why}")))
 }
 
 /// Returns how the command ends.
 ///
-/// An interrupt and what is no submission come first, since hardly anything was run then. A fault of
-/// the grader or the machine comes next, since no points are final then.
+/// An interrupt and what is no submission come first, since hardly anything was run then. A fault
+/// of the grader or the machine comes next, since no points are final then.
 fn done(record: &Record) -> Done {
     let checks = record.stages.iter().flat_map(|stage| &stage.checks);
-    let verdicts: Vec<Verdict> = checks.map(|check| check.verdict).chain([record.build.verdict]).collect();
-    let is_no_submission = record.build.finding.as_ref().is_some_and(|it| it.kind == FindingKind::Submission);
+    let verdicts: Vec<Verdict> =
+        checks.map(|check| check.verdict).chain([record.build.verdict]).collect();
+    let is_no_submission =
+        record.build.finding.as_ref().is_some_and(|it| it.kind == FindingKind::Submission);
     if record.interrupted {
         Done::Interrupted
     } else if is_no_submission {

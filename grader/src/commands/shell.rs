@@ -23,7 +23,8 @@ pub(crate) fn man(arguments: &Man) -> Outcome {
     match shell::man(Arguments::command(), arguments.what.as_deref()).map_err(GradeError::Input)? {
         shell::Man::Page(page) => exit::print_raw(&page)?,
         shell::Man::Folder(folder, pages) => {
-            let unwritable = |why| GradeError::Input(format!("cannot write to {}: {why}", folder.display()));
+            let unwritable =
+                |why| GradeError::Input(format!("cannot write to {}: {why}", folder.display()));
             for (name, page) in &pages {
                 files::write(&folder.join(name), page).map_err(unwritable)?;
             }

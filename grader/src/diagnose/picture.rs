@@ -5,13 +5,15 @@ use std::collections::BTreeMap;
 use cases::answer::{ImageAnswer, Levels, Wrong, neighbours};
 use cases::film::{Image, byte, level};
 
-/// A colour may lie this many levels beyond those around it: what the file rounds away, and the quantiser.
+/// A colour may lie this many levels beyond those around it: what the file rounds away, and the
+/// quantiser.
 const NEAR: f64 = 6.0;
 
-/// For each mistake the share of the pixels that are out, or would be with the mistake, which show what the mistake shows. 0 to 1.
+/// For each mistake the share of the pixels that are out, or would be with the mistake, which show
+/// what the mistake shows. 0 to 1.
 ///
-/// A pixel shows what the mistake shows where it has about its colour, or lies between its neighbours there: edges fall a pixel to one
-/// side or the other.
+/// A pixel shows what the mistake shows where it has about its colour, or lies between its
+/// neighbours there: edges fall a pixel to one side or the other.
 ///
 /// # Panics
 /// Where the sizes differ.
@@ -38,7 +40,8 @@ fn share(seen: &Seen, mistake: &Wrong) -> f64 {
             continue;
         }
         let width = seen.actual.width() as usize;
-        let is_alike = mistake.explains(n, *colour) || is_between(colour.to_array().map(level), &mistaken, width, n);
+        let is_alike = mistake.explains(n, *colour)
+            || is_between(colour.to_array().map(level), &mistaken, width, n);
         n_explained += u32::from(is_alike && seen.out[n]);
         n_all += u32::from(!is_alike || seen.out[n]);
     }
@@ -53,7 +56,8 @@ fn is_between(levels: [f64; 3], mistaken: &[Levels], width: usize, n: usize) -> 
             (lo[at], hi[at]) = (lo[at].min(mistaken[one][at]), hi[at].max(mistaken[one][at]));
         }
     }
-    (0..3).all(|at| (f64::from(lo[at]) - NEAR..=f64::from(hi[at]) + NEAR).contains(&levels[at])) // false for NaN
+    // false for NaN
+    (0..3).all(|at| (f64::from(lo[at]) - NEAR..=f64::from(hi[at]) + NEAR).contains(&levels[at]))
 }
 
 #[cfg(test)]
@@ -66,10 +70,13 @@ mod tests {
 
     /// A row of greys.
     fn row(levels: &[u8]) -> Image {
-        Image::from_fn(levels.len() as u32, 1, |i, _| DVec3::splat(f64::from(levels[i as usize]) / 255.0))
+        Image::from_fn(levels.len() as u32, 1, |i, _| {
+            DVec3::splat(f64::from(levels[i as usize]) / 255.0)
+        })
     }
 
-    /// How much of the row a mistake explains that gives `mistaken` where [`GREY`] is right all over; 0 stands for no change.
+    /// How much of the row a mistake explains that gives `mistaken` where [`GREY`] is right all
+    /// over; 0 stands for no change.
     fn check(actual: &[u8], mistaken: &[u8], share: f64) {
         let answer = ImageAnswer::exact(row(&vec![GREY; actual.len()]), 1.0, 0);
         let changes = mistaken.iter().map(|level| (*level > 0).then_some([*level; 3])).collect();
@@ -94,7 +101,8 @@ mod tests {
 
     #[test]
     fn what_is_wrong_and_the_mistake_would_not_change_counts_against_it() {
-        check(&[40, 40, 40, 40, 40, 40, 40, 40], &[40, 40, 0, 0, 0, 0, 0, 0], 3.0 / 8.0); // the third one as an edge
+        // the third one as an edge
+        check(&[40, 40, 40, 40, 40, 40, 40, 40], &[40, 40, 0, 0, 0, 0, 0, 0], 3.0 / 8.0);
     }
 
     #[test]

@@ -6,9 +6,11 @@ use super::{Came, Evidence};
 
 /// Most mistakes that are named.
 const MOST: usize = 3;
-/// A mistake is named only where at least this share of what it would change came out as it says: some make a mistake in one place, not all over.
+/// A mistake is named only where at least this share of what it would change came out as it says:
+/// some make a mistake in one place, not all over.
 const TRUST: f64 = 0.2;
-/// And where that share, times the share that it explains of what is wrong and not explained yet, is at least this.
+/// And where that share, times the share that it explains of what is wrong and not explained yet,
+/// is at least this.
 const WORTH: f64 = 0.15;
 /// A case is explained where this share of what is wrong in it is.
 const EXPLAINED: f64 = 0.6;
@@ -50,37 +52,53 @@ pub fn rank(evidence: &[Evidence]) -> Vec<Named> {
     while named.len() < MOST && !open.is_empty() {
         let touched: BTreeSet<&str> = evidence
             .iter()
-            .filter(|one| named.iter().flat_map(|named| &named.mistakes).any(|id| one.shares.contains_key(id)))
+            .filter(|one| {
+                named.iter().flat_map(|named| &named.mistakes).any(|id| one.shares.contains_key(id))
+            })
             .map(|one| one.id.as_str())
             .collect();
         let tallies = tally(evidence, &open, &touched);
         let wrong: f64 = open.iter().map(|one| one.weight as f64).sum();
         let known: BTreeSet<&String> = named.iter().flat_map(|named| &named.mistakes).collect();
         let is_named = |(id, tally): &(&&str, &Tally)| {
-            tally.trust() >= TRUST && tally.value() >= WORTH * wrong && !known.contains(&id.to_string())
+            tally.trust() >= TRUST
+                && tally.value() >= WORTH * wrong
+                && !known.contains(&id.to_string())
         };
         let candidates: Vec<(&&str, &Tally)> = tallies.iter().filter(is_named).collect();
-        let Some(best) = candidates.iter().map(|(_, tally)| tally.value()).max_by(f64::total_cmp) else { break };
+        let Some(best) = candidates.iter().map(|(_, tally)| tally.value()).max_by(f64::total_cmp)
+        else {
+            break;
+        };
         let equals: Vec<String> = candidates
             .iter()
             .filter(|(_, tally)| tally.value() >= best * (1.0 - ALIKE))
             .map(|(id, _)| (**id).to_owned())
             .collect();
-        let is_explained =
-            |one: &&Evidence| equals.iter().any(|id| one.shares.get(id).is_some_and(|share| *share >= EXPLAINED));
-        let (explained, rest): (Vec<&Evidence>, Vec<&Evidence>) = open.iter().copied().partition(is_explained);
+        let is_explained = |one: &&Evidence| {
+            equals.iter().any(|id| one.shares.get(id).is_some_and(|share| *share >= EXPLAINED))
+        };
+        let (explained, rest): (Vec<&Evidence>, Vec<&Evidence>) =
+            open.iter().copied().partition(is_explained);
         if explained.is_empty() {
             break;
         }
         open = rest;
-        named.push(Named { mistakes: equals, explains: explained.into_iter().map(|one| one.id.clone()).collect() });
+        named.push(Named {
+            mistakes: equals,
+            explains: explained.into_iter().map(|one| one.id.clone()).collect(),
+        });
     }
     named
 }
 
-/// All mistakes against all evidence. What is wrong in what a named mistake touches too does not count against another one: there two
-/// mistakes meet.
-fn tally<'a>(evidence: &'a [Evidence], open: &[&Evidence], touched: &BTreeSet<&str>) -> BTreeMap<&'a str, Tally> {
+/// All mistakes against all evidence. What is wrong in what a named mistake touches too does not
+/// count against another one: there two mistakes meet.
+fn tally<'a>(
+    evidence: &'a [Evidence],
+    open: &[&Evidence],
+    touched: &BTreeSet<&str>,
+) -> BTreeMap<&'a str, Tally> {
     let mut tallies: BTreeMap<&str, Tally> = BTreeMap::new();
     let open: BTreeSet<&str> = open.iter().map(|one| one.id.as_str()).collect();
     for one in evidence {
@@ -93,7 +111,9 @@ fn tally<'a>(evidence: &'a [Evidence], open: &[&Evidence], touched: &BTreeSet<&s
             }
             match one.came {
                 Came::Right => tally.against += weight,
-                Came::Wrong if !touched.contains(one.id.as_str()) => tally.against += weight * (1.0 - share),
+                Came::Wrong if !touched.contains(one.id.as_str()) => {
+                    tally.against += weight * (1.0 - share)
+                }
                 Came::Wrong => {}
             }
         }
@@ -105,8 +125,8 @@ fn tally<'a>(evidence: &'a [Evidence], open: &[&Evidence], touched: &BTreeSet<&s
 mod tests {
     use super::*;
 
-    /// A line of evidence: what came (`=` right, `!` wrong), its weight, and the mistakes that make it fail, with the share of what is wrong
-    /// that each explains.
+    /// A line of evidence: what came (`=` right, `!` wrong), its weight, and the mistakes that make
+    /// it fail, with the share of what is wrong that each explains.
     type Line = (char, u64, &'static [(&'static str, f64)]);
 
     /// What is named, with the numbers of the lines that it explains.
@@ -133,7 +153,10 @@ mod tests {
         check(&[], &[]);
         check(&[('=', 10, &[("a", 0.0)])], &[]);
         check(&[('!', 10, &[("a", 1.0), ("b", 0.2)]), ('=', 10, &[("b", 0.0)])], &[(&["a"], &[0])]);
-        check(&[('!', 10, &[("a", 0.9)]), ('!', 10, &[("a", 0.8)]), ('!', 1, &[])], &[(&["a"], &[0, 1])]);
+        check(
+            &[('!', 10, &[("a", 0.9)]), ('!', 10, &[("a", 0.8)]), ('!', 1, &[])],
+            &[(&["a"], &[0, 1])],
+        );
     }
 
     #[test]
@@ -161,11 +184,15 @@ mod tests {
 
     #[test]
     fn two_mistakes_at_once_are_named_one_after_the_other() {
-        let apart: [Line; 3] = [('!', 20, &[("a", 1.0)]), ('!', 10, &[("b", 1.0)]), ('=', 10, &[("c", 0.0)])];
+        let apart: [Line; 3] =
+            [('!', 20, &[("a", 1.0)]), ('!', 10, &[("b", 1.0)]), ('=', 10, &[("c", 0.0)])];
         check(&apart, &[(&["a"], &[0]), (&["b"], &[1])]);
         // Where both show, neither explains the whole; that does not speak against the second.
-        let together: [Line; 3] =
-            [('!', 30, &[("a", 1.0)]), ('!', 10, &[("b", 1.0)]), ('!', 10, &[("a", 0.3), ("b", 0.3)])];
+        let together: [Line; 3] = [
+            ('!', 30, &[("a", 1.0)]),
+            ('!', 10, &[("b", 1.0)]),
+            ('!', 10, &[("a", 0.3), ("b", 0.3)]),
+        ];
         check(&together, &[(&["a"], &[0]), (&["b"], &[1])]);
     }
 }

@@ -21,7 +21,11 @@ mod tests {
 
     #[test]
     fn a_mistake_explains_its_own_answer_and_no_other() {
-        let wrong = [("twice", Answer::Value(2.0)), ("none", Answer::Value(f64::NAN)), ("miss", Answer::Miss(true))];
+        let wrong = [
+            ("twice", Answer::Value(2.0)),
+            ("none", Answer::Value(f64::NAN)),
+            ("miss", Answer::Miss(true)),
+        ];
         let wrong = wrong.map(|(id, answer)| (id.to_owned(), answer)).into();
         let right = CheckAnswer {
             id: "x".to_owned(),
@@ -39,7 +43,8 @@ mod tests {
             (Answer::GoesOn(true), [0.0, 0.0, 0.0]),
         ];
         for (actual, [miss, none, twice]) in table {
-            let expected = [("miss", miss), ("none", none), ("twice", twice)].map(|(id, share)| (id.to_owned(), share));
+            let expected = [("miss", miss), ("none", none), ("twice", twice)]
+                .map(|(id, share)| (id.to_owned(), share));
             assert_eq!(unit(&actual, &right), expected.into(), "{actual:?}");
         }
     }

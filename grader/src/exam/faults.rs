@@ -55,7 +55,8 @@ impl Subject {
     }
 }
 
-/// Whether `id` is that of a unit check of `stage`: it has two parts behind the stage, an image case has one.
+/// Whether `id` is that of a unit check of `stage`: it has two parts behind the stage, an image
+/// case has one.
 fn is_check_of(id: &str, stage: &str) -> bool {
     id.strip_prefix(stage).is_some_and(|behind| behind.matches('/').count() == 2)
 }
@@ -81,12 +82,17 @@ pub struct Untrusted<'a> {
 impl<'a> Untrusted<'a> {
     /// Returns those of `faults`, found in the stages in `folder`, that concern one of `ids`, or
     /// `None` where there are none.
-    pub(super) fn among(folder: &'a Path, faults: &'a [Fault], ids: impl IntoIterator<Item = &'a str>) -> Option<Self> {
+    pub(super) fn among(
+        folder: &'a Path,
+        faults: &'a [Fault],
+        ids: impl IntoIterator<Item = &'a str>,
+    ) -> Option<Self> {
         if faults.is_empty() {
             return None;
         }
         let ids: BTreeSet<&str> = ids.into_iter().collect();
-        let faults: Vec<&Fault> = faults.iter().filter(|fault| fault.subject.concerns(&ids)).collect();
+        let faults: Vec<&Fault> =
+            faults.iter().filter(|fault| fault.subject.concerns(&ids)).collect();
         (!faults.is_empty()).then_some(Self { folder, faults })
     }
 
@@ -98,13 +104,15 @@ impl<'a> Untrusted<'a> {
         }
     }
 
-    /// Returns the faults of one kind as lines: a stage with its cases by name and the number of its checks.
+    /// Returns the faults of one kind as lines: a stage with its cases by name and the number of
+    /// its checks.
     fn lines(&self, kind: Kind) -> Vec<String> {
         let of_kind = || self.faults.iter().filter(|fault| Kind::of(&fault.why) == kind);
         let stages: BTreeSet<&str> = of_kind().filter_map(|fault| fault.subject.stage()).collect();
         let mut lines = vec![];
         for stage in stages {
-            let subjects = || of_kind().map(|fault| &fault.subject).filter(|one| one.stage() == Some(stage));
+            let subjects =
+                || of_kind().map(|fault| &fault.subject).filter(|one| one.stage() == Some(stage));
             let mut parts: Vec<String> = subjects()
                 .filter_map(|subject| match subject {
                     Subject::Case(id) => id.split_once('/').map(|(_, name)| name.to_owned()),
@@ -119,7 +127,11 @@ impl<'a> Untrusted<'a> {
             }
             lines.push(format!("{stage}: {}", parts.join(", ")));
         }
-        lines.extend(of_kind().filter(|fault| fault.subject.stage().is_none()).map(|fault| fault.subject.to_string()));
+        lines.extend(
+            of_kind()
+                .filter(|fault| fault.subject.stage().is_none())
+                .map(|fault| fault.subject.to_string()),
+        );
         lines
     }
 }
@@ -137,14 +149,19 @@ impl Kind {
         match why {
             AnswerError::Missing => Self::Missing,
             AnswerError::Stale => Self::Stale,
-            AnswerError::Unreadable(_) | AnswerError::Picture(_) | AnswerError::Json(_) => Self::Broken,
+            AnswerError::Unreadable(_) | AnswerError::Picture(_) | AnswerError::Json(_) => {
+                Self::Broken
+            }
         }
     }
 
     fn heading(self) -> &'static str {
         match self {
             Self::Missing => "there are no stored answers to",
-            Self::Stale => "the stored answers do not belong to the cases, the course or the rules as they are now",
+            Self::Stale => {
+                "the stored answers do not belong to the cases, the course or the rules as they \
+                    are now"
+            }
             Self::Broken => "the stored answers cannot be read",
         }
     }
@@ -163,7 +180,8 @@ impl fmt::Display for Untrusted<'_> {
     }
 }
 
-/// Returns the command that renews the answers to `subjects`, as narrow as it can be said in a few words.
+/// Returns the command that renews the answers to `subjects`, as narrow as it can be said in a few
+/// words.
 pub(super) fn command(folder: &Path, subjects: &[&Subject]) -> String {
     let is_usual = folder == Path::new(USUAL_FOLDER);
     let path = |id: &str| match is_usual {
@@ -224,9 +242,11 @@ mod tests {
             fault(Subject::Check("01_a/sphere/z".to_owned()), AnswerError::Stale),
             fault(Subject::Checks("02_b".to_owned()), AnswerError::Missing),
         ];
-        let text = Untrusted { folder: Path::new("hidden"), faults: faults.iter().collect() }.to_string();
+        let text =
+            Untrusted { folder: Path::new("hidden"), faults: faults.iter().collect() }.to_string();
         let expected = "error: there are no stored answers to: 02_b: all unit checks\n\
-            error: the stored answers do not belong to the cases, the course or the rules as they are now: \
+            error: the stored answers do not belong to the cases, the course or the rules as they \
+            are now: \
             01_a: x, y, 1 unit check\n\
             help: `reference expect hidden` renews them; nothing was graded";
         assert_eq!(text, expected);
@@ -236,8 +256,14 @@ mod tests {
     fn only_what_is_selected_counts() {
         let ids = BTreeSet::from(["01_a/x", "01_a/sphere/z"]);
         let concerns = |subject: Subject| subject.concerns(&ids);
-        assert!(concerns(Subject::Case("01_a/x".to_owned())) && !concerns(Subject::Case("01_a/y".to_owned())));
-        assert!(concerns(Subject::Checks("01_a".to_owned())) && !concerns(Subject::Checks("02_b".to_owned())));
+        assert!(
+            concerns(Subject::Case("01_a/x".to_owned()))
+                && !concerns(Subject::Case("01_a/y".to_owned()))
+        );
+        assert!(
+            concerns(Subject::Checks("01_a".to_owned()))
+                && !concerns(Subject::Checks("02_b".to_owned()))
+        );
         assert!(concerns(Subject::Mistakes));
         assert!(!Subject::Checks("01_a".to_owned()).concerns(&BTreeSet::from(["01_a/x"])));
     }

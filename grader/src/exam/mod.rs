@@ -7,7 +7,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use cases::answer::{
-    CheckAnswer, Digest, ImageAnswer, Mistake, check_answers_path, image_answer_path, load, mistakes_path,
+    CheckAnswer, Digest, ImageAnswer, Mistake, check_answers_path, image_answer_path, load,
+    mistakes_path,
 };
 use cases::course::{self, Course};
 use cases::files::{self, ReadError};
@@ -35,8 +36,8 @@ pub struct Exam {
     pub surplus: Vec<String>,
     /// What accuracy costs, if it was measured, or why that cannot be read.
     pub fronts: Result<Option<Fronts>, String>,
-    /// A hash of everything in the folder that a score depends on. Titles, descriptions and times do not
-    /// count.
+    /// A hash of everything in the folder that a score depends on. Titles, descriptions and times
+    /// do not count.
     pub hash: String,
 }
 
@@ -55,8 +56,8 @@ pub struct Questions {
 const MAX_FRONTS_BYTES: u64 = 64 << 20;
 
 impl Exam {
-    /// Reads the stages in `folder`, their course and their answers. An answer that is missing or belongs
-    /// to something else is a fault; [`Exam::trust`] refuses to judge by what is left.
+    /// Reads the stages in `folder`, their course and their answers. An answer that is missing or
+    /// belongs to something else is a fault; [`Exam::trust`] refuses to judge by what is left.
     ///
     /// # Errors
     /// Everything that is wrong with the cases or the course.
@@ -65,21 +66,35 @@ impl Exam {
         let stages = load_all(folder, &course)?;
         let hash = hash(folder, &course, &stages);
         let (mut faults, mut surplus) = (vec![], vec![]);
-        let stages =
-            stages.into_iter().map(|stage| questions(folder, &course, stage, &mut faults, &mut surplus)).collect();
+        let stages = stages
+            .into_iter()
+            .map(|stage| questions(folder, &course, stage, &mut faults, &mut surplus))
+            .collect();
         let mistakes = load::mistakes(folder, &course)
             .map_err(|why| faults.push(Fault { subject: Subject::Mistakes, why }))
             .unwrap_or_default();
         let fronts = fronts(folder);
-        Ok(Self { folder: folder.to_owned(), course, stages, mistakes, faults, surplus, fronts, hash })
+        Ok(Self {
+            folder: folder.to_owned(),
+            course,
+            stages,
+            mistakes,
+            faults,
+            surplus,
+            fronts,
+            hash,
+        })
     }
 
-    /// Demands that every question of the given ids, and the list of known mistakes, has an answer that
-    /// can be trusted.
+    /// Demands that every question of the given ids, and the list of known mistakes, has an answer
+    /// that can be trusted.
     ///
     /// # Errors
     /// [`Untrusted`] names those that have none, and the command that renews them.
-    pub fn trust<'a>(&'a self, ids: impl IntoIterator<Item = &'a str>) -> Result<(), Untrusted<'a>> {
+    pub fn trust<'a>(
+        &'a self,
+        ids: impl IntoIterator<Item = &'a str>,
+    ) -> Result<(), Untrusted<'a>> {
         Untrusted::among(&self.folder, &self.faults, ids).map_or(Ok(()), Err)
     }
 
@@ -121,7 +136,9 @@ fn questions(
 
 fn fronts(folder: &Path) -> Result<Option<Fronts>, String> {
     let path = fronts_path(folder);
-    let wrong = |why: &dyn std::fmt::Display| format!("what accuracy costs {} cannot be used: {why}", path.display());
+    let wrong = |why: &dyn std::fmt::Display| {
+        format!("what accuracy costs {} cannot be used: {why}", path.display())
+    };
     match files::read_text(&path, MAX_FRONTS_BYTES) {
         Ok(text) => fronts_from_str(&text).map(Some).map_err(|why| wrong(&why)),
         Err(ReadError::Missing) => Ok(None),
@@ -129,8 +146,8 @@ fn fronts(folder: &Path) -> Result<Option<Fronts>, String> {
     }
 }
 
-/// Hashes what a score depends on: for each question its points, its rules and what its answer has to be
-/// made from, and the bytes of all stored answers.
+/// Hashes what a score depends on: for each question its points, its rules and what its answer has
+/// to be made from, and the bytes of all stored answers.
 fn hash(folder: &Path, course: &Course, stages: &[Stage]) -> String {
     let mut hasher = blake3::Hasher::new();
     let mut add = |parts: &[&[u8]]| {
@@ -144,7 +161,12 @@ fn hash(folder: &Path, course: &Course, stages: &[Stage]) -> String {
         files.push(check_answers_path(folder, &stage.id));
         for case in &stage.cases {
             let made_from = Digest::of_case(course, stage.base, case).to_string();
-            add(&[case.id.as_bytes(), &case.points.to_le_bytes(), &case.rules, made_from.as_bytes()]);
+            add(&[
+                case.id.as_bytes(),
+                &case.points.to_le_bytes(),
+                &case.rules,
+                made_from.as_bytes(),
+            ]);
             files.push(image_answer_path(folder, &case.id));
         }
         for check in &stage.checks {

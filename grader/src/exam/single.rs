@@ -21,7 +21,8 @@ pub enum SingleError {
     #[error("{}: a stored answer is a file that is called STAGES/STAGE/CASE{ENDING}", .0.display())]
     Name(PathBuf),
     /// No case lies beside the answer, so that nothing tells what it is the answer to.
-    #[error("{}: there is no case {} beside it, so nothing shows that the answer is current", answer.display(), case.display())]
+    #[error("{}: there is no case {} beside it, so nothing shows that the answer is \
+        current", answer.display(), case.display())]
     NoCase {
         /// The answer.
         answer: PathBuf,
@@ -46,7 +47,11 @@ pub enum SingleError {
 impl SingleError {
     /// Returns whose fault it is: the machine's if it fails to read a file.
     pub fn blame(&self) -> Blame {
-        if let Self::Cases(problems) = self { blame::of_problems(problems) } else { blame::of(self) }
+        if let Self::Cases(problems) = self {
+            blame::of_problems(problems)
+        } else {
+            blame::of(self)
+        }
     }
 }
 
@@ -58,7 +63,8 @@ pub fn stored_answer(path: &Path) -> Result<ImageAnswer, SingleError> {
     // The case lies beside the file that a link leads to.
     let path = &path.canonicalize().unwrap_or_else(|_| path.to_owned());
     let not_an_answer = || SingleError::Name(path.to_owned());
-    let name = path.file_name().and_then(|name| name.to_str()).and_then(|name| name.strip_suffix(ENDING));
+    let name =
+        path.file_name().and_then(|name| name.to_str()).and_then(|name| name.strip_suffix(ENDING));
     let name = name.ok_or_else(not_an_answer)?;
     if path.exists() && !path.is_file() {
         return Err(not_an_answer());
@@ -71,7 +77,8 @@ pub fn stored_answer(path: &Path) -> Result<ImageAnswer, SingleError> {
     let course = course::course_of(&stages)?;
     let id = format!("{stage}/{name}");
     let all = load_all(&stages, &course)?;
-    let mut cases = all.iter().flat_map(|stage| stage.cases.iter().map(move |case| (stage.base, case)));
+    let mut cases =
+        all.iter().flat_map(|stage| stage.cases.iter().map(move |case| (stage.base, case)));
     let (base, case) = cases.find(|(_, case)| case.id == id).ok_or_else(not_an_answer)?;
     load::image(&stages, &course, base, case).map_err(|source| SingleError::Untrusted {
         path: path.to_owned(),

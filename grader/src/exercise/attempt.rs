@@ -81,14 +81,16 @@ impl<T> Attempt<T> {
 fn is_doubtful(finished: &Finished, limits: &Limits) -> bool {
     match finished.outcome {
         Outcome::TimedOut(Clock::Wall) | Outcome::Machine(Shortage::NotStarted(_)) => true,
-        Outcome::TimedOut(Clock::Cpu) => finished.is_disturbed && finished.cpu < limits.cpu_at_most(),
+        Outcome::TimedOut(Clock::Cpu) => {
+            finished.is_disturbed && finished.cpu < limits.cpu_at_most()
+        }
         Outcome::Exited(_) | Outcome::Signalled(_) => is_tight(finished.least, limits),
         _ => false,
     }
 }
 
-/// Returns whether the disk may have been full for a moment: another program, which has ended since,
-/// may have taken as much as was left.
+/// Returns whether the disk may have been full for a moment: another program, which has ended
+/// since, may have taken as much as was left.
 fn is_tight(least: Room, limits: &Limits) -> bool {
     least.bytes < limits.folder_size || least.files < FEW_FILES
 }
@@ -119,7 +121,10 @@ fn prepared(candidate: &Candidate, task: &Task) -> Result<(Folder, Call), Shorta
     let folder = Folder::new().map_err(|why| Shortage::Other(why.to_string()))?;
     let filled = (task.prepare)(folder.path());
     let args = filled.map_err(|why| {
-        Shortage::Other(format!("the work folder {} cannot be filled: {why}", folder.path().display()))
+        Shortage::Other(format!(
+            "the work folder {} cannot be filled: {why}",
+            folder.path().display()
+        ))
     })?;
     let program = candidate.program;
     let environment = [
@@ -147,7 +152,11 @@ mod tests {
 
     fn check(outcome: Outcome, least: Room, expected: bool) {
         let finished = Finished { least, ..Finished::without_run(outcome.clone()) };
-        assert_eq!(is_doubtful(&finished, &Allowance::default().picture), expected, "{outcome:?}, {least:?}");
+        assert_eq!(
+            is_doubtful(&finished, &Allowance::default().picture),
+            expected,
+            "{outcome:?}, {least:?}"
+        );
     }
 
     #[test]

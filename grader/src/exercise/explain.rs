@@ -16,7 +16,12 @@ pub fn explain(candidate: &Candidate, scene: &Scene, x: u32, y: u32) -> Result<S
     let prepare = |folder: &Path| {
         let input = folder.join("scene.json");
         std::fs::write(&input, scene::json::to_string(scene))?;
-        Ok(vec!["explain".into(), input.into_os_string(), x.to_string().into(), y.to_string().into()])
+        Ok(vec![
+            "explain".into(),
+            input.into_os_string(),
+            x.to_string().into(),
+            y.to_string().into(),
+        ])
     };
     let task = Task { limits, needed: NEEDED, stdin: &[], prepare: &prepare };
     let Attempt { finished, .. } =

@@ -33,7 +33,12 @@ impl Failure {
     /// written, a fault of the machine, an interrupt.
     pub(super) fn of(finished: &Finished, folder: &Path) -> Option<Self> {
         let is_todo = finished.outcome == Outcome::Exited(i32::from(EXIT_TODO));
-        if is_todo || matches!(finished.outcome, Outcome::Exited(0) | Outcome::Machine(_) | Outcome::Interrupted) {
+        if is_todo
+            || matches!(
+                finished.outcome,
+                Outcome::Exited(0) | Outcome::Machine(_) | Outcome::Interrupted
+            )
+        {
             return None;
         }
         let text = finished.stderr_text().unwrap_or_default();
@@ -55,8 +60,8 @@ impl Failure {
     }
 }
 
-/// Returns a message without numbers in brackets and addresses: Rust prints the number of a thread as
-/// `(1234)`, and C++ an address as `0x55d0`.
+/// Returns a message without numbers in brackets and addresses: Rust prints the number of a thread
+/// as `(1234)`, and C++ an address as `0x55d0`.
 fn settled(message: &str) -> String {
     let mut settled = String::with_capacity(message.len());
     let mut rest = message;
@@ -92,8 +97,8 @@ enum State {
 }
 
 impl Start {
-    /// Returns the failure of a program that fails whatever it is given, and how many processes have
-    /// shown that.
+    /// Returns the failure of a program that fails whatever it is given, and how many processes
+    /// have shown that.
     pub fn broken(&self) -> Option<(&Failure, u32)> {
         if let State::Broken(failure, n) = &self.state { Some((failure, *n)) } else { None }
     }
@@ -112,12 +117,18 @@ impl Start {
     ///
     /// `trial` is called at most once, to run the program with nothing to do. A program that fails
     /// at one function or shape alone survives that, so none of its other checks is lost.
-    pub(super) fn see(&mut self, failure: Option<&Failure>, trial: impl FnOnce() -> Option<Failure>) {
+    pub(super) fn see(
+        &mut self,
+        failure: Option<&Failure>,
+        trial: impl FnOnce() -> Option<Failure>,
+    ) {
         self.state = match (std::mem::take(&mut self.state), failure) {
             (State::New, Some(failure)) => State::Failing(failure.clone(), 1),
             (State::Failing(first, n), Some(failure)) if failure.is_like(&first) => match n + 1 {
                 n if n < first.n_needed() => State::Failing(first, n),
-                n if trial().is_some_and(|failure| failure.is_like(&first)) => State::Broken(first, n + 1),
+                n if trial().is_some_and(|failure| failure.is_like(&first)) => {
+                    State::Broken(first, n + 1)
+                }
                 _ => State::Fine,
             },
             (State::New | State::Failing(..), _) => State::Fine,
@@ -141,8 +152,8 @@ pub fn order(n: usize) -> Vec<usize> {
     order
 }
 
-/// Returns which of `n` things to try after `n_failures`, at least two, of them failed: the last one,
-/// then others from all over; `None` where there are none.
+/// Returns which of `n` things to try after `n_failures`, at least two, of them failed: the last
+/// one, then others from all over; `None` where there are none.
 pub(super) fn spread(n_failures: u32, n: usize) -> Option<usize> {
     let last = n.checked_sub(1)?;
     let nth = (n_failures as usize).saturating_sub(2);
@@ -175,7 +186,11 @@ pub(super) mod tests {
                 trial.clone()
             });
         }
-        assert_eq!((start.is_known(), start.broken().is_some()), (is_known, is_broken), "{ends:?}, then {trial:?}");
+        assert_eq!(
+            (start.is_known(), start.broken().is_some()),
+            (is_known, is_broken),
+            "{ends:?}, then {trial:?}"
+        );
         assert!(n_trials <= 1, "{ends:?}: {n_trials} trials");
     }
 
@@ -190,7 +205,12 @@ pub(super) mod tests {
         check(&[no_config(), no_config(), no_config()], None, true, false);
         check(&[no_config(), no_config(), no_config()], crash("no scene"), true, false);
         check(&[no_config(), no_config(), crash("no sphere")], no_config(), true, false);
-        check(&[no_config(), failure(Outcome::Exited(2), "no configuration")], no_config(), true, false);
+        check(
+            &[no_config(), failure(Outcome::Exited(2), "no configuration")],
+            no_config(),
+            true,
+            false,
+        );
         check(&[None, no_config(), no_config()], no_config(), true, false);
         check(&[no_config(), None, no_config()], no_config(), true, false);
     }
@@ -214,8 +234,11 @@ pub(super) mod tests {
     #[test]
     fn panics_at_different_places_are_not_alike() {
         let panic = |thread: u32, at: &str| {
-            let note = "note: run with `RUST_BACKTRACE=1` environment variable to display a backtrace";
-            let text = format!("thread 'main' ({thread}) panicked at src/{at}:\nindex out of bounds\n{note}\n");
+            let note =
+                "note: run with `RUST_BACKTRACE=1` environment variable to display a backtrace";
+            let text = format!(
+                "thread 'main' ({thread}) panicked at src/{at}:\nindex out of bounds\n{note}\n"
+            );
             failure(Outcome::Exited(101), &text).unwrap()
         };
         assert!(panic(7, "scene.rs:3:5").is_like(&panic(1234, "scene.rs:3:5")));
@@ -225,7 +248,10 @@ pub(super) mod tests {
     #[test]
     fn names_of_folders_and_addresses_make_no_difference() {
         let one = crash("at 0x1234\ncannot open /tmp/7/scene.json").unwrap();
-        let other = Finished { stderr: b"at 0xffe0\ncannot open /tmp/8/scene.json".to_vec(), ..one.finished.clone() };
+        let other = Finished {
+            stderr: b"at 0xffe0\ncannot open /tmp/8/scene.json".to_vec(),
+            ..one.finished.clone()
+        };
         assert!(one.is_like(&Failure::of(&other, Path::new("/tmp/8")).unwrap()));
         assert!(!one.is_like(&Failure::of(&other, Path::new("/tmp/9")).unwrap()));
         assert_eq!(settled("(17) (abc) f(3) 0xffe0: axe 0x1"), "() (abc) f() 0x: axe 0x");

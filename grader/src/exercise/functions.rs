@@ -31,7 +31,9 @@ impl<'a> Functions<'a> {
         let before = self.0.remove(function);
         let state = match (before, failure) {
             (None, Some(failure)) => State::Failing(Box::new(failure), 1),
-            (Some(State::Failing(first, n)), Some(failure)) if failure.is_like(&first) => State::Failing(first, n + 1),
+            (Some(State::Failing(first, n)), Some(failure)) if failure.is_like(&first) => {
+                State::Failing(first, n + 1)
+            }
             _ => State::Fine,
         };
         self.0.insert(function, state);
@@ -82,7 +84,9 @@ mod tests {
                 other => functions.end("indices", other.and_then(crash)),
             }
         }
-        let place = functions.telling(&open).map(|it| questions.iter().position(|one| one.id == it.id).unwrap());
+        let place = functions
+            .telling(&open)
+            .map(|it| questions.iter().position(|one| one.id == it.id).unwrap());
         assert_eq!((place, functions.n_failures("indices")), (telling, n_failures), "{ends:?}");
         assert_eq!(functions.n_failures("attenuation"), None);
     }

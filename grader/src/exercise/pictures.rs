@@ -1,4 +1,5 @@
-//! One picture: the scene goes in as a file, a picture comes out as a file, which is read as what it is: a stranger's.
+//! One picture: the scene goes in as a file, a picture comes out as a file, which is read as what
+//! it is: a stranger's.
 
 use std::io::Read;
 use std::os::unix::fs::MetadataExt;
@@ -57,11 +58,12 @@ pub fn shoot(candidate: &Candidate, scene: &Scene, limits: Limits) -> Shot {
     };
     let needed = NEEDED + u64::from(render.width) * u64::from(render.height) * PIXEL_BYTES;
     let task = Task { limits, needed, stdin: &[], prepare: &prepare };
-    let Attempt { output: picture, finished, failure } = attempt(candidate, &task, &|folder, finished| {
-        let picture = read(&folder.join(OUT), render.width, render.height);
-        let is_good = picture.is_ok() && is_over(finished);
-        (picture, is_good)
-    });
+    let Attempt { output: picture, finished, failure } =
+        attempt(candidate, &task, &|folder, finished| {
+            let picture = read(&folder.join(OUT), render.width, render.height);
+            let is_good = picture.is_ok() && is_over(finished);
+            (picture, is_good)
+        });
     let failure = failure.filter(|_| matches!(picture, Err(NoPicture::Missing)));
     Shot { picture, finished, limits, failure }
 }
@@ -97,7 +99,9 @@ fn empty(scene: &Scene) -> Scene {
 /// [`NoPicture`]; a link, a pipe or a device in its place is not opened.
 pub fn read(path: &Path, width: u32, height: u32) -> Result<Image, NoPicture> {
     match std::fs::symlink_metadata(path) {
-        Err(why) if blame::of(&why) == Blame::Machine => return Err(NoPicture::Machine(why.to_string())),
+        Err(why) if blame::of(&why) == Blame::Machine => {
+            return Err(NoPicture::Machine(why.to_string()));
+        }
         Err(_) => return Err(NoPicture::Missing),
         Ok(_) => {}
     }
@@ -116,7 +120,9 @@ fn bounded(path: &Path) -> Result<Vec<u8>, NoPicture> {
     let file = open_regular(path).map_err(failed)?;
     let found = file.metadata().map_err(|why| failed(why.into()))?;
     if found.nlink() != 1 {
-        return Err(NoPicture::Unreadable("the picture has a second name (a hard link)".to_owned()));
+        return Err(NoPicture::Unreadable(
+            "the picture has a second name (a hard link)".to_owned(),
+        ));
     }
     let mut bytes = vec![];
     file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(|why| failed(why.into()))?;

@@ -1,5 +1,5 @@
-//! The unit checks of a stage. A program that dies or hangs at one question is started again behind it, so that the
-//! question costs only itself.
+//! The unit checks of a stage. A program that dies or hangs at one question is started again behind
+//! it, so that the question costs only itself.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
@@ -82,13 +82,17 @@ pub fn probe(candidate: &Candidate, questions: &[Question], start: &mut Start) -
             break;
         }
         if let Some(why) = spent(&probed, &candidate.allowance) {
-            probed.not_asked.extend(open.drain(..).map(|question| (question.id.clone(), why.clone())));
+            probed
+                .not_asked
+                .extend(open.drain(..).map(|question| (question.id.clone(), why.clone())));
             break;
         }
         let batch = batch(&open, start, &functions);
-        let Asked { finished, behind, failure } = ask(candidate, &batch, limits, &mut probed, start);
+        let Asked { finished, behind, failure } =
+            ask(candidate, &batch, limits, &mut probed, start);
         let answers_nothing = behind == 0 && probed.got.is_empty();
-        let is_through = finished.outcome == Outcome::Exited(0) && (answers_nothing || behind == batch.len());
+        let is_through =
+            finished.outcome == Outcome::Exited(0) && (answers_nothing || behind == batch.len());
         sends_off |= behind > 0 && finished.outcome != Outcome::Exited(0);
         let suspect = batch.get(behind).or(batch.first()).copied();
         let is_sure = behind > 0 || batch.len() == 1 || sends_off;
@@ -96,14 +100,17 @@ pub fn probe(candidate: &Candidate, questions: &[Question], start: &mut Start) -
         if is_through || cannot_go_on(&finished) {
             let is_over = cannot_go_on(&finished);
             let ended = Ended { finished, limits };
-            let is_done = |question: &&Question| is_over || batch.iter().any(|one| one.id == question.id);
+            let is_done =
+                |question: &&Question| is_over || batch.iter().any(|one| one.id == question.id);
             for question in open.extract_if(.., |question| is_done(question)) {
                 functions.end(question.ask.function(), None);
                 probed.ended.insert(question.id.clone(), ended.clone());
             }
             continue;
         }
-        let Some(suspect) = suspect.filter(|suspect| open.iter().any(|question| question.id == suspect.id)) else {
+        let Some(suspect) =
+            suspect.filter(|suspect| open.iter().any(|question| question.id == suspect.id))
+        else {
             continue;
         };
         let Asked { finished, failure, .. } = match is_sure {
@@ -140,11 +147,15 @@ pub fn probe(candidate: &Candidate, questions: &[Question], start: &mut Start) -
 fn spent(probed: &Probed, allowance: &Allowance) -> Option<String> {
     let most_idle = allowance.most_idle();
     if probed.cpu + probed.idle >= MAX_TIME {
-        return Some(format!("not asked: the questions before it took more than {} s", MAX_TIME.as_secs()));
+        return Some(format!(
+            "not asked: the questions before it took more than {} s",
+            MAX_TIME.as_secs()
+        ));
     }
     let seconds = most_idle.as_secs();
-    (probed.idle >= most_idle)
-        .then(|| format!("not asked: the program was idle for {seconds} s at the questions before it"))
+    (probed.idle >= most_idle).then(|| {
+        format!("not asked: the program was idle for {seconds} s at the questions before it")
+    })
 }
 
 /// Returns the questions for the next process: all that are open, or a single one where it is still
@@ -167,15 +178,26 @@ struct Asked {
 }
 
 /// Puts the questions to one process, and takes in its answers.
-fn ask(candidate: &Candidate, open: &[&Question], limits: Limits, probed: &mut Probed, start: &mut Start) -> Asked {
+fn ask(
+    candidate: &Candidate,
+    open: &[&Question],
+    limits: Limits,
+    probed: &mut Probed,
+    start: &mut Start,
+) -> Asked {
     let Attempt { output: replies, finished, failure } = run(candidate, open, limits);
-    start.see(failure.as_ref().filter(|_| replies.got.is_empty()), || run(candidate, &[], limits).failure);
+    start.see(failure.as_ref().filter(|_| replies.got.is_empty()), || {
+        run(candidate, &[], limits).failure
+    });
     probed.time += finished.wall;
     probed.cpu += finished.cpu;
     probed.idle += finished.idle;
     probed.peak_bytes = probed.peak_bytes.max(finished.peak_bytes);
     remark(&replies, probed);
-    let behind = open.iter().rposition(|question| replies.got.contains_key(&question.id)).map_or(0, |last| last + 1);
+    let behind = open
+        .iter()
+        .rposition(|question| replies.got.contains_key(&question.id))
+        .map_or(0, |last| last + 1);
     probed.got.extend(replies.got);
     Asked { finished: finished.without_streams(), behind, failure }
 }
@@ -190,11 +212,17 @@ fn take_answers<'a>(open: &mut Vec<&'a Question>, probed: &Probed, functions: &m
 /// Runs one process with the questions on its standard input.
 fn run(candidate: &Candidate, questions: &[&Question], limits: Limits) -> Attempt<Replies> {
     let lines = questions.iter().map(|question| {
-        serde_json::to_string(question).expect("a question has string keys and no failing part") + "\n"
+        serde_json::to_string(question).expect("a question has string keys and no failing part")
+            + "\n"
     });
     let stdin: String = lines.collect();
     let asked: BTreeSet<&str> = questions.iter().map(|question| question.id.as_str()).collect();
-    let task = Task { limits, needed: NEEDED, stdin: stdin.as_bytes(), prepare: &|_| Ok(vec!["probe".into()]) };
+    let task = Task {
+        limits,
+        needed: NEEDED,
+        stdin: stdin.as_bytes(),
+        prepare: &|_| Ok(vec!["probe".into()]),
+    };
     attempt(candidate, &task, &|_, finished| {
         let replies = replies::parse(&finished.stdout, &asked);
         let is_good = finished.outcome == Outcome::Exited(0) && replies.got.len() == asked.len();
@@ -205,10 +233,14 @@ fn run(candidate: &Candidate, questions: &[&Question], limits: Limits) -> Attemp
 fn remark(replies: &Replies, probed: &mut Probed) {
     if let Some(line) = &replies.stray {
         let n = replies.n_stray;
-        probed.remarks.push(format!("{n} lines on standard output are no answers (print to standard error): {line}"));
+        probed.remarks.push(format!(
+            "{n} lines on standard output are no answers (print to standard error): {line}"
+        ));
     }
     if replies.n_unknown > 0 {
-        probed.remarks.push(format!("{} answers are to questions that were not asked", replies.n_unknown));
+        probed
+            .remarks
+            .push(format!("{} answers are to questions that were not asked", replies.n_unknown));
     }
 }
 
@@ -217,9 +249,17 @@ fn cannot_go_on(finished: &Finished) -> bool {
 }
 
 /// Puts no more questions to `function`, which fails at all of them.
-fn leave_out(open: &mut Vec<&Question>, function: &str, ended: &Ended, n_failures: u32, probed: &mut Probed) {
-    let ids: Vec<String> =
-        open.extract_if(.., |question| question.ask.function() == function).map(|it| it.id.clone()).collect();
+fn leave_out(
+    open: &mut Vec<&Question>,
+    function: &str,
+    ended: &Ended,
+    n_failures: u32,
+    probed: &mut Probed,
+) {
+    let ids: Vec<String> = open
+        .extract_if(.., |question| question.ask.function() == function)
+        .map(|it| it.id.clone())
+        .collect();
     let left_out = LeftOut { ended: ended.clone(), n_failures, n: ids.len() };
     probed.left_out.extend(ids.into_iter().map(|id| (id, left_out.clone())));
 }
@@ -230,7 +270,8 @@ fn give_up(open: &mut Vec<&Question>, hangs: &BTreeMap<&str, usize>, probed: &mu
         let function = question.ask.function();
         let n = hangs.get(function).copied().unwrap_or(0);
         if n >= MAX_HANGS {
-            let why = format!("not asked: `{function}` had to be stopped on {n} questions before it");
+            let why =
+                format!("not asked: `{function}` had to be stopped on {n} questions before it");
             probed.not_asked.insert(question.id.clone(), why);
         }
         n < MAX_HANGS

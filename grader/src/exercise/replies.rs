@@ -7,7 +7,8 @@ use serde_json::{Value, json};
 
 use crate::plain;
 
-/// Bytes of a line that is read: no answer comes near, and JSON takes many times its length in memory.
+/// Bytes of a line that is read: no answer comes near, and JSON takes many times its length in
+/// memory.
 const MAX_LINE: usize = 64 << 10;
 
 /// What came back for a question.
@@ -64,10 +65,16 @@ fn understand(line: &[u8], asked: &BTreeSet<&str>) -> Line {
     let value = match serde_json::from_slice::<Value>(line) {
         Ok(value) => value,
         Err(why) => {
-            return named_in(line, asked, &format!("it is no JSON ({why}; write \"nan\" and \"inf\" in quotes)"));
+            return named_in(
+                line,
+                asked,
+                &format!("it is no JSON ({why}; write \"nan\" and \"inf\" in quotes)"),
+            );
         }
     };
-    let Some(id) = value.get("id").and_then(Value::as_str).map(str::to_owned) else { return Line::Stray };
+    let Some(id) = value.get("id").and_then(Value::as_str).map(str::to_owned) else {
+        return Line::Stray;
+    };
     let got = match answer(value) {
         Ok(answer) => Got::Answer(answer),
         Err(why) => Got::Malformed(format!("{why}: {}", plain::name(line))),
@@ -77,7 +84,9 @@ fn understand(line: &[u8], asked: &BTreeSet<&str>) -> Line {
 
 /// The one answer of a reply; keys that are no answers do no harm.
 fn answer(reply: Value) -> Result<Answer, String> {
-    let answers = |(key, value): &(&String, &Value)| serde_json::from_value::<Answer>(json!({ *key: value })).is_ok();
+    let answers = |(key, value): &(&String, &Value)| {
+        serde_json::from_value::<Answer>(json!({ *key: value })).is_ok()
+    };
     if reply.as_object().is_some_and(|reply| reply.iter().filter(answers).count() > 1) {
         return Err("it gives several answers at once".to_owned());
     }
@@ -88,7 +97,8 @@ fn answer(reply: Value) -> Result<Answer, String> {
     }
 }
 
-/// A line that cannot be read still answers the question whose quoted id stands in it: Python, say, prints a bare NaN.
+/// A line that cannot be read still answers the question whose quoted id stands in it: Python, say,
+/// prints a bare NaN.
 fn named_in(line: &[u8], asked: &BTreeSet<&str>, why: &str) -> Line {
     let text = String::from_utf8_lossy(line);
     let quoted = text.split('"').find(|part| asked.contains(part));
@@ -103,7 +113,11 @@ mod tests {
     fn check(stdout: &str, expected: &[(&str, Got)], n_unknown: usize, n_stray: usize) {
         let replies = parse(stdout.as_bytes(), &["a", "b"].into());
         let expected = expected.iter().map(|(id, got)| ((*id).to_owned(), got.clone())).collect();
-        assert_eq!((replies.got, replies.n_unknown, replies.n_stray), (expected, n_unknown, n_stray), "{stdout}");
+        assert_eq!(
+            (replies.got, replies.n_unknown, replies.n_stray),
+            (expected, n_unknown, n_stray),
+            "{stdout}"
+        );
     }
 
     #[test]
@@ -115,7 +129,12 @@ mod tests {
             0,
             0,
         );
-        check("{\"id\":\"a\",\"value\":1}\r\n\n{\"id\":\"c\",\"value\":1}", &[("a", value(1.0))], 1, 0);
+        check(
+            "{\"id\":\"a\",\"value\":1}\r\n\n{\"id\":\"c\",\"value\":1}",
+            &[("a", value(1.0))],
+            1,
+            0,
+        );
         check("{\"id\":\"a\",\"value\":\"inf\"}", &[("a", value(f64::INFINITY))], 0, 0);
         check("{\"id\":\"a\",\"value\":1}\n{\"id\":\"a\",\"value\":1}", &[("a", Got::Twice)], 0, 0);
     }
@@ -124,22 +143,39 @@ mod tests {
     fn one_reply_is_one_answer_and_says_yes_to_what_is_always_so() {
         let long = format!("{{\"id\":\"a\",\"value\":1,\"x\":[{}0]}}", "0,".repeat(MAX_LINE));
         for (line, why) in [
-            (r#"{"id":"a","miss":true,"hit":{"t":1,"normal":[0,0,1]}}"#, "it gives several answers at once"),
+            (
+                r#"{"id":"a","miss":true,"hit":{"t":1,"normal":[0,0,1]}}"#,
+                "it gives several answers at once",
+            ),
             (r#"{"id":"a","miss":false}"#, "`miss` is always true"),
             (r#"{"id":"a","todo":false}"#, "`todo` is always true"),
             (long.as_str(), "the line is longer than 64 KiB"),
         ] {
             let replies = parse(line.as_bytes(), &["a"].into());
-            assert!(matches!(&replies.got["a"], Got::Malformed(said) if said.starts_with(why)), "{replies:?}");
+            assert!(
+                matches!(&replies.got["a"], Got::Malformed(said) if said.starts_with(why)),
+                "{replies:?}"
+            );
         }
-        check(r#"{"id":"a","value":1,"note":"from the sphere"}"#, &[("a", Got::Answer(Answer::Value(1.0)))], 0, 0);
+        check(
+            r#"{"id":"a","value":1,"note":"from the sphere"}"#,
+            &[("a", Got::Answer(Answer::Value(1.0)))],
+            0,
+            0,
+        );
     }
 
     #[test]
     fn what_is_no_answer_is_counted() {
         check("debug: t = 1\n[1]\n{\"value\":1}\n\u{1b}[2J", &[], 0, 4);
-        let replies = parse(b"{\"id\":\"a\",\"value\":[1]}\n{\"id\": \"b\", \"value\": NaN}", &["a", "b"].into());
+        let replies = parse(
+            b"{\"id\":\"a\",\"value\":[1]}\n{\"id\": \"b\", \"value\": NaN}",
+            &["a", "b"].into(),
+        );
         assert!(matches!(&replies.got["a"], Got::Malformed(_)), "{replies:?}");
-        assert!(matches!(&replies.got["b"], Got::Malformed(why) if why.contains("no JSON")), "{replies:?}");
+        assert!(
+            matches!(&replies.got["b"], Got::Malformed(why) if why.contains("no JSON")),
+            "{replies:?}"
+        );
     }
 }

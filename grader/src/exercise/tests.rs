@@ -52,17 +52,22 @@ fn check_probe(script: &str, answered: &[&str], ended: &[&str]) -> Probed {
 /// Each question ends its process after a wait that is shorter than the limit of one process.
 #[test]
 fn idle_time_is_limited_over_all_questions_of_a_stage() {
-    let (program, _folder) = program("sleep 0.4; read -r line && { echo $line | cut -c 8-9 >&2; exit 1; }");
+    let (program, _folder) =
+        program("sleep 0.4; read -r line && { echo $line | cut -c 8-9 >&2; exit 1; }");
     let limits = Limits { idle: Duration::from_millis(500), ..Allowance::default().picture };
     let short = Limits { idle: Duration::from_millis(80), ..limits };
     let probed = |picture| {
-        let candidate = Candidate { program: &program, allowance: Allowance { picture, questions: limits } };
+        let candidate =
+            Candidate { program: &program, allowance: Allowance { picture, questions: limits } };
         probe(&candidate, &questions(), &mut Start::default())
     };
     assert!(probed(limits).not_asked.is_empty());
     let probed = probed(short);
     assert!(!probed.ended.is_empty() && !probed.not_asked.is_empty(), "{probed:?}");
-    assert!(probed.not_asked.values().all(|why| why.starts_with("not asked: the program was idle")), "{probed:?}");
+    assert!(
+        probed.not_asked.values().all(|why| why.starts_with("not asked: the program was idle")),
+        "{probed:?}"
+    );
 }
 
 #[test]
@@ -77,7 +82,11 @@ fn a_question_that_kills_costs_only_itself() {
     let kill = "case $id in q1|q4) kill -SEGV $$;; esac;";
     let probed = check_probe(&answering(kill), &["q0", "q2", "q3"], &["q1", "q4"]);
     assert_eq!(probed.ended["q1"].finished.outcome, Outcome::Signalled(libc::SIGSEGV));
-    check_probe(&answering("case $id in q1|q2) exit 0;; esac;"), &["q0", "q3", "q4"], &["q1", "q2"]);
+    check_probe(
+        &answering("case $id in q1|q2) exit 0;; esac;"),
+        &["q0", "q3", "q4"],
+        &["q1", "q2"],
+    );
     check_probe(&answering("case $id in q0) exit 3;; esac;"), &["q1", "q2", "q3", "q4"], &["q0"]);
 }
 
@@ -89,15 +98,19 @@ fn answers_not_sent_off_before_a_death_are_asked_for_again() {
 
 #[test]
 fn what_a_program_leaves_out_is_missing_and_asked_once() {
-    let probed = check_probe(&answering("[ $id = q1 ] && continue;"), &["q0", "q2", "q3", "q4"], &["q1"]);
+    let probed =
+        check_probe(&answering("[ $id = q1 ] && continue;"), &["q0", "q2", "q3", "q4"], &["q1"]);
     assert_eq!(probed.ended["q1"].finished.outcome, Outcome::Exited(0));
     check_probe("cat > /dev/null", &[], &["q0", "q1", "q2", "q3", "q4"]);
 }
 
 #[test]
 fn stray_text_and_strange_answers_are_told() {
-    let probed =
-        check_probe(&answering("echo hello; echo '{\"id\":\"x\",\"value\":1}';"), &["q0", "q1", "q2", "q3", "q4"], &[]);
+    let probed = check_probe(
+        &answering("echo hello; echo '{\"id\":\"x\",\"value\":1}';"),
+        &["q0", "q1", "q2", "q3", "q4"],
+        &[],
+    );
     assert_eq!(probed.remarks.len(), 2, "{:?}", probed.remarks);
     let twice = check_probe(
         &answering("echo \"{\\\"id\\\":\\\"q0\\\",\\\"value\\\":1}\";"),
@@ -108,7 +121,13 @@ fn stray_text_and_strange_answers_are_told() {
 }
 
 fn scene() -> Scene {
-    let camera = Camera { eye: DVec3::ZERO, right: DVec3::X, up: DVec3::Y, forward: -DVec3::Z, fov_y_deg: 60.0 };
+    let camera = Camera {
+        eye: DVec3::ZERO,
+        right: DVec3::X,
+        up: DVec3::Y,
+        forward: -DVec3::Z,
+        fov_y_deg: 60.0,
+    };
     Scene {
         render: Render { width: 4, height: 3, max_depth: 0, threshold: 0.0 },
         effects: Effects::NONE,
@@ -196,7 +215,8 @@ fn under_load<R>(n: usize, work: impl FnOnce() -> R) -> R {
 #[test]
 fn identical_programs_come_out_alike_on_a_busy_machine() {
     let n = 4 * std::thread::available_parallelism().map_or(1, usize::from);
-    let copies = under_load(n, || side_by_side(3, &[(); 6], |()| shot_within(&spending("40"), seconds(1))));
+    let copies =
+        under_load(n, || side_by_side(3, &[(); 6], |()| shot_within(&spending("40"), seconds(1))));
     for copy in copies {
         let copy = copy.unwrap();
         assert!(copy.picture.is_ok(), "{:?}", copy.finished);
@@ -208,9 +228,14 @@ fn identical_programs_come_out_alike_on_a_busy_machine() {
 fn a_time_out_near_the_limit_is_confirmed_alone_where_others_run() {
     let home = tempfile::tempdir().unwrap();
     let at = |name: &str| home.path().join(name).display().to_string();
-    let neighbour = || shot_within(&format!("touch {}; {}", at("runs"), spending("150")), seconds(10));
+    let neighbour =
+        || shot_within(&format!("touch {}; {}", at("runs"), spending("150")), seconds(10));
     // The first run takes more than the limit, but less than twice as much.
-    let slow_once = format!("[ -e {0} ] && {{ want=10; }} || want=130; touch {0}; {1}", at("slow"), spending("$want"));
+    let slow_once = format!(
+        "[ -e {0} ] && {{ want=10; }} || want=130; touch {0}; {1}",
+        at("slow"),
+        spending("$want")
+    );
     std::thread::scope(|scope| {
         scope.spawn(neighbour);
         while !home.path().join("runs").exists() {
@@ -229,8 +254,13 @@ fn a_few_processes_tell_that_a_program_answers_nothing() {
     let log = home.path().join("log");
     let count = || std::fs::read_to_string(&log).unwrap().lines().count();
     let note = format!("echo started >> {}", log.display());
-    let probed = check_probe(&format!("{note}; echo no configuration >&2; exit 1"), &[], &["q0", "q4"]);
-    assert_eq!((count(), probed.skipped.len()), (4, 3), "all questions, the first and the last one, none: {probed:?}");
+    let probed =
+        check_probe(&format!("{note}; echo no configuration >&2; exit 1"), &[], &["q0", "q4"]);
+    assert_eq!(
+        (count(), probed.skipped.len()),
+        (4, 3),
+        "all questions, the first and the last one, none: {probed:?}"
+    );
     // One that dies without a word at the first question and without one answers the others.
     let at_q0 = answering("n=1; case $id in q0) exit 1;; esac;");
     let silent = format!("{note}; n=0; {at_q0}; [ $n = 1 ] || exit 1");
@@ -248,8 +278,10 @@ fn a_few_processes_tell_that_a_program_answers_nothing() {
 fn probe_two_functions(script: &str) -> (usize, Probed) {
     let home = tempfile::tempdir().unwrap();
     let log = home.path().join("log");
-    let (program, _folder) = program(&format!("echo started >> {}\n{}", log.display(), answering(script)));
-    let indices = |n: u32| Question { id: format!("i{n}"), ask: Ask::Indices { inside: n == 0, index: 1.5 } };
+    let (program, _folder) =
+        program(&format!("echo started >> {}\n{}", log.display(), answering(script)));
+    let indices =
+        |n: u32| Question { id: format!("i{n}"), ask: Ask::Indices { inside: n == 0, index: 1.5 } };
     let reflect = |n: u32| {
         let ask = Ask::Reflect { direction: -DVec3::Z, normal: DVec3::new(f64::from(n), 0.0, 1.0) };
         Question { id: format!("r{n}"), ask }
@@ -261,21 +293,32 @@ fn probe_two_functions(script: &str) -> (usize, Probed) {
 
 #[test]
 fn a_function_that_fails_at_all_questions_costs_a_few_processes_and_nothing_else() {
-    let answered = |probed: &Probed, letter| probed.got.keys().filter(|id| id.starts_with(letter)).count();
-    let (n_starts, probed) = probe_two_functions("case $id in r*) echo no reflection >&2; exit 1;; esac;");
-    assert_eq!((answered(&probed, 'i'), probed.ended.len(), probed.left_out.len()), (50, 4, 46), "{probed:?}");
+    let answered =
+        |probed: &Probed, letter| probed.got.keys().filter(|id| id.starts_with(letter)).count();
+    let (n_starts, probed) =
+        probe_two_functions("case $id in r*) echo no reflection >&2; exit 1;; esac;");
+    assert_eq!(
+        (answered(&probed, 'i'), probed.ended.len(), probed.left_out.len()),
+        (50, 4, 46),
+        "{probed:?}"
+    );
     assert!(n_starts <= 6, "{n_starts} processes");
     let left_out = &probed.left_out["r30"];
     assert_eq!((left_out.n_failures, left_out.n), (4, 46));
     let (_, probed) = probe_two_functions("case $id in r*) exit 1;; esac;");
-    assert_eq!((answered(&probed, 'i'), probed.ended.len(), probed.left_out.len()), (50, 9, 41), "{probed:?}");
+    assert_eq!(
+        (answered(&probed, 'i'), probed.ended.len(), probed.left_out.len()),
+        (50, 9, 41),
+        "{probed:?}"
+    );
 }
 
 /// Nothing is answered, and the last question to `reflect` ends its process well.
 #[test]
 fn an_end_without_an_answer_shows_that_a_function_does_not_fail_at_all_questions() {
-    let (_, probed) =
-        probe_two_functions("case $id in i*) echo no >&2; exit 1;; r49) exit 0;; esac; echo none >&2; exit 1;");
+    let (_, probed) = probe_two_functions(
+        "case $id in i*) echo no >&2; exit 1;; r49) exit 0;; esac; echo none >&2; exit 1;",
+    );
     let left_out = |letter| probed.left_out.keys().filter(|id| id.starts_with(letter)).count();
     assert_eq!((left_out('i'), left_out('r'), probed.ended.len()), (46, 0, 54), "{probed:?}");
 }
@@ -288,7 +331,11 @@ fn a_function_that_fails_at_some_questions_loses_those_alone() {
         ("case $id in r*) echo no reflection $id >&2; exit 1;; esac;", 50),
     ] {
         let (_, probed) = probe_two_functions(script);
-        assert_eq!((probed.got.len(), probed.ended.len()), (100 - lost, lost), "{script}: {probed:?}");
+        assert_eq!(
+            (probed.got.len(), probed.ended.len()),
+            (100 - lost, lost),
+            "{script}: {probed:?}"
+        );
         assert!(probed.left_out.is_empty(), "{script}: {probed:?}");
     }
 }

@@ -44,17 +44,22 @@ impl Bench {
     /// # Errors
     /// Everything that is wrong with the cases; a workspace that is not there.
     pub fn open(stages: &Path) -> Result<Self, GradeError> {
-        let exam = Exam::load(stages).map_err(|why| GradeError::of(blame::of_problems(&why), why.to_string()))?;
+        let exam = Exam::load(stages)
+            .map_err(|why| GradeError::of(blame::of_problems(&why), why.to_string()))?;
         let workshop = Workshop::open(stages).map_err(GradeError::Machine)?;
         Ok(Self { exam, workshop, allowance: Allowance::default() })
     }
 
-    /// Returns a line on what words select of the exam, such as `12 checks in 3 stages match `sphere``; `None`
-    /// where each stage that was named is one.
+    /// Returns a line on what words select of the exam, such as
+    /// `12 checks in 3 stages match `sphere``; `None` where each stage that was named is one.
     ///
     /// # Errors
     /// A word that selects nothing; says what there is.
-    pub fn selected(&self, stages: &[String], checks: &[String]) -> Result<Option<String>, GradeError> {
+    pub fn selected(
+        &self,
+        stages: &[String],
+        checks: &[String],
+    ) -> Result<Option<String>, GradeError> {
         let plan = plan::Plan::new(&self.exam, stages, checks).map_err(GradeError::Input)?;
         Ok(plan.summary(stages, checks))
     }
@@ -64,12 +69,14 @@ impl Bench {
         Candidate { program: &built.program, allowance: self.allowance }
     }
 
-    /// Hash of everything but the submission that a score depends on: cases, answers, grader, limits, compiler.
+    /// Hash of everything but the submission that a score depends on: cases, answers, grader,
+    /// limits, compiler.
     ///
     /// # Errors
     /// No compiler.
     pub fn epoch(&self) -> Result<String, GradeError> {
-        let compiler = &self.workshop.toolchain().map_err(|why| GradeError::Machine(why.to_string()))?.version;
+        let compiler =
+            &self.workshop.toolchain().map_err(|why| GradeError::Machine(why.to_string()))?.version;
         let text = format!("{} {VERSION} {:?} {compiler}", self.exam.hash, self.allowance);
         Ok(blake3::hash(text.as_bytes()).to_hex().to_string())
     }
@@ -129,24 +136,31 @@ impl From<WriteError> for GradeError {
 
 /// Grades one submission: reads it, builds it, asks it everything that is selected, judges, scores.
 ///
-/// Whatever a submission does, there is a record of it. After an interrupt the record says what was not run.
+/// Whatever a submission does, there is a record of it. After an interrupt the record says what was
+/// not run.
 ///
 /// # Errors
 /// What is nobody's submission, or the machine's fault before any case ran.
-pub fn grade(bench: &Bench, options: &Options, progress: &dyn Progress) -> Result<Graded, GradeError> {
+pub fn grade(
+    bench: &Bench,
+    options: &Options,
+    progress: &dyn Progress,
+) -> Result<Graded, GradeError> {
     let plan = trusted(bench, planned(bench, options)?)?;
     let epoch = bench.epoch()?;
     let (digest, prepared) = prepare(bench, options, progress)?;
     let (mut answers, build) = match prepared {
         Ok((built, ignored)) => {
-            let mut answers = perform::exercise(&plan, &bench.candidate(&built), options.jobs, progress);
+            let mut answers =
+                perform::exercise(&plan, &bench.candidate(&built), options.jobs, progress);
             write_up::name_functions(&mut answers, !built.program.is_foreign());
             (answers, accepted(&built, ignored))
         }
         Err(build) => (perform::nothing(&plan, build.finding.as_ref()), build),
     };
     // A diagnosis is a hint: a fault of the grader in it costs no check.
-    let diagnoses = guarded(|| diagnosis::diagnose(&bench.exam, &plan, &mut answers)).unwrap_or_default();
+    let diagnoses =
+        guarded(|| diagnosis::diagnose(&bench.exam, &plan, &mut answers)).unwrap_or_default();
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest };
     Ok(Graded { record: write_up::record(epoch, submission, build, stages, diagnoses), pictures })
@@ -167,7 +181,10 @@ fn planned<'a>(bench: &'a Bench, options: &Options) -> Result<Plan<'a>, GradeErr
 /// Demands answers that can be trusted for all of `plan`.
 fn trusted<'a>(bench: &Bench, plan: Plan<'a>) -> Result<Plan<'a>, GradeError> {
     let ids = plan.stages.iter().flat_map(plan::Part::ids);
-    bench.exam.trust(ids).map_err(|untrusted| GradeError::of(untrusted.blame(), untrusted.to_string()))?;
+    bench
+        .exam
+        .trust(ids)
+        .map_err(|untrusted| GradeError::of(untrusted.blame(), untrusted.to_string()))?;
     Ok(plan)
 }
 
@@ -175,10 +192,16 @@ fn trusted<'a>(bench: &Bench, plan: Plan<'a>) -> Result<Plan<'a>, GradeError> {
 type Prepared = Result<(Built, Vec<String>), Build>;
 
 /// Reads and builds; the digest is empty where nothing could be read.
-fn prepare(bench: &Bench, options: &Options, progress: &dyn Progress) -> Result<(String, Prepared), GradeError> {
+fn prepare(
+    bench: &Bench,
+    options: &Options,
+    progress: &dyn Progress,
+) -> Result<(String, Prepared), GradeError> {
     let submission = match submission::read(&options.submission, &bench.workshop.template) {
         Ok(submission) => submission,
-        Err(why @ SubmissionError::Unreadable { .. }) => return Err(GradeError::Input(why.to_string())),
+        Err(why @ SubmissionError::Unreadable { .. }) => {
+            return Err(GradeError::Input(why.to_string()));
+        }
         Err(why @ (SubmissionError::Machine { .. } | SubmissionError::Folder(_))) => {
             return Err(GradeError::Machine(why.to_string()));
         }
@@ -196,7 +219,8 @@ fn prepare(bench: &Bench, options: &Options, progress: &dyn Progress) -> Result<
         }
         Err(BuildError::Ours(why)) => return Err(GradeError::Machine(why.to_string())),
         Err(BuildError::Interrupted) => {
-            let finding = Finding::new(FindingKind::Internal, "the grader was interrupted while building");
+            let finding =
+                Finding::new(FindingKind::Internal, "the grader was interrupted while building");
             Err(rejected(Verdict::NotRun, finding, ignored))
         }
     };
@@ -225,7 +249,8 @@ fn rejected(verdict: Verdict, finding: Finding, ignored: Vec<String>) -> Build {
     Build { verdict, finding: Some(finding), warnings: vec![], ignored, time_s: 0.0 }
 }
 
-/// Judges pictures that someone has rendered already: `folder/STAGE/CASE.png`. Unit checks are left out.
+/// Judges pictures that someone has rendered already: `folder/STAGE/CASE.png`. Unit checks are left
+/// out.
 ///
 /// # Errors
 /// A selection that nothing meets.
@@ -235,13 +260,20 @@ pub fn images(bench: &Bench, folder: &Path, options: &Options) -> Result<Graded,
     let diagnoses = diagnosis::diagnose(&bench.exam, &plan, &mut answers);
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest: String::new() };
-    let build = Build { verdict: Verdict::Pass, finding: None, warnings: vec![], ignored: vec![], time_s: 0.0 };
+    let build = Build {
+        verdict: Verdict::Pass,
+        finding: None,
+        warnings: vec![],
+        ignored: vec![],
+        time_s: 0.0,
+    };
     let mut record = write_up::record(bench.epoch()?, submission, build, stages, diagnoses);
     "nothing was run".clone_into(&mut record.sandbox);
     Ok(Graded { record, pictures })
 }
 
-/// The tree of rays behind a pixel of an image case as the submission tells it, or why it does not, in words for the student.
+/// The tree of rays behind a pixel of an image case as the submission tells it, or why it does not,
+/// in words for the student.
 ///
 /// # Errors
 /// No such case, pixel or submission; the machine's fault.
@@ -254,11 +286,15 @@ pub fn explain(
 ) -> Result<Result<String, String>, GradeError> {
     let mut cases = bench.exam.stages.iter().flat_map(|questions| &questions.stage.cases);
     let case = cases.find(|one| one.id == case).ok_or_else(|| {
-        GradeError::Input(format!("there is no image case `{case}`; ids look like `02_shadows/two_lamps`"))
+        GradeError::Input(format!(
+            "there is no image case `{case}`; ids look like `02_shadows/two_lamps`"
+        ))
     })?;
     let (width, height) = (case.scene.render.width, case.scene.render.height);
     if x >= width || y >= height {
-        return Err(GradeError::Input(format!("pixel ({x}, {y}) does not lie in a picture of {width}×{height}")));
+        return Err(GradeError::Input(format!(
+            "pixel ({x}, {y}) does not lie in a picture of {width}×{height}"
+        )));
     }
     match prepare(bench, &Options::new(path), progress)?.1 {
         Ok((built, _)) => Ok(exercise::explain(&bench.candidate(&built), &case.scene, x, y)),

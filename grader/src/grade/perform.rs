@@ -69,11 +69,17 @@ struct Ran {
 }
 
 /// Runs the program for all that is planned, `jobs` processes at a time.
-pub(super) fn exercise(plan: &Plan, candidate: &Candidate, jobs: usize, progress: &dyn Progress) -> Answers {
+pub(super) fn exercise(
+    plan: &Plan,
+    candidate: &Candidate,
+    jobs: usize,
+    progress: &dyn Progress,
+) -> Answers {
     let tasks = tasks(plan);
     progress.phase("running the program");
     progress.begin(tasks.len() as u64);
-    let session = Session { candidate, progress, taken: Mutex::new(vec![None; tasks.len()]), tasks };
+    let session =
+        Session { candidate, progress, taken: Mutex::new(vec![None; tasks.len()]), tasks };
     let n_units = session.tasks.iter().filter(|task| matches!(task, Task::Units(_))).count();
     let (units, pictures) = (0..n_units, n_units..session.tasks.len());
     let begun = side_by_side(jobs, &[units, pictures], |kind| session.begin(kind.clone()));
@@ -82,7 +88,9 @@ pub(super) fn exercise(plan: &Plan, candidate: &Candidate, jobs: usize, progress
         (begun.next().unwrap_or_default(), begun.next().unwrap_or_default());
     ran.extend(pictures_ran);
     let rest: Vec<usize> = (0..session.tasks.len()).filter(|n| !ran.contains_key(n)).collect();
-    let run = |n: &usize| session.run(*n, &mut if *n < n_units { units.clone() } else { pictures.clone() });
+    let run = |n: &usize| {
+        session.run(*n, &mut if *n < n_units { units.clone() } else { pictures.clone() })
+    };
     let finished = side_by_side(jobs, &rest, run);
     ran.extend(rest.iter().copied().zip(finished.into_iter().map(Result::unwrap_or_default)));
     session.settle(ran, &units, &pictures)
@@ -91,11 +99,9 @@ pub(super) fn exercise(plan: &Plan, candidate: &Candidate, jobs: usize, progress
 /// Returns all tasks in the order of the plan, unit checks first.
 fn tasks<'a>(plan: &'a Plan) -> Vec<Task<'a>> {
     let units = plan.stages.iter().filter(|part| !part.checks.is_empty()).map(Task::Units);
-    let pictures = plan
-        .stages
-        .iter()
-        .enumerate()
-        .flat_map(|(stage, part)| part.cases.iter().map(move |case| Task::Picture(part, case, stage)));
+    let pictures = plan.stages.iter().enumerate().flat_map(|(stage, part)| {
+        part.cases.iter().map(move |case| Task::Picture(part, case, stage))
+    });
     units.chain(pictures).collect()
 }
 
@@ -146,10 +152,17 @@ impl Session<'_> {
             thrift::share(taken[..n].iter().flatten(), task.stage(), self.most_idle())
         };
         let is_left_out = share == Share::Nothing || start.broken().is_some();
-        let ran = if is_left_out { Ok(Ran::default()) } else { guarded(|| self.perform(task, share, start)) };
+        let ran = if is_left_out {
+            Ok(Ran::default())
+        } else {
+            guarded(|| self.perform(task, share, start))
+        };
         let ran = ran.unwrap_or_else(|panicked| {
             let ours = || Done::unmeasured(Judgement::ours(panicked.to_string()), None);
-            Ran { done: task.ids().into_iter().map(|id| (id.to_owned(), ours())).collect(), ..Ran::default() }
+            Ran {
+                done: task.ids().into_iter().map(|id| (id.to_owned(), ours())).collect(),
+                ..Ran::default()
+            }
         });
         self.taken.lock().unwrap_or_else(PoisonError::into_inner)[n] = Some(ran.taken);
         self.progress.step();
@@ -182,7 +195,8 @@ impl Session<'_> {
                 Share::Whole => {}
                 Share::Reduced => one.reduce_to(&reduced(self.candidate.allowance.picture)),
                 Share::Nothing => {
-                    let idle = || Done::unmeasured(verdicts::idle_for_too_long(self.most_idle()), None);
+                    let idle =
+                        || Done::unmeasured(verdicts::idle_for_too_long(self.most_idle()), None);
                     one = Ran::default();
                     one.done.extend(task.ids().into_iter().map(|id| (id.to_owned(), idle())));
                 }
@@ -205,7 +219,9 @@ impl Session<'_> {
                 Some((failure, n_same)) => verdicts::skipped(failure, n_same, limits, (what, n)),
                 None => Judgement::ours("it was planned, but not run"),
             };
-            answers.done.extend(ids.into_iter().map(|id| (id, Done::unmeasured(judgement(), None))));
+            answers
+                .done
+                .extend(ids.into_iter().map(|id| (id, Done::unmeasured(judgement(), None))));
         }
         answers
     }
@@ -243,7 +259,8 @@ pub(super) fn review(plan: &Plan, folder: &Path) -> Answers {
     for part in &plan.stages {
         for case in &part.cases {
             let size = case.scene.render;
-            let read = exercise::read(&folder.join(format!("{}.png", case.id)), size.width, size.height);
+            let read =
+                exercise::read(&folder.join(format!("{}.png", case.id)), size.width, size.height);
             let judgement = match &read {
                 Ok(image) => verdicts::of_picture(image, part.questions, case),
                 Err(why) => verdicts::no_picture(why),
@@ -293,7 +310,8 @@ fn picture(
 }
 
 fn units(candidate: &Candidate, part: &Part, start: &mut Start) -> Ran {
-    let question = |(check, _): &(&Check, u64)| Question { id: check.id.clone(), ask: check.ask.clone() };
+    let question =
+        |(check, _): &(&Check, u64)| Question { id: check.id.clone(), ask: check.ask.clone() };
     let questions: Vec<Question> = part.checks.iter().map(question).collect();
     let probed = exercise::probe(candidate, &questions, start);
     let judged = |question: &Question| {
@@ -310,5 +328,10 @@ fn units(candidate: &Candidate, part: &Part, start: &mut Start) -> Ran {
     };
     let asked = questions.iter().filter(|question| !probed.skipped.contains(&question.id));
     let done = asked.map(judged).collect();
-    Ran { done, taken: Taken { idle: probed.idle, ..Taken::default() }, remarks: probed.remarks, picture: None }
+    Ran {
+        done,
+        taken: Taken { idle: probed.idle, ..Taken::default() },
+        remarks: probed.remarks,
+        picture: None,
+    }
 }

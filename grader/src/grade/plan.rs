@@ -28,13 +28,21 @@ impl<'a> Plan<'a> {
     ///
     /// # Errors
     /// A word that selects nothing; says what there is.
-    pub(super) fn new(exam: &'a Exam, stages: &[String], checks: &[String]) -> Result<Self, String> {
-        let ids: Vec<&str> = exam.stages.iter().map(|questions| questions.stage.id.as_str()).collect();
-        if let Some(word) = stages.iter().find(|word| !ids.iter().any(|id| id.starts_with(word.as_str()))) {
+    pub(super) fn new(
+        exam: &'a Exam,
+        stages: &[String],
+        checks: &[String],
+    ) -> Result<Self, String> {
+        let ids: Vec<&str> =
+            exam.stages.iter().map(|questions| questions.stage.id.as_str()).collect();
+        if let Some(word) =
+            stages.iter().find(|word| !ids.iter().any(|id| id.starts_with(word.as_str())))
+        {
             return Err(words::no_stage(word, &ids));
         }
         let is_chosen = |questions: &&Questions| is_selected(&questions.stage.id, stages);
-        let parts: Vec<Part> = exam.stages.iter().filter(is_chosen).map(|questions| part(questions, checks)).collect();
+        let parts: Vec<Part> =
+            exam.stages.iter().filter(is_chosen).map(|questions| part(questions, checks)).collect();
         let is_idle = |word: &&String| {
             let one = std::slice::from_ref(*word);
             !parts.iter().flat_map(Part::ids).any(|id| is_selected(id, one))
@@ -56,7 +64,9 @@ impl<'a> Plan<'a> {
 
     /// Returns what the words selected, in a line; `None` where each of them names one whole stage.
     pub(super) fn summary(&self, stages: &[String], checks: &[String]) -> Option<String> {
-        if checks.is_empty() && self.stages.len() <= stages.len().max(1) || stages.is_empty() && checks.is_empty() {
+        if checks.is_empty() && self.stages.len() <= stages.len().max(1)
+            || stages.is_empty() && checks.is_empty()
+        {
             return None;
         }
         let words = if checks.is_empty() { stages } else { checks };
@@ -66,7 +76,11 @@ impl<'a> Plan<'a> {
             several => count(several.len(), "stage"),
         };
         let verb = if n == 1 { "matches" } else { "match" };
-        Some(format!("{} in {place} {verb} {}", count(n, "check"), some(words.iter().map(String::as_str), 5)))
+        Some(format!(
+            "{} in {place} {verb} {}",
+            count(n, "check"),
+            some(words.iter().map(String::as_str), 5)
+        ))
     }
 }
 
@@ -76,7 +90,12 @@ fn part<'a>(questions: &'a Questions, words: &[String]) -> Part<'a> {
     Part {
         questions,
         cases: stage.cases.iter().filter(|case| is_selected(&case.id, words)).collect(),
-        checks: stage.checks.iter().zip(points).filter(|(check, _)| is_selected(&check.id, words)).collect(),
+        checks: stage
+            .checks
+            .iter()
+            .zip(points)
+            .filter(|(check, _)| is_selected(&check.id, words))
+            .collect(),
     }
 }
 
@@ -88,9 +107,13 @@ impl<'a> Part<'a> {
     }
 }
 
-/// Whether `id` begins with one of `words`, or its part behind the stage does; an empty list selects all.
+/// Whether `id` begins with one of `words`, or its part behind the stage does; an empty list
+/// selects all.
 fn is_selected(id: &str, words: &[String]) -> bool {
-    words.is_empty() || words.iter().any(|word| id.starts_with(word.as_str()) || behind(id).starts_with(word.as_str()))
+    words.is_empty()
+        || words
+            .iter()
+            .any(|word| id.starts_with(word.as_str()) || behind(id).starts_with(word.as_str()))
 }
 
 /// The part of an id behind the stage.

@@ -11,12 +11,14 @@ use super::*;
 use crate::exercise::Candidate;
 use crate::sandbox::Limits;
 
-const STAGE: &str = "title = \"Flat\"\nabout = \"Flat.\"\nallows = []\nneeds = []\nunit_points = 0\n";
+const STAGE: &str =
+    "title = \"Flat\"\nabout = \"Flat.\"\nallows = []\nneeds = []\nunit_points = 0\n";
 
 /// The case `n`: all pixels have the light n / 10.
 fn case(n: usize) -> String {
     format!(
-        "title = \"Flat\"\nabout = \"Flat.\"\nrules = [1]\npoints = 2\n[render]\nsize = [4, 3]\nmax_depth = 0\n\
+        "title = \"Flat\"\nabout = \"Flat.\"\nrules = [1]\npoints = 2\n[render]\nsize = [4, 3]\n\
+            max_depth = 0\n\
          [scene]\nbackground = [0.{n}, 0.{n}, 0.{n}]\n\
          [scene.camera]\neye = [0, 0, 3]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 40\n"
     )
@@ -38,27 +40,36 @@ fn exam(n: usize) -> (Exam, tempfile::TempDir) {
         cases::film::write(&home.path().join(format!("{n}.png")), &flat(4, n)).unwrap();
     }
     let mut exam = Exam::load(&stages).unwrap_or_else(|why| panic!("{why}"));
-    let answers = (1..=n).map(|n| (format!("01_flat/c{n}"), ImageAnswer::exact(flat(4, n), 2.0, 0)));
+    let answers =
+        (1..=n).map(|n| (format!("01_flat/c{n}"), ImageAnswer::exact(flat(4, n), 2.0, 0)));
     exam.stages[0].images = answers.collect();
     (exam, home)
 }
 
 /// What each check is worth and says, when a script is run for the exam. The script finds the
 /// number of the case in $n and the right picture in $right; its last word is to copy that to $out.
-fn on(exam: &(Exam, tempfile::TempDir), script: &str, limits: Limits, jobs: usize) -> Vec<(Verdict, String)> {
+fn on(
+    exam: &(Exam, tempfile::TempDir),
+    script: &str,
+    limits: Limits,
+    jobs: usize,
+) -> Vec<(Verdict, String)> {
     let home = exam.1.path();
     let path = home.join(format!("program{jobs}"));
     let text = format!(
-        "#!/bin/sh\nout=$3; n=$(tr -d ' \\n' < \"$2\" | sed 's/.*\"background\":.0.\\([0-9]\\).*/\\1/'); right={}/$n.png\n\
+        "#!/bin/sh\nout=$3; n=$(tr -d ' \\n' < \"$2\" | sed \
+            's/.*\"background\":.0.\\([0-9]\\).*/\\1/'); right={}/$n.png\n\
          {script}\ncp $right $out",
         home.display()
     );
     std::fs::write(&path, text).unwrap();
     std::fs::set_permissions(&path, PermissionsExt::from_mode(0o755)).unwrap();
-    let program = crate::build::Program::new("/bin/sh", vec![path.into_os_string()], "/usr/bin:/bin");
+    let program =
+        crate::build::Program::new("/bin/sh", vec![path.into_os_string()], "/usr/bin:/bin");
     let allowance = Allowance { picture: limits, questions: limits };
     let plan = plan::Plan::new(&exam.0, &[], &[]).unwrap();
-    let answers = perform::exercise(&plan, &Candidate { program: &program, allowance }, jobs, &Silent);
+    let answers =
+        perform::exercise(&plan, &Candidate { program: &program, allowance }, jobs, &Silent);
     let (stages, _) = write_up::stages(&plan, answers, &exam.0);
     let checks = stages.into_iter().flat_map(|stage| stage.checks);
     let said = |finding: Option<Finding>| finding.map_or(String::new(), |finding| finding.message);
@@ -88,14 +99,19 @@ fn the_number_of_jobs_changes_no_verdict_after_time_outs() {
     use Verdict::{Fail, Pass};
     let exam = exam(5);
     let seconds = Duration::from_secs;
-    let limits = Limits { idle: Duration::from_millis(300), ..Allowance::new(seconds(6), 1 << 30).picture };
+    let limits =
+        Limits { idle: Duration::from_millis(300), ..Allowance::new(seconds(6), 1 << 30).picture };
     // Two time-outs leave 1.2 s for the others of the stage, of which the fourth needs more.
-    let script = "case $n in 2|3) sleep 100;; 4) while read -r line < /proc/$$/stat; do set -- ${line##*) }; \
+    let script = "case $n in 2|3) sleep 100;; 4) while read -r line < /proc/$$/stat; do set -- \
+        ${line##*) }; \
                   [ $((${12} + ${13})) -ge 160 ] && break; done;; esac";
     for jobs in [1, 5] {
         let results = on(&exam, script, limits, jobs);
         assert_eq!(verdicts(&results), [Pass, Fail, Fail, Fail, Pass], "{jobs} jobs: {results:?}");
-        assert!(results[1].1.starts_with("it was idle for more than 0.3 s"), "{jobs} jobs: {results:?}");
+        assert!(
+            results[1].1.starts_with("it was idle for more than 0.3 s"),
+            "{jobs} jobs: {results:?}"
+        );
         assert_eq!(results[3].1, "it used more than 1.2 s of CPU time", "{jobs} jobs: {results:?}");
     }
 }

@@ -34,7 +34,11 @@ pub(super) enum Share {
 ///
 /// Some of these may be missing, since more of them never give a run more. `most_idle` is for all
 /// runs together.
-pub(super) fn share<'a>(before: impl Iterator<Item = &'a Taken>, stage: Option<usize>, most_idle: Duration) -> Share {
+pub(super) fn share<'a>(
+    before: impl Iterator<Item = &'a Taken>,
+    stage: Option<usize>,
+    most_idle: Duration,
+) -> Share {
     let (mut idle, mut n_timeouts) = (Duration::ZERO, 0);
     for taken in before {
         idle += taken.idle;
@@ -59,7 +63,11 @@ mod tests {
             is_timeout: *is_timeout,
         };
         let all: Vec<Taken> = before.iter().map(taken).collect();
-        assert_eq!(share(all.iter(), stage, Duration::from_secs(60)), expected, "{before:?}, then {stage:?}");
+        assert_eq!(
+            share(all.iter(), stage, Duration::from_secs(60)),
+            expected,
+            "{before:?}, then {stage:?}"
+        );
     }
 
     #[test]

@@ -19,7 +19,9 @@ pub(super) fn of_shot(shot: &Shot, questions: &Questions, case: &Case) -> Judgem
     let judgement = match &shot.picture {
         Ok(image) if is_over => of_picture(image, questions, case),
         Err(why @ NoPicture::Machine(_)) => return no_picture(why),
-        Err(why @ (NoPicture::Size(_) | NoPicture::Unreadable(_))) if finished.outcome == Outcome::Exited(0) => {
+        Err(why @ (NoPicture::Size(_) | NoPicture::Unreadable(_)))
+            if finished.outcome == Outcome::Exited(0) =>
+        {
             no_picture(why).with_stderr(finished.stderr_text())
         }
         _ => {
@@ -29,8 +31,12 @@ pub(super) fn of_shot(shot: &Shot, questions: &Questions, case: &Case) -> Judgem
     match finished.outcome {
         Outcome::Exited(0) => left_behind(judgement, finished),
         _ => {
-            let end = judge::ending(finished, limits).finding.map_or(String::new(), |finding| finding.message);
-            judgement.remark(&format!("{end}, after writing its picture")).with_stderr(finished.stderr_text())
+            let end = judge::ending(finished, limits)
+                .finding
+                .map_or(String::new(), |finding| finding.message);
+            judgement
+                .remark(&format!("{end}, after writing its picture"))
+                .with_stderr(finished.stderr_text())
         }
     }
 }
@@ -56,7 +62,9 @@ pub(super) fn no_picture(why: &NoPicture) -> Judgement {
     Judgement::fail(match why {
         NoPicture::Machine(why) => return Judgement::ours(why.clone()),
         NoPicture::Missing => Finding::new(FindingKind::Missing, "there is no picture"),
-        NoPicture::Size(why) => Finding::new(FindingKind::Size, format!("the picture has the wrong size: {why}")),
+        NoPicture::Size(why) => {
+            Finding::new(FindingKind::Size, format!("the picture has the wrong size: {why}"))
+        }
         NoPicture::Unreadable(why) => {
             Finding::new(FindingKind::Unreadable, format!("the picture cannot be read: {why}"))
         }
@@ -80,13 +88,19 @@ pub(super) fn of_answer(question: &Question, probed: &Probed, questions: &Questi
     let function = question.ask.function();
     let mut judgement = match (probed.got.get(&question.id), probed.ended.get(&question.id)) {
         (Some(Got::Answer(answer)), _) => judge::unit(answer, right, function),
-        (Some(Got::Malformed(why)), _) => wrong(FindingKind::Unreadable, format!("its answer cannot be read: {why}")),
-        (Some(Got::Twice), _) => wrong(FindingKind::Wrong, "it gave more than one answer".to_owned()),
+        (Some(Got::Malformed(why)), _) => {
+            wrong(FindingKind::Unreadable, format!("its answer cannot be read: {why}"))
+        }
+        (Some(Got::Twice), _) => {
+            wrong(FindingKind::Wrong, "it gave more than one answer".to_owned())
+        }
         (None, Some(Ended { finished, .. })) if finished.outcome == Outcome::Exited(0) => {
             wrong(FindingKind::Missing, "it gave no answer to this question".to_owned())
         }
         (None, Some(Ended { finished, limits })) => judge::ending(finished, limits),
-        (None, None) if let Some(left_out) = probed.left_out.get(&question.id) => not_asked(function, left_out),
+        (None, None) if let Some(left_out) = probed.left_out.get(&question.id) => {
+            not_asked(function, left_out)
+        }
         (None, None) => {
             let why = probed.not_asked.get(&question.id).map_or("not asked", String::as_str);
             wrong(FindingKind::Timeout, why.to_owned())
@@ -103,7 +117,8 @@ fn not_asked(function: &str, LeftOut { ended, n_failures, n }: &LeftOut) -> Judg
     let mut judgement = judge::ending(&ended.finished, &ended.limits);
     if let Some(finding) = &mut judgement.finding {
         finding.message = format!(
-            "not asked, because the program fails at `{function}` whatever the question is: {}. {n_failures} processes \
+            "not asked, because the program fails at `{function}` whatever the question is: {}. \
+                {n_failures} processes \
              ended in this way, so {} left out",
             finding.message,
             were(*n, "question")
@@ -118,7 +133,12 @@ fn were(n: usize, one: &str) -> String {
 
 /// Returns the judgement on one of `n` checks that were left out because the program fails whatever
 /// it is given, as `n_same` processes have shown.
-pub(super) fn skipped(failure: &Failure, n_same: u32, limits: &Limits, (what, n): (Skipped, usize)) -> Judgement {
+pub(super) fn skipped(
+    failure: &Failure,
+    n_same: u32,
+    limits: &Limits,
+    (what, n): (Skipped, usize),
+) -> Judgement {
     let mut judgement = judge::ending(&failure.finished, limits);
     if let Some(finding) = &mut judgement.finding {
         let (given, one) = match what {
@@ -126,7 +146,8 @@ pub(super) fn skipped(failure: &Failure, n_same: u32, limits: &Limits, (what, n)
             Skipped::Questions => ("without a question", "question"),
         };
         finding.message = format!(
-            "not run, because the program fails whatever it is given: {}. {n_same} processes ended in this way, the \
+            "not run, because the program fails whatever it is given: {}. {n_same} processes \
+                ended in this way, the \
              last of them {given}, so {} left out",
             finding.message,
             were(n, one)
@@ -145,7 +166,8 @@ pub(super) enum Skipped {
 /// Returns the judgement on a check that was left out because the submission was idle for too long.
 pub(super) fn idle_for_too_long(most: std::time::Duration) -> Judgement {
     let seconds = most.as_secs();
-    let message = format!("not run, because the program was idle for {seconds} s in all before this");
+    let message =
+        format!("not run, because the program was idle for {seconds} s in all before this");
     Judgement::fail(Finding::new(FindingKind::Timeout, message))
 }
 
@@ -153,7 +175,9 @@ pub(super) fn idle_for_too_long(most: std::time::Duration) -> Judgement {
 /// did not.
 pub(super) fn beyond(finished: &Finished, limits: &Limits) -> Option<Judgement> {
     let clock = match () {
-        () if matches!(finished.outcome, Outcome::Machine(_) | Outcome::Interrupted) => return None,
+        () if matches!(finished.outcome, Outcome::Machine(_) | Outcome::Interrupted) => {
+            return None;
+        }
         () if finished.cpu > limits.cpu => Clock::Cpu,
         () if finished.idle > limits.idle => Clock::Idle,
         () => return None,

@@ -14,12 +14,14 @@ pub(super) fn no_stage(word: &str, ids: &[&str]) -> String {
     let titles = ids.iter().filter_map(|id| Some((id.split_once('_')?.1, *id)));
     let names: Vec<(&str, &str)> = ids.iter().map(|id| (*id, *id)).chain(titles).collect();
     let meant = did_you_mean(word, names.iter().map(|(name, _)| *name));
-    let meant = meant.and_then(|meant| names.iter().find(|(name, _)| *name == meant)).map(|(_, id)| *id);
+    let meant =
+        meant.and_then(|meant| names.iter().find(|(name, _)| *name == meant)).map(|(_, id)| *id);
     let list = some(ids.iter().copied(), MOST_LISTED);
     format!("there is no stage `{word}`{}\nThe stages are {list}.", suggestion(meant))
 }
 
-/// Says that the id of no check begins with `word`, which was meant most likely, and which there are.
+/// Says that the id of no check begins with `word`, which was meant most likely, and which there
+/// are.
 pub(super) fn no_check(word: &str, ids: &[&str]) -> String {
     // From `01_ray_casting/sphere/tangent`: all of it, `sphere/tangent` and `sphere`.
     let behind = |id: &&str| id.split_once('/').map(|(_, behind)| behind.to_owned());
@@ -29,12 +31,14 @@ pub(super) fn no_check(word: &str, ids: &[&str]) -> String {
         let mut seen = BTreeSet::new();
         heads.filter(|head| seen.insert(*head)).collect()
     };
-    let known = heads.iter().copied().chain(names.iter().map(String::as_str)).chain(ids.iter().copied());
+    let known =
+        heads.iter().copied().chain(names.iter().map(String::as_str)).chain(ids.iter().copied());
     let meant = did_you_mean(word, known);
     let list = some(heads.iter().copied(), MOST_LISTED);
     format!(
-        "there is no case or check `{word}`{}\nThere are {list}. An id looks like `02_shadows/two_lamps`; its \
-         beginning, or that of its part behind the stage, will do.",
+        "there is no case or check `{word}`{}\n\
+            There are {list}. An id looks like `02_shadows/two_lamps`; its beginning, or that of \
+            its part behind the stage, will do.",
         suggestion(meant)
     )
 }
@@ -61,7 +65,11 @@ mod tests {
         let table = [
             ("shadows", "there is no stage `shadows`; did you mean `02_shadows`?\n"),
             ("02_shadwos", "there is no stage `02_shadwos`; did you mean `02_shadows`?\n"),
-            ("7", "there is no stage `7`\nThe stages are `01_ray_casting`, `02_shadows` and `03_reflection`."),
+            (
+                "7",
+                "there is no stage `7`\n\
+                    The stages are `01_ray_casting`, `02_shadows` and `03_reflection`.",
+            ),
         ];
         for (word, start) in table {
             let said = no_stage(word, &STAGES);

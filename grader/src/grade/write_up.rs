@@ -11,7 +11,8 @@ use crate::functions;
 use crate::graded::{Front, Pictures};
 use crate::judge::Judgement;
 use crate::record::{
-    Build, CheckKind, CheckRecord, Diagnosis, FindingKind, Record, SCHEMA, Score, StageRecord, Submission, Verdict,
+    Build, CheckKind, CheckRecord, Diagnosis, FindingKind, Record, SCHEMA, Score, StageRecord,
+    Submission, Verdict,
 };
 use crate::sandbox::LEVEL;
 use crate::score;
@@ -46,37 +47,54 @@ pub(super) fn record(
 pub(super) fn name_functions(answers: &mut Answers, is_template: bool) {
     let findings = answers.done.values_mut().filter_map(|done| done.judgement.finding.as_mut());
     for finding in findings.filter(|finding| finding.kind == FindingKind::Todo) {
-        let key = finding.asked.as_ref().and_then(|question| question.get("fn")).and_then(|key| key.as_str());
+        let key = finding
+            .asked
+            .as_ref()
+            .and_then(|question| question.get("fn"))
+            .and_then(|key| key.as_str());
         if let Some(key) = key {
             finding.message = functions::still_to_be_written(key, is_template);
         }
     }
 }
 
-/// Whether the build or a check was not run, or not to its end, for the one reason that is neither the
-/// submission's nor the machine's: the user stopped the grader.
+/// Whether the build or a check was not run, or not to its end, for the one reason that is neither
+/// the submission's nor the machine's: the user stopped the grader.
 fn is_interrupted(build: &Build, stages: &[StageRecord]) -> bool {
-    let checks = stages.iter().flat_map(|stage| &stage.checks).map(|check| (check.verdict, &check.finding));
+    let checks =
+        stages.iter().flat_map(|stage| &stage.checks).map(|check| (check.verdict, &check.finding));
     checks.chain([(build.verdict, &build.finding)]).any(|(verdict, finding)| {
-        let is_internal = finding.as_ref().is_some_and(|finding| finding.kind == FindingKind::Internal);
+        let is_internal =
+            finding.as_ref().is_some_and(|finding| finding.kind == FindingKind::Internal);
         verdict == Verdict::NotRun && is_internal
     })
 }
 
 /// The stages in order, and both pictures of each image case that has an answer.
-pub(super) fn stages(plan: &Plan, mut answers: Answers, exam: &Exam) -> (Vec<StageRecord>, BTreeMap<String, Pictures>) {
+pub(super) fn stages(
+    plan: &Plan,
+    mut answers: Answers,
+    exam: &Exam,
+) -> (Vec<StageRecord>, BTreeMap<String, Pictures>) {
     let mut pictures = BTreeMap::new();
     let stages = plan.stages.iter().map(|part| stage(part, &mut answers, &mut pictures)).collect();
     if let Ok(Some(fronts)) = &exam.fronts {
         for (id, pictures) in &mut pictures {
-            let front = |points: &Vec<FrontPoint>| Front { machine: fronts.machine.clone(), points: points.clone() };
+            let front = |points: &Vec<FrontPoint>| Front {
+                machine: fronts.machine.clone(),
+                points: points.clone(),
+            };
             pictures.front = fronts.cases.get(id).map(front);
         }
     }
     (stages, pictures)
 }
 
-fn stage(part: &Part, answers: &mut Answers, pictures: &mut BTreeMap<String, Pictures>) -> StageRecord {
+fn stage(
+    part: &Part,
+    answers: &mut Answers,
+    pictures: &mut BTreeMap<String, Pictures>,
+) -> StageRecord {
     let stage = &part.questions.stage;
     let mut checks = vec![];
     for case in &part.cases {
@@ -85,16 +103,30 @@ fn stage(part: &Part, answers: &mut Answers, pictures: &mut BTreeMap<String, Pic
             let (answer, actual) = (answer.clone(), done.picture.take());
             pictures.insert(case.id.clone(), Pictures { answer, actual, front: None });
         }
-        checks.push(check(&case.id, CheckKind::Image, (&case.about, &case.rules), case.points, done));
+        checks.push(check(
+            &case.id,
+            CheckKind::Image,
+            (&case.about, &case.rules),
+            case.points,
+            done,
+        ));
     }
     for (unit, points) in &part.checks {
         let done = take(answers, &unit.id);
         checks.push(check(&unit.id, CheckKind::Unit, (&unit.about, &unit.rules), *points, done));
     }
-    let Score { earned, possible } =
-        score::total(checks.iter().map(|check| Score { earned: check.earned, possible: check.possible }));
+    let Score { earned, possible } = score::total(
+        checks.iter().map(|check| Score { earned: check.earned, possible: check.possible }),
+    );
     let remarks = answers.remarks.remove(&stage.id).unwrap_or_default();
-    StageRecord { id: stage.id.clone(), title: stage.title.clone(), earned, possible, checks, remarks }
+    StageRecord {
+        id: stage.id.clone(),
+        title: stage.title.clone(),
+        earned,
+        possible,
+        checks,
+        remarks,
+    }
 }
 
 fn take(answers: &mut Answers, id: &str) -> Done {
@@ -102,7 +134,13 @@ fn take(answers: &mut Answers, id: &str) -> Done {
     answers.done.remove(id).unwrap_or_else(ours)
 }
 
-fn check(id: &str, kind: CheckKind, (about, rules): (&str, &[u8]), points: u64, done: Done) -> CheckRecord {
+fn check(
+    id: &str,
+    kind: CheckKind,
+    (about, rules): (&str, &[u8]),
+    points: u64,
+    done: Done,
+) -> CheckRecord {
     let Judgement { verdict, share, finding } = done.judgement;
     let Score { earned, possible } = score::score(verdict, share, points);
     // A part that is less than a thousandth of a point is none.

@@ -33,7 +33,11 @@ impl Judgement {
         if share == 0 {
             return Self::fail(finding);
         }
-        Self { verdict: Verdict::Partial, share, finding: Some(Finding { share: Some(share), ..finding }) }
+        Self {
+            verdict: Verdict::Partial,
+            share,
+            finding: Some(Finding { share: Some(share), ..finding }),
+        }
     }
 
     /// Returns the judgement that the check could not be made, because of `finding`.

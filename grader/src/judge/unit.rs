@@ -13,16 +13,19 @@ const MAX_MESSAGE: usize = 1000;
 
 /// Judges the answer of a function by the right one.
 ///
-/// Where either decision is right (hit or miss, which object, yes or no), an answer that decided otherwise passes; one that
-/// decided alike has its numbers compared. NaN and infinity are never right there.
+/// Where either decision is right (hit or miss, which object, yes or no), an answer that decided
+/// otherwise passes; one that decided alike has its numbers compared. NaN and infinity are never
+/// right there.
 pub fn unit(actual: &Answer, right: &CheckAnswer, function: &str) -> Judgement {
     match actual {
         Answer::Todo(_) => {
-            let message = format!("still to be written: what answers `{function}`, or a function it calls");
+            let message =
+                format!("still to be written: what answers `{function}`, or a function it calls");
             return Judgement::not_run(Finding::new(FindingKind::Todo, message));
         }
         Answer::Panic(message) => {
-            let message = format!("`{function}` panicked: {}", crate::plain::shown(&start(message)));
+            let message =
+                format!("`{function}` panicked: {}", crate::plain::shown(&start(message)));
             return Judgement::fail(Finding::new(FindingKind::Crash, message));
         }
         _ => {}
@@ -49,7 +52,8 @@ fn start(message: &str) -> String {
     if start.len() < message.len() { start + " […]" } else { start }
 }
 
-/// Whether two different decisions answer the same question: hit and miss, say, but not hit and colour.
+/// Whether two different decisions answer the same question: hit and miss, say, but not hit and
+/// colour.
 fn is_other_side(right: &Answer, given: &Answer) -> bool {
     use Answer::{Facing, Found, GoesOn, Hit, Miss, Vector};
     matches!(
@@ -84,7 +88,9 @@ fn parts(answer: &Answer) -> Parts {
     let number = |name, x: &f64| Value { name, numbers: vec![*x] };
     let triple = |name, v: &DVec3| Value { name, numbers: v.to_array().to_vec() };
     let (decision, values) = match answer {
-        Answer::Hit { t, normal } => ("hit".to_owned(), vec![number("t", t), triple("normal", normal)]),
+        Answer::Hit { t, normal } => {
+            ("hit".to_owned(), vec![number("t", t), triple("normal", normal)])
+        }
         Answer::Found { t, object } => (format!("object {object}"), vec![number("t", t)]),
         Answer::Miss(_) => ("miss".to_owned(), vec![]),
         Answer::Ray { origin, direction } => {
@@ -109,7 +115,8 @@ fn parts(answer: &Answer) -> Parts {
     Parts { decision, values }
 }
 
-/// Whether two numbers agree: both the same infinity, or not farther apart than allowed. NaN agrees with nothing.
+/// Whether two numbers agree: both the same infinity, or not farther apart than allowed. NaN agrees
+/// with nothing.
 fn is_near(expected: f64, given: f64, allowed: f64) -> bool {
     expected == given || (expected - given).abs() <= allowed
 }
@@ -117,7 +124,9 @@ fn is_near(expected: f64, given: f64, allowed: f64) -> bool {
 /// Whether two answers say the same: one decision, and numbers that agree, NaN with NaN too.
 pub fn alike(one: &Answer, other: &Answer, allowed: f64) -> bool {
     let (one, other) = (parts(one), parts(other));
-    let numbers = |parts: &Parts| parts.values.iter().flat_map(|value| value.numbers.clone()).collect::<Vec<_>>();
+    let numbers = |parts: &Parts| {
+        parts.values.iter().flat_map(|value| value.numbers.clone()).collect::<Vec<_>>()
+    };
     let agree = |(a, b): (f64, f64)| is_near(a, b, allowed) || a.is_nan() && b.is_nan();
     one.decision == other.decision && numbers(&one).into_iter().zip(numbers(&other)).all(agree)
 }
@@ -135,13 +144,28 @@ impl Value {
         }
         let loose = allowed.max(1e-6);
         let (length, right_length) = (length(&given.numbers), length(&self.numbers));
-        let all = |factor: f64| self.numbers.iter().zip(&given.numbers).all(|(e, g)| is_near(*e, g * factor, loose));
+        let all = |factor: f64| {
+            self.numbers.iter().zip(&given.numbers).all(|(e, g)| is_near(*e, g * factor, loose))
+        };
         if all(-1.0) {
             format!("the {name} has the opposite sign")
-        } else if self.numbers.len() == 3 && name != "colour" && length > 0.0 && all(right_length / length) {
-            format!("the {name} points the right way, but its length is {}, not {}", short(length), short(right_length))
+        } else if self.numbers.len() == 3
+            && name != "colour"
+            && length > 0.0
+            && all(right_length / length)
+        {
+            format!(
+                "the {name} points the right way, but its length is {}, not {}",
+                short(length),
+                short(right_length)
+            )
         } else {
-            let by = self.numbers.iter().zip(&given.numbers).map(|(e, g)| (e - g).abs()).fold(0.0, f64::max);
+            let by = self
+                .numbers
+                .iter()
+                .zip(&given.numbers)
+                .map(|(e, g)| (e - g).abs())
+                .fold(0.0, f64::max);
             format!("the {name} differs by {}; {} is allowed", short(by), short(allowed))
         }
     }
@@ -151,8 +175,9 @@ fn length(v: &[f64]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// Right and given answer as lines of text that can be compared line by line: a line for the decision, one for each number.
-/// A number within the tolerance is shown as the right one, so that it does not stand out.
+/// Right and given answer as lines of text that can be compared line by line: a line for the
+/// decision, one for each number. A number within the tolerance is shown as the right one, so that
+/// it does not stand out.
 pub fn lines(right: &Answer, actual: &Answer, allowed: f64) -> (String, String) {
     let (right, actual) = (parts(right), parts(actual));
     let mut texts = (right.decision.clone() + "\n", actual.decision.clone() + "\n");
@@ -160,7 +185,8 @@ pub fn lines(right: &Answer, actual: &Answer, allowed: f64) -> (String, String) 
     for (n, value) in right.values.iter().enumerate() {
         for (i, expected) in value.numbers.iter().enumerate() {
             texts.0 += &line(value, i, &short(*expected));
-            let given = actual.values.get(n).and_then(|given| given.numbers.get(i)).filter(|_| is_alike);
+            let given =
+                actual.values.get(n).and_then(|given| given.numbers.get(i)).filter(|_| is_alike);
             if let Some(given) = given {
                 texts.1 += &line(value, i, &beside(*expected, *given, allowed));
             }
@@ -168,7 +194,9 @@ pub fn lines(right: &Answer, actual: &Answer, allowed: f64) -> (String, String) 
     }
     if !is_alike {
         for value in &actual.values {
-            texts.1.extend(value.numbers.iter().enumerate().map(|(i, given)| line(value, i, &short(*given))));
+            texts.1.extend(
+                value.numbers.iter().enumerate().map(|(i, given)| line(value, i, &short(*given))),
+            );
         }
     }
     texts
@@ -180,7 +208,8 @@ fn line(value: &Value, i: usize, number: &str) -> String {
     format!("{}{axis} {number}\n", value.name)
 }
 
-/// A given number beside the right one: alike where it is right, with all its digits where nine would not tell them apart.
+/// A given number beside the right one: alike where it is right, with all its digits where nine
+/// would not tell them apart.
 fn beside(expected: f64, given: f64, allowed: f64) -> String {
     match short(given) {
         _ if is_near(expected, given, allowed) => short(expected),
@@ -228,7 +257,10 @@ mod tests {
             (hit(1.5 + 9e-7, DVec3::Z), (Verdict::Pass, None)),
             (hit(1.6, DVec3::Z), fail("the t differs by 0.1; 1e-6 is allowed")),
             (hit(1.5, -DVec3::Z), fail("the normal has the opposite sign")),
-            (hit(1.5, 2.0 * DVec3::Z), fail("the normal points the right way, but its length is 2, not 1")),
+            (
+                hit(1.5, 2.0 * DVec3::Z),
+                fail("the normal points the right way, but its length is 2, not 1"),
+            ),
             (hit(1.5, DVec3::X), fail("the normal differs by 1; 1e-6 is allowed")),
             (hit(f64::NAN, DVec3::Z), fail("the t is not a number")),
             (hit(f64::INFINITY, DVec3::Z), fail("the t differs by inf; 1e-6 is allowed")),
@@ -236,7 +268,10 @@ mod tests {
             (Answer::Value(1.5), fail("it answers value, expected hit")),
             (
                 Answer::Todo(true),
-                (Verdict::NotRun, Some("still to be written: what answers `f`, or a function it calls")),
+                (
+                    Verdict::NotRun,
+                    Some("still to be written: what answers `f`, or a function it calls"),
+                ),
             ),
             (Answer::Panic("at\u{1b}x".to_owned()), fail("`f` panicked: at\\u{1b}x")),
         ];
@@ -248,7 +283,12 @@ mod tests {
     #[test]
     fn infinities_agree_with_themselves() {
         let wanted = right(Answer::ToLight { direction: DVec3::Y, t: f64::INFINITY }, false);
-        check(&Answer::ToLight { direction: DVec3::Y, t: f64::INFINITY }, &wanted, Verdict::Pass, None);
+        check(
+            &Answer::ToLight { direction: DVec3::Y, t: f64::INFINITY },
+            &wanted,
+            Verdict::Pass,
+            None,
+        );
         let far = Answer::ToLight { direction: DVec3::Y, t: 1e300 };
         assert_eq!(unit(&far, &wanted, "f").verdict, Verdict::Fail);
     }
@@ -265,7 +305,12 @@ mod tests {
         check(&Answer::Found { t: 1.0, object: 1 }, &tie, Verdict::Pass, None);
         assert_eq!(unit(&Answer::Found { t: 2.0, object: 0 }, &tie, "f").verdict, Verdict::Fail);
         let sure = right(Answer::GoesOn(true), false);
-        check(&Answer::GoesOn(false), &sure, Verdict::Fail, Some("it answers ends, expected goes on"));
+        check(
+            &Answer::GoesOn(false),
+            &sure,
+            Verdict::Fail,
+            Some("it answers ends, expected goes on"),
+        );
     }
 
     #[test]

@@ -17,7 +17,8 @@ use rustix::io::Errno;
 /// Most names that are removed, so that a process that still runs cannot add names for ever.
 const MAX_NAMES: usize = 2_000_000;
 
-const FOLDER: OFlags = OFlags::RDONLY.union(OFlags::DIRECTORY).union(OFlags::NOFOLLOW).union(OFlags::CLOEXEC);
+const FOLDER: OFlags =
+    OFlags::RDONLY.union(OFlags::DIRECTORY).union(OFlags::NOFOLLOW).union(OFlags::CLOEXEC);
 
 /// Removes what is at `path`: a link itself, a folder with all that is in it.
 ///
@@ -25,10 +26,15 @@ const FOLDER: OFlags = OFlags::RDONLY.union(OFlags::DIRECTORY).union(OFlags::NOF
 /// What the file system says; some of the folder may be gone then.
 pub fn remove(path: &Path) -> io::Result<()> {
     let name = path.file_name().ok_or(io::ErrorKind::InvalidInput)?;
-    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let parent =
+        path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let parent = rustix::fs::open(parent, FOLDER.difference(OFlags::NOFOLLOW), Mode::empty())?;
     let name = CString::new(name.as_bytes())?;
-    if is_gone(rustix::fs::unlinkat(&parent, &name, AtFlags::empty()))? { Ok(()) } else { remove_folder(parent, name) }
+    if is_gone(rustix::fs::unlinkat(&parent, &name, AtFlags::empty()))? {
+        Ok(())
+    } else {
+        remove_folder(parent, name)
+    }
 }
 
 /// Returns whether a name that is no folder is gone now, or `false` for a folder.
@@ -98,7 +104,9 @@ fn enter(above: &OwnedFd, name: &CStr) -> io::Result<OwnedFd> {
 fn leave(folder: &OwnedFd, above: (u64, u64)) -> io::Result<OwnedFd> {
     let up = rustix::fs::openat(folder, c"..", FOLDER, Mode::empty())?;
     let is_known = identity(&up)? == above;
-    is_known.then_some(up).ok_or_else(|| io::Error::other("a folder was moved while it was removed"))
+    is_known
+        .then_some(up)
+        .ok_or_else(|| io::Error::other("a folder was moved while it was removed"))
 }
 
 fn identity(folder: &OwnedFd) -> io::Result<(u64, u64)> {
@@ -119,8 +127,8 @@ fn empty(folder: &OwnedFd, n_names: &mut usize) -> io::Result<Vec<CString>> {
         if *n_names > MAX_NAMES {
             return Err(io::Error::other("there is no end of names"));
         }
-        let is_folder =
-            entry.file_type() == FileType::Directory || !is_gone(rustix::fs::unlinkat(folder, name, AtFlags::empty()))?;
+        let is_folder = entry.file_type() == FileType::Directory
+            || !is_gone(rustix::fs::unlinkat(folder, name, AtFlags::empty()))?;
         folders.extend(is_folder.then(|| name.to_owned()));
     }
     Ok(folders)
@@ -186,6 +194,9 @@ mod tests {
     #[test]
     fn what_is_not_there_is_an_error() {
         let home = tempfile::tempdir().unwrap();
-        assert_eq!(remove(&home.path().join("nothing")).unwrap_err().kind(), io::ErrorKind::NotFound);
+        assert_eq!(
+            remove(&home.path().join("nothing")).unwrap_err().kind(),
+            io::ErrorKind::NotFound
+        );
     }
 }

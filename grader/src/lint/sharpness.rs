@@ -1,21 +1,27 @@
-//! Whether a case can do its work: right tracers agree on its picture, wrong ones show in it, and a tracer
-//! without its stage does not give it.
+//! Whether a case can do its work: right tracers agree on its picture, wrong ones show in it, and a
+//! tracer without its stage does not give it.
 
 use cases::answer::{ImageAnswer, Mistake, Wrong, largest_cluster};
 use cases::stage::Case;
 
 /// Where right tracers differ on more of the picture, too much of it is excused.
 const MOST_CONTESTED: f64 = 0.03;
-/// Where a tracer without the stage is right on more of the picture, a pixel more or less decides about the
-/// partial points. The public cases stay below 0.88.
+/// Where a tracer without the stage is right on more of the picture, a pixel more or less decides
+/// about the partial points. The public cases stay below 0.88.
 const MOST_UNEARNED: f64 = 0.95;
 /// A mistake is to leave a cluster of so many times what is let pass.
 const MARGIN: u32 = 2;
 
-/// Returns what keeps the case from its work. `wrong` are the mistakes that are stored with its answer,
-/// `mistakes` all that are known.
-pub(super) fn problems(case: &Case, answer: &ImageAnswer, wrong: &[Wrong], mistakes: &[Mistake]) -> Vec<String> {
-    let found = [contested(case, answer), unearned(case, answer), blunt(case, answer, wrong, mistakes)];
+/// Returns what keeps the case from its work. `wrong` are the mistakes that are stored with its
+/// answer, `mistakes` all that are known.
+pub(super) fn problems(
+    case: &Case,
+    answer: &ImageAnswer,
+    wrong: &[Wrong],
+    mistakes: &[Mistake],
+) -> Vec<String> {
+    let found =
+        [contested(case, answer), unearned(case, answer), blunt(case, answer, wrong, mistakes)];
     found.into_iter().flatten().collect()
 }
 
@@ -24,9 +30,12 @@ fn unearned(case: &Case, answer: &ImageAnswer) -> Option<String> {
     (share > MOST_UNEARNED).then(|| {
         let (percent, most) = (share * 100.0, MOST_UNEARNED * 100.0);
         format!(
-            "{}: a tracer without this stage, or one colour, is already right on {percent:.1} % of the picture, more than \
-             {most} %, so that there is nothing to give partial points for (show what the stage adds larger; an effect that \
-             the programs of the course simulate in every stage belongs into `always_simulated` of course.toml, not into \
+            "{}: a tracer without this stage, or one colour, is already right on {percent:.1} % \
+                of the picture, more than \
+             {most} %, so that there is nothing to give partial points for (show what the stage \
+             adds larger; an effect that \
+             the programs of the course simulate in every stage belongs into `always_simulated` \
+             of course.toml, not into \
              `allows` of an earlier stage)",
             case.id
         )
@@ -37,7 +46,8 @@ fn contested(case: &Case, answer: &ImageAnswer) -> Option<String> {
     let share = answer.contested_share();
     (share > MOST_CONTESTED).then(|| {
         format!(
-            "{}: right tracers differ on {:.1} % of the pixels, more than {} % (show what grazes larger, or less of it)",
+            "{}: right tracers differ on {:.1} % of the pixels, more than {} % (show what grazes \
+                larger, or less of it)",
             case.id,
             share * 100.0,
             MOST_CONTESTED * 100.0
@@ -45,20 +55,30 @@ fn contested(case: &Case, answer: &ImageAnswer) -> Option<String> {
     })
 }
 
-/// Looks at the weakest mistake in the rules that the case names. What stays within the envelope is no mistake of this case.
-fn blunt(case: &Case, answer: &ImageAnswer, wrong: &[Wrong], mistakes: &[Mistake]) -> Option<String> {
-    let rule_of = |id: &str| mistakes.iter().find(|mistake| mistake.id == id).map(|mistake| mistake.rule);
+/// Looks at the weakest mistake in the rules that the case names. What stays within the envelope is
+/// no mistake of this case.
+fn blunt(
+    case: &Case,
+    answer: &ImageAnswer,
+    wrong: &[Wrong],
+    mistakes: &[Mistake],
+) -> Option<String> {
+    let rule_of =
+        |id: &str| mistakes.iter().find(|mistake| mistake.id == id).map(|mistake| mistake.rule);
     let width = answer.expected.width();
-    let cluster =
-        |wrong: &Wrong| largest_cluster(&wrong.changes.iter().map(Option::is_some).collect::<Vec<_>>(), width);
+    let cluster = |wrong: &Wrong| {
+        largest_cluster(&wrong.changes.iter().map(Option::is_some).collect::<Vec<_>>(), width)
+    };
     let targets = wrong.iter().filter_map(|wrong| Some((wrong, rule_of(&wrong.id)?)));
-    let shown =
-        targets.filter(|(_, rule)| case.rules.contains(rule)).map(|(wrong, rule)| (cluster(wrong), rule, &wrong.id));
+    let shown = targets
+        .filter(|(_, rule)| case.rules.contains(rule))
+        .map(|(wrong, rule)| (cluster(wrong), rule, &wrong.id));
     let (cluster, rule, id) = shown.filter(|(cluster, ..)| *cluster > 0).min()?;
     let wanted = MARGIN * answer.limits.cluster;
     (cluster < wanted).then(|| {
         format!(
-            "{}: too blunt for rule {rule}: the mistake `{id}` leaves no more than {cluster} wrong pixels side by side, at least \
+            "{}: too blunt for rule {rule}: the mistake `{id}` leaves no more than {cluster} \
+                wrong pixels side by side, at least \
              {wanted} are wanted (show what it changes larger)",
             case.id
         )
@@ -80,13 +100,18 @@ mod tests {
             &cases::Course::default(),
         );
         let all = stages.expect("the public stages").into_iter().flat_map(|stage| stage.cases);
-        let boxes = all.into_iter().find(|case| case.id.ends_with("/boxes")).expect("a case of this name");
+        let boxes =
+            all.into_iter().find(|case| case.id.ends_with("/boxes")).expect("a case of this name");
         Case { rules: vec![5], ..boxes }
     }
 
     /// An answer that lets clusters of 3 pass, and is contested in so many pixels.
     fn answer(n_contested: usize) -> ImageAnswer {
-        let mut answer = ImageAnswer::exact(Image::from_fn(SIDE as u32, SIDE as u32, |_, _| DVec3::ZERO), 1.0, 3);
+        let mut answer = ImageAnswer::exact(
+            Image::from_fn(SIDE as u32, SIDE as u32, |_, _| DVec3::ZERO),
+            1.0,
+            3,
+        );
         answer.limits.unearned = 0.2;
         answer.hi[..n_contested].fill([200; 3]);
         answer
@@ -111,7 +136,10 @@ mod tests {
     fn compare(found: &[String], expected: &[&str]) {
         assert_eq!(found.len(), expected.len(), "{found:?}");
         for (problem, part) in found.iter().zip(expected) {
-            assert!(problem.starts_with("01_ray_casting/boxes: ") && problem.contains(part), "{problem}");
+            assert!(
+                problem.starts_with("01_ray_casting/boxes: ") && problem.contains(part),
+                "{problem}"
+            );
         }
     }
 
@@ -133,7 +161,8 @@ mod tests {
 
     #[test]
     fn a_mistake_in_a_rule_of_the_case_leaves_twice_what_passes() {
-        let blunt = "too blunt for rule 5: the mistake `light_ignored` leaves no more than 5 wrong pixels side by side, at least 6";
+        let blunt = "too blunt for rule 5: the mistake `light_ignored` leaves no more than 5 \
+            wrong pixels side by side, at least 6";
         check(0, &[wrong("light_ignored", 6)], &[]);
         check(0, &[wrong("light_ignored", 5)], &[blunt]);
         check(4, &[wrong("light_ignored", 5)], &["4.0 %", blunt]);

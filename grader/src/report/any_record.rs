@@ -1,4 +1,5 @@
-//! Every report of every record that can be read: none panics, none breaks its document, none gives a command to a log.
+//! Every report of every record that can be read: none panics, none breaks its document, none gives
+//! a command to a log.
 //!
 //! The records are drawn from the JSON Schema of a record, so that no field can be forgotten.
 
@@ -17,10 +18,39 @@ const DEPTH: u32 = 3;
 
 /// Text of the pieces that attacks are made of, or any text at all.
 fn text() -> BoxedStrategy<Value> {
-    let commands = ["::error::x", "\n::stop-commands::x", "##[error]", "#", "##vso[task.x]", "\r::x::", "\u{200b}"];
-    let markup =
-        ["]]>", "<script>", "&", "\"", "'", "{{ 7*7 }}", "--", "=1+1", "\u{1b}[31m", "\u{fffe}", "\u{0}", "\u{1ffff}"];
-    let words = ["sphere", "01_ray_casting/sphere", "still to be written: ", "\n", " ", "\t", "e\u{301}", "one"];
+    let commands = [
+        "::error::x",
+        "\n::stop-commands::x",
+        "##[error]",
+        "#",
+        "##vso[task.x]",
+        "\r::x::",
+        "\u{200b}",
+    ];
+    let markup = [
+        "]]>",
+        "<script>",
+        "&",
+        "\"",
+        "'",
+        "{{ 7*7 }}",
+        "--",
+        "=1+1",
+        "\u{1b}[31m",
+        "\u{fffe}",
+        "\u{0}",
+        "\u{1ffff}",
+    ];
+    let words = [
+        "sphere",
+        "01_ray_casting/sphere",
+        "still to be written: ",
+        "\n",
+        " ",
+        "\t",
+        "e\u{301}",
+        "one",
+    ];
     let pieces: Vec<&str> = commands.into_iter().chain(markup).chain(words).collect();
     let attack = proptest::collection::vec(select(pieces), 0..6).prop_map(|parts| parts.concat());
     prop_oneof![attack, any::<String>()].prop_map(Value::from).boxed()
@@ -28,20 +58,33 @@ fn text() -> BoxedStrategy<Value> {
 
 /// Any JSON, more often a question to a function.
 fn anything() -> BoxedStrategy<Value> {
-    let leaf = prop_oneof![Just(Value::Null), any::<bool>().prop_map(Value::from), text(), number()];
+    let leaf =
+        prop_oneof![Just(Value::Null), any::<bool>().prop_map(Value::from), text(), number()];
     let nested = leaf.prop_recursive(DEPTH, 12, 3, |inner| {
         let list = proptest::collection::vec(inner.clone(), 0..3).prop_map(Value::Array);
         let keys = proptest::collection::vec((text(), inner), 0..3);
-        let table =
-            keys.prop_map(|pairs| pairs.into_iter().map(|(key, value)| (key.as_str().unwrap_or("").to_owned(), value)));
+        let table = keys.prop_map(|pairs| {
+            pairs.into_iter().map(|(key, value)| (key.as_str().unwrap_or("").to_owned(), value))
+        });
         prop_oneof![list, table.prop_map(|pairs| Value::Object(pairs.collect()))]
     });
     prop_oneof![nested, text().prop_map(|name| json!({ "fn": name }))].boxed()
 }
 
 fn number() -> BoxedStrategy<Value> {
-    let odd =
-        select(vec![0.0, -0.0, 1e300, -1e300, f64::MAX, f64::MIN, 5e-324, -1.0, 1.5, 1e19, 1.8446744073709552e19]);
+    let odd = select(vec![
+        0.0,
+        -0.0,
+        1e300,
+        -1e300,
+        f64::MAX,
+        f64::MIN,
+        5e-324,
+        -1.0,
+        1.5,
+        1e19,
+        1.8446744073709552e19,
+    ]);
     let finite = any::<f64>().prop_map(|x| if x.is_finite() { x } else { 0.0 });
     prop_oneof![odd, finite].prop_map(Value::from).boxed()
 }
@@ -75,7 +118,8 @@ fn of(schema: &Value, root: &Value) -> BoxedStrategy<Value> {
         Value::Array(kinds) => kinds.iter().filter_map(Value::as_str).collect(),
         _ => return anything(),
     };
-    proptest::strategy::Union::new(kinds.into_iter().map(|kind| of_kind(kind, schema, root))).boxed()
+    proptest::strategy::Union::new(kinds.into_iter().map(|kind| of_kind(kind, schema, root)))
+        .boxed()
 }
 
 fn of_kind(kind: &str, schema: &Value, root: &Value) -> BoxedStrategy<Value> {
@@ -88,7 +132,9 @@ fn of_kind(kind: &str, schema: &Value, root: &Value) -> BoxedStrategy<Value> {
         "array" => {
             let size = |key: &str, default: u64| schema[key].as_u64().unwrap_or(default) as usize;
             let sizes = size("minItems", 0)..=size("maxItems", 3);
-            proptest::collection::vec(of(&schema["items"], root), sizes).prop_map(Value::Array).boxed()
+            proptest::collection::vec(of(&schema["items"], root), sizes)
+                .prop_map(Value::Array)
+                .boxed()
         }
         "object" => object(schema, root),
         other => panic!("the record has a part of the kind {other}, which nobody draws"),
@@ -96,15 +142,31 @@ fn of_kind(kind: &str, schema: &Value, root: &Value) -> BoxedStrategy<Value> {
 }
 
 fn object(schema: &Value, root: &Value) -> BoxedStrategy<Value> {
-    let is_needed = |name: &str| schema["required"].as_array().is_some_and(|keys| keys.iter().any(|key| key == name));
+    let is_needed = |name: &str| {
+        schema["required"].as_array().is_some_and(|keys| keys.iter().any(|key| key == name))
+    };
     let part = |(name, part): (&String, &Value)| {
         let value = of(part, root);
-        let value = if is_needed(name) { value.prop_map(Some).boxed() } else { proptest::option::of(value).boxed() };
+        let value = if is_needed(name) {
+            value.prop_map(Some).boxed()
+        } else {
+            proptest::option::of(value).boxed()
+        };
         (Just(name.clone()), value)
     };
-    let parts: Vec<_> = schema["properties"].as_object().expect("an object has properties").iter().map(part).collect();
+    let parts: Vec<_> = schema["properties"]
+        .as_object()
+        .expect("an object has properties")
+        .iter()
+        .map(part)
+        .collect();
     let object = |parts: Vec<(String, Option<Value>)>| {
-        Value::Object(parts.into_iter().filter_map(|(name, value)| Some((name, value?))).collect::<Map<_, _>>())
+        Value::Object(
+            parts
+                .into_iter()
+                .filter_map(|(name, value)| Some((name, value?)))
+                .collect::<Map<_, _>>(),
+        )
     };
     parts.prop_map(object).boxed()
 }
@@ -116,8 +178,9 @@ fn records() -> BoxedStrategy<Value> {
 
 /// Whether a reader of logs obeys a line of `text`.
 fn is_obeyed(text: &str) -> bool {
-    text.split(['\n', '\r'])
-        .any(|line| line.trim_start().starts_with("::") || line.contains("##[") || line.contains("##vso["))
+    text.split(['\n', '\r']).any(|line| {
+        line.trim_start().starts_with("::") || line.contains("##[") || line.contains("##vso[")
+    })
 }
 
 fn is_harmless(text: &str) -> bool {
@@ -150,9 +213,13 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 200, ..ProptestConfig::default() })]
 
     #[test]
-    fn every_record_is_reported_without_harm(value in records(), name in text(), is_verbose: bool, columns in 40..200usize) {
-        let record: Record = serde_json::from_value(value.clone()).expect("the schema describes what is read");
-        let again: Record = serde_json::from_str(&record.to_json()).expect("what is written can be read");
+    fn every_record_is_reported_without_harm(
+        value in records(), name in text(), is_verbose: bool, columns in 40..200usize,
+    ) {
+        let record: Record = serde_json::from_value(value.clone()).expect("the schema describes \
+            what is read");
+        let again: Record = serde_json::from_str(&record.to_json()).expect("what is written can \
+            be read");
         prop_assert_eq!(&again, &record);
         prop_assert!(!is_obeyed(&record.to_json()));
 
@@ -166,7 +233,8 @@ proptest! {
         let n_checks = record.stages.iter().map(|stage| stage.checks.len()).sum::<usize>();
         prop_assert_eq!(n_cases, n_checks + 1);
 
-        let page = html::render(&Graded { record: record.clone(), pictures: sample::graded("x").pictures });
+        let pictures = sample::graded("x").pictures;
+        let page = html::render(&Graded { record: record.clone(), pictures });
         prop_assert_eq!(page.matches("<script").count(), 1);
         prop_assert!(is_harmless(&page));
 

@@ -1,4 +1,5 @@
-//! JUnit XML, for CI systems: what is wrong is a failure, what did not end well an error, what was not run skipped.
+//! JUnit XML, for CI systems: what is wrong is a failure, what did not end well an error, what was
+//! not run skipped.
 //!
 //! Every text goes through [`shown`], which leaves only characters that XML allows.
 
@@ -15,8 +16,10 @@ use crate::record::{CheckRecord, FindingKind, Record, StageRecord, Verdict};
 /// # Errors
 /// What the encoder says.
 pub fn to_string(record: &Record) -> Result<String, String> {
-    let interrupted = if record.interrupted { " (interrupted: not everything was run)" } else { "" };
-    let mut report = Report::new(format!("grade of {}{interrupted}", shown(&record.submission.path)));
+    let interrupted =
+        if record.interrupted { " (interrupted: not everything was run)" } else { "" };
+    let mut report =
+        Report::new(format!("grade of {}{interrupted}", shown(&record.submission.path)));
     report.add_test_suite(build(record));
     report.add_test_suites(record.stages.iter().map(|stage| suite(record, stage)));
     report.to_string().map_err(|why| why.to_string())
@@ -49,7 +52,11 @@ fn case(record: &Record, stage: &str, check: &CheckRecord) -> TestCase {
         case.set_system_err(shown(stderr));
     }
     if let (Verdict::Pass, Some(finding)) = (check.verdict, &check.finding) {
-        case.set_system_out(format!("{}: {}", words::finding(finding.kind), shown(&finding.message)));
+        case.set_system_out(format!(
+            "{}: {}",
+            words::finding(finding.kind),
+            shown(&finding.message)
+        ));
     }
     case
 }
@@ -70,12 +77,14 @@ fn status(record: &Record, check: &CheckRecord) -> TestCaseStatus {
         }
         (Verdict::Ours, _) => bad(NonSuccessKind::Error, words::finding(kind), message),
         (Verdict::Partial, _) => {
-            let message = format!("{} points: {message}", words::share(check.earned, check.possible));
+            let message =
+                format!("{} points: {message}", words::share(check.earned, check.possible));
             bad(NonSuccessKind::Failure, words::finding(kind), &message)
         }
-        (_, FindingKind::Wrong | FindingKind::Size | FindingKind::Missing | FindingKind::Unreadable) => {
-            bad(NonSuccessKind::Failure, words::finding(kind), message)
-        }
+        (
+            _,
+            FindingKind::Wrong | FindingKind::Size | FindingKind::Missing | FindingKind::Unreadable,
+        ) => bad(NonSuccessKind::Failure, words::finding(kind), message),
         _ => bad(NonSuccessKind::Error, words::finding(kind), message),
     }
 }

@@ -1,4 +1,5 @@
-//! A diagnosis in words: what the program most likely does, where to look, which rule it breaks, how much it explains.
+//! A diagnosis in words: what the program most likely does, where to look, which rule it breaks,
+//! how much it explains.
 
 use cases::answer::Mistake;
 
@@ -20,7 +21,10 @@ pub struct Rule {
 
 /// The rule of this number, where there is one.
 pub fn rule(number: u8) -> Option<Rule> {
-    let title = TEXT.lines().find(|line| line.starts_with(&format!("### Rule {number}:")))?.trim_start_matches("### ");
+    let title = TEXT
+        .lines()
+        .find(|line| line.starts_with(&format!("### Rule {number}:")))?
+        .trim_start_matches("### ");
     let (_, behind) = TEXT.split_once(title)?;
     let end = behind.find("\n##").unwrap_or(behind.len());
     Some(Rule { title, text: behind[..end].trim_matches('\n') })
@@ -41,11 +45,19 @@ pub fn place(mistake: &Mistake) -> String {
 
 /// How much it explains, such as `5 of 6 failed pictures and 1 of 1 failed unit check`.
 pub fn extent(record: &Record, diagnosis: &Diagnosis) -> String {
-    let failed = |check: &&crate::record::CheckRecord| matches!(check.verdict, Verdict::Partial | Verdict::Fail);
+    let failed = |check: &&crate::record::CheckRecord| {
+        matches!(check.verdict, Verdict::Partial | Verdict::Fail)
+    };
     let of_kind = |kind: CheckKind, name: &str| {
-        let failed = record.stages.iter().flat_map(|stage| &stage.checks).filter(failed).filter(|one| one.kind == kind);
-        let (n_explained, n) = failed
-            .fold((0, 0), |(explained, n), one| (explained + usize::from(diagnosis.explains.contains(&one.id)), n + 1));
+        let failed = record
+            .stages
+            .iter()
+            .flat_map(|stage| &stage.checks)
+            .filter(failed)
+            .filter(|one| one.kind == kind);
+        let (n_explained, n) = failed.fold((0, 0), |(explained, n), one| {
+            (explained + usize::from(diagnosis.explains.contains(&one.id)), n + 1)
+        });
         let s = if n == 1 { "" } else { "s" };
         (n_explained > 0).then(|| format!("{n_explained} of {n} failed {name}{s}"))
     };
@@ -81,8 +93,14 @@ mod tests {
     fn the_extent_counts_what_failed_of_each_kind() {
         let mut record = sample::record("somebody");
         let diagnosis = record.diagnoses.remove(0);
-        assert_eq!(extent(&record, &diagnosis), "1 of 3 failed pictures and 1 of 1 failed unit check");
+        assert_eq!(
+            extent(&record, &diagnosis),
+            "1 of 3 failed pictures and 1 of 1 failed unit check"
+        );
         let explains = vec!["01_ray_casting/sphere/inside".to_owned()];
-        assert_eq!(extent(&record, &Diagnosis { explains, ..diagnosis }), "1 of 1 failed unit check");
+        assert_eq!(
+            extent(&record, &Diagnosis { explains, ..diagnosis }),
+            "1 of 1 failed unit check"
+        );
     }
 }

@@ -1,4 +1,5 @@
-//! A submission for the tests of the reports: something of each kind, with hostile text wherever a student can put it.
+//! A submission for the tests of the reports: something of each kind, with hostile text wherever a
+//! student can put it.
 
 use cases::answer::{ImageAnswer, Mistake};
 use cases::film::Image;
@@ -9,11 +10,13 @@ use crate::graded::{Front, Graded, Pictures};
 use crate::record::*;
 
 /// Runs a script wherever it is not escaped, hides what follows and turns the reading direction.
-pub(crate) const HOSTILE: &str = "</script><script>document.title='owned'</script><img src=x onerror=alert(1)>\" ' `\u{202e}\u{1b}[2J\u{0}&lt;{{ 7*7 }}";
+pub(crate) const HOSTILE: &str = "</script><script>document.title='owned'</script><img src=x \
+    onerror=alert(1)>\" ' `\u{202e}\u{1b}[2J\u{0}&lt;{{ 7*7 }}";
 
 pub(crate) fn graded(name: &str) -> Graded {
     let ball = pictures(true, |_| DVec3::ZERO);
-    let shifted = pictures(true, |i| DVec3::splat(f64::from(u8::from((60..70).contains(&i))) * 0.3));
+    let shifted =
+        pictures(true, |i| DVec3::splat(f64::from(u8::from((60..70).contains(&i))) * 0.3));
     let not_a_number = pictures(true, |i| DVec3::splat(if i == 7 { f64::NAN } else { 0.0 }));
     let contested = pictures(true, |_| DVec3::ZERO);
     let named = [
@@ -40,8 +43,16 @@ pub(crate) fn pictures(has_actual: bool, extra: impl Fn(u32) -> DVec3) -> Pictur
     let mut answer = ImageAnswer::exact(expected, 2.0, 96);
     answer.hi[160 * 5 + 3] = [212; 3]; // contested
     answer.weight[..160].fill(0);
-    let point = |setting: &str, time_s, rmse_levels| FrontPoint { setting: setting.to_owned(), time_s, rmse_levels };
-    let points = vec![point("f32 <plain>", 0.002, 0.5), point("f64", 0.004, 0.0), point("f64, depth 9", 0.05, 0.0)];
+    let point = |setting: &str, time_s, rmse_levels| FrontPoint {
+        setting: setting.to_owned(),
+        time_s,
+        rmse_levels,
+    };
+    let points = vec![
+        point("f32 <plain>", 0.002, 0.5),
+        point("f64", 0.004, 0.0),
+        point("f64, depth 9", 0.05, 0.0),
+    ];
     Pictures { answer, actual, front: Some(Front { machine: "two <cores>".to_owned(), points }) }
 }
 
@@ -65,7 +76,11 @@ pub(crate) fn record(name: &str) -> Record {
             "not_a_number",
             CheckKind::Image,
             Verdict::Partial,
-            Some(Finding { wrong_pixels: Some(120), share: Some(375), ..finding(FindingKind::Wrong) }),
+            Some(Finding {
+                wrong_pixels: Some(120),
+                share: Some(375),
+                ..finding(FindingKind::Wrong)
+            }),
         ),
         check(
             "contested",
@@ -78,7 +93,8 @@ pub(crate) fn record(name: &str) -> Record {
         check("sphere/inside", CheckKind::Unit, Verdict::Fail, Some(wrong_answer())),
         check("shade/dark", CheckKind::Unit, Verdict::NotRun, Some(finding(FindingKind::Todo))),
     ];
-    let (earned, possible) = checks.iter().fold((0, 0), |(e, p), one| (e + one.earned, p + one.possible));
+    let (earned, possible) =
+        checks.iter().fold((0, 0), |(e, p), one| (e + one.earned, p + one.possible));
     Record {
         schema: SCHEMA,
         grader: "0.1.0".to_owned(),

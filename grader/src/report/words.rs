@@ -2,10 +2,11 @@
 
 use crate::record::{FindingKind, Verdict};
 
-/// Returns what was earned of what is possible, in thousandths of a point, for people: `43.25 of 50`.
+/// Returns what was earned of what is possible, in thousandths of a point, for people:
+/// `43.25 of 50`.
 ///
-/// Two decimals are shown, the rest is cut off: what is not all never looks like all. Where nothing would be
-/// left of what was earned, the thousandths are shown.
+/// Two decimals are shown, the rest is cut off: what is not all never looks like all. Where nothing
+/// would be left of what was earned, the thousandths are shown.
 pub fn share(earned: u64, possible: u64) -> String {
     let short = |thousandths: u64| match thousandths / 10 * 10 {
         0 => points(thousandths),
@@ -78,7 +79,9 @@ mod tests {
 
     #[test]
     fn points_have_no_needless_zeros() {
-        for (thousandths, text) in [(0, "0"), (150_000, "150"), (43_250, "43.25"), (5, "0.005"), (1_200, "1.2")] {
+        for (thousandths, text) in
+            [(0, "0"), (150_000, "150"), (43_250, "43.25"), (5, "0.005"), (1_200, "1.2")]
+        {
             assert_eq!(points(thousandths), text);
         }
     }

@@ -30,8 +30,12 @@ pub(super) fn finish(
     let outcome = match stopped.unwrap_or_else(|| classify(call, &reaped, &pump.stderr)) {
         // What a process of its own used, or a second in which it was not looked at, counts as
         // well.
-        Outcome::Exited(_) | Outcome::Signalled(_) if cpu > call.limits.cpu => Outcome::TimedOut(Clock::Cpu),
-        Outcome::Exited(code) if code != 0 && holds_full_file(call) => Outcome::TooMuchOutput(Stream::File),
+        Outcome::Exited(_) | Outcome::Signalled(_) if cpu > call.limits.cpu => {
+            Outcome::TimedOut(Clock::Cpu)
+        }
+        Outcome::Exited(code) if code != 0 && holds_full_file(call) => {
+            Outcome::TooMuchOutput(Stream::File)
+        }
         outcome => outcome,
     };
     Finished {
@@ -58,7 +62,9 @@ fn classify(call: &Call, reaped: &Reaped, stderr: &[u8]) -> Outcome {
         Ok(code) => Outcome::Exited(code),
         Err(libc::SIGXCPU) => Outcome::TimedOut(Clock::Cpu),
         // The kernel kills at the hard limit, which it compares with a clock of its own.
-        Err(libc::SIGKILL) if reaped.cpu.as_millis() + 100 >= u128::from(allowed(call, Resource::Cpu)) * 1000 => {
+        Err(libc::SIGKILL)
+            if reaped.cpu.as_millis() + 100 >= u128::from(allowed(call, Resource::Cpu)) * 1000 =>
+        {
             Outcome::TimedOut(Clock::Cpu)
         }
         Err(libc::SIGXFSZ) => Outcome::TooMuchOutput(Stream::File),
@@ -77,7 +83,9 @@ fn allowed(call: &Call, resource: Resource) -> u64 {
 fn holds_full_file(call: &Call) -> bool {
     let limit = allowed(call, Resource::FileSize);
     let entries = std::fs::read_dir(&call.folder).into_iter().flatten().flatten();
-    entries.filter_map(|entry| entry.metadata().ok()).any(|found| found.is_file() && found.len() >= limit)
+    entries
+        .filter_map(|entry| entry.metadata().ok())
+        .any(|found| found.is_file() && found.len() >= limit)
 }
 
 /// Returns whether the allocator of a known language gave up, which is how the limit on address

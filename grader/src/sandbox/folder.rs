@@ -28,7 +28,8 @@ pub struct Folder {
 /// Why there is no temporary folder. This is never the fault of a submission.
 #[derive(Debug, thiserror::Error)]
 #[error(
-    "no temporary folder can be made in {}: {source}; make room there, or set TMPDIR to a folder that can be written",
+    "no temporary folder can be made in {}: {source}; make room there, or set TMPDIR to a folder \
+        that can be written",
     .place.display()
 )]
 pub struct FolderError {
@@ -98,7 +99,11 @@ mod tests {
         assert_ne!(one.path(), other.path());
         assert_eq!(std::fs::read_dir(one.path()).unwrap().count(), 0);
         let root = one.path().parent().unwrap().to_owned();
-        assert!(root.file_name().unwrap().to_string_lossy().starts_with("grader-"), "{}", root.display());
+        assert!(
+            root.file_name().unwrap().to_string_lossy().starts_with("grader-"),
+            "{}",
+            root.display()
+        );
         std::fs::write(one.path().join("x"), "").unwrap();
         let path = one.path().to_owned();
         drop(one);

@@ -53,7 +53,8 @@ pub(super) fn others(group: u32) -> u32 {
 pub(super) fn high_water(pid: u32) -> u64 {
     let status = std::fs::read_to_string(format!("/proc/{pid}/status")).unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-    let kib: u64 = line.and_then(|rest| rest.trim().trim_end_matches(" kB").parse().ok()).unwrap_or(0);
+    let kib: u64 =
+        line.and_then(|rest| rest.trim().trim_end_matches(" kB").parse().ok()).unwrap_or(0);
     kib * 1024
 }
 
@@ -73,7 +74,8 @@ struct Stat {
 
 fn members(group: u32) -> Vec<Stat> {
     let entries = std::fs::read_dir("/proc").into_iter().flatten().flatten();
-    let processes = entries.filter(|entry| entry.file_name().as_encoded_bytes().iter().all(u8::is_ascii_digit));
+    let processes =
+        entries.filter(|entry| entry.file_name().as_encoded_bytes().iter().all(u8::is_ascii_digit));
     family(processes.filter_map(|entry| stat(&entry.path())).collect(), group)
 }
 
@@ -144,7 +146,8 @@ mod tests {
     fn a_line_of_stat_is_read_whatever_the_name() {
         let line = |state: &str| {
             format!(
-                "42 (a) R 7 (b) {state} 1 40 40 0 -1 4194304 5 6 7 8 100 20 30 50 20 0 3 0 99 8192 2 18446744073709551615"
+                "42 (a) R 7 (b) {state} 1 40 40 0 -1 4194304 5 6 7 8 100 20 30 50 20 0 3 0 99 \
+                    8192 2 18446744073709551615"
             )
         };
         let stat = parse(&line("S")).unwrap();
@@ -163,12 +166,18 @@ mod tests {
     #[test]
     fn who_leaves_the_group_is_still_of_the_family() {
         let line = |pid: u32, parent: u32, group: u32| {
-            parse(&format!("{pid} (x) S {parent} {group} 1 0 -1 0 0 0 0 0 0 0 0 0 20 0 1 0 99 8192 2 0")).unwrap()
+            parse(&format!(
+                "{pid} (x) S {parent} {group} 1 0 -1 0 0 0 0 0 0 0 0 0 20 0 1 0 99 8192 2 0"
+            ))
+            .unwrap()
         };
         // 40 leads the group 40, and has moved to 7; 41 is in it; 42 has left it; 43 is a child of
         // that; 50 is a stranger.
         let all = [(43, 42, 42), (40, 7, 7), (41, 1, 40), (42, 40, 42), (50, 7, 7), (7, 1, 7)];
-        let found = family(all.iter().map(|(pid, parent, group)| line(*pid, *parent, *group)).collect(), 40);
+        let found = family(
+            all.iter().map(|(pid, parent, group)| line(*pid, *parent, *group)).collect(),
+            40,
+        );
         let mut pids: Vec<u32> = found.iter().map(|member| member.pid).collect();
         pids.sort();
         assert_eq!(pids, [40, 41, 42, 43]);

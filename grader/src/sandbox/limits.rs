@@ -36,7 +36,12 @@ impl Limits {
     /// Returns these limits with other times: `cpu` of CPU time, half of that idle but at least 1
     /// s, and six times that and 10 s of wall time.
     pub fn with_time(self, cpu: Duration) -> Self {
-        Self { cpu, idle: (cpu / 2).max(Duration::from_secs(1)), wall: cpu * 6 + Duration::from_secs(10), ..self }
+        Self {
+            cpu,
+            idle: (cpu / 2).max(Duration::from_secs(1)),
+            wall: cpu * 6 + Duration::from_secs(10),
+            ..self
+        }
     }
 
     /// Returns the CPU time after which a program is stopped even where others slow it down, in
@@ -60,7 +65,9 @@ impl Limits {
             (Resource::FileSize, self.file_size, self.file_size),
             (Resource::Descriptors, DESCRIPTORS, FEWEST_DESCRIPTORS),
         ];
-        wanted.map(|(resource, wanted, least)| Granted::new(resource, wanted, least, hard(resource))).to_vec()
+        wanted
+            .map(|(resource, wanted, least)| Granted::new(resource, wanted, least, hard(resource)))
+            .to_vec()
     }
 
     /// Returns the system's limits for a program that this process starts.
@@ -110,7 +117,13 @@ impl Granted {
         // At the soft limit of CPU time a signal says why the program ends; a second later it is
         // killed.
         let grace = u64::from(resource == Resource::Cpu);
-        Self { resource, wanted, allowed, is_enough: allowed >= least, hard: (wanted + grace).min(most) }
+        Self {
+            resource,
+            wanted,
+            allowed,
+            is_enough: allowed >= least,
+            hard: (wanted + grace).min(most),
+        }
     }
 
     fn is_lowered(&self) -> bool {
@@ -190,7 +203,9 @@ mod tests {
 
     #[test]
     fn times_follow_from_cpu_time() {
-        for (cpu, at_most, idle, wall) in [(1, 2, 1, 16), (2, 4, 1, 22), (10, 20, 5, 70), (300, 600, 150, 1810)] {
+        for (cpu, at_most, idle, wall) in
+            [(1, 2, 1, 16), (2, 4, 1, 22), (10, 20, 5, 70), (300, 600, 150, 1810)]
+        {
             let limits = LIMITS.with_time(Duration::from_secs(cpu));
             let found = [limits.cpu_at_most(), limits.idle, limits.wall].map(|time| time.as_secs());
             assert_eq!(found, [at_most, idle, wall], "{cpu} s");

@@ -54,8 +54,12 @@ pub fn blame(call: &Call, finished: Finished) -> Finished {
     }
     let cause = Machine::look(call, &finished).cause(&finished, &call.limits, call.needed);
     match cause {
-        Some(Cause::Machine(shortage)) => Finished { outcome: Outcome::Machine(shortage), ..finished },
-        Some(Cause::FilledDisk) => Finished { outcome: Outcome::TooMuchOutput(Stream::Files), ..finished },
+        Some(Cause::Machine(shortage)) => {
+            Finished { outcome: Outcome::Machine(shortage), ..finished }
+        }
+        Some(Cause::FilledDisk) => {
+            Finished { outcome: Outcome::TooMuchOutput(Stream::Files), ..finished }
+        }
         None => finished,
     }
 }
@@ -81,7 +85,9 @@ impl Machine {
 
     /// Returns the cause of a failure, or `None` where the machine had enough.
     fn cause(&self, finished: &Finished, limits: &Limits, needed: u64) -> Option<Cause> {
-        self.limit(finished, limits).or_else(|| self.no_room(needed, limits)).or_else(|| self.other(finished, limits))
+        self.limit(finished, limits)
+            .or_else(|| self.no_room(needed, limits))
+            .or_else(|| self.other(finished, limits))
     }
 
     /// Returns a limit of this process that stopped the program earlier than its own limits would
@@ -91,9 +97,10 @@ impl Machine {
             (Outcome::TimedOut(Clock::Cpu), Resource::Cpu) => finished.cpu < limits.cpu,
             (Outcome::TooMuchOutput(Stream::File), Resource::FileSize) => true,
             (Outcome::OutOfMemory, Resource::AddressSpace) => finished.peak_bytes <= limits.memory,
-            (Outcome::Exited(_) | Outcome::Signalled(_), Resource::AddressSpace | Resource::Descriptors) => {
-                !granted.is_enough
-            }
+            (
+                Outcome::Exited(_) | Outcome::Signalled(_),
+                Resource::AddressSpace | Resource::Descriptors,
+            ) => !granted.is_enough,
             _ => false,
         };
         let granted = self.lowered.iter().find(is_to_blame)?;
@@ -118,7 +125,9 @@ impl Machine {
         let shortage = match (&self.can_open, &self.can_start, self.memory) {
             (Err(why), _, _) => Shortage::Descriptors(why.clone()),
             (_, Err(why), _) => Shortage::Processes(why.clone()),
-            _ if self.n_killed > 0 && finished.outcome == Outcome::Signalled(libc::SIGKILL) => Shortage::Killed,
+            _ if self.n_killed > 0 && finished.outcome == Outcome::Signalled(libc::SIGKILL) => {
+                Shortage::Killed
+            }
             (_, _, Some(left)) if self.lacks_memory(left, finished, limits) => {
                 Shortage::Memory { left, needed: limits.memory }
             }
@@ -144,7 +153,9 @@ fn can_open() -> io::Result<()> {
 /// cost less.
 fn can_start() -> io::Result<()> {
     std::thread::scope(|scope| {
-        let start = |_| std::thread::Builder::new().stack_size(64 << 10).spawn_scoped(scope, std::thread::park);
+        let start = |_| {
+            std::thread::Builder::new().stack_size(64 << 10).spawn_scoped(scope, std::thread::park)
+        };
         let mut threads = vec![];
         let started = (0..SPARE).try_for_each(|n| start(n).map(|thread| threads.push(thread)));
         threads.iter().for_each(|thread| thread.thread().unpark());

@@ -48,7 +48,11 @@ pub fn run(call: &Call, turn: Turn) -> Finished {
     let turn = Taken::wait(turn);
     let start = Instant::now();
     let mut command = Command::new(&call.program);
-    command.args(&call.args).current_dir(&call.folder).env_clear().envs(call.environment.iter().cloned());
+    command
+        .args(&call.args)
+        .current_dir(&call.folder)
+        .env_clear()
+        .envs(call.environment.iter().cloned());
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     sys::limit(&mut command, &call.limits.granted());
     let child = match place::spawn(&mut command) {

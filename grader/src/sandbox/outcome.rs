@@ -117,7 +117,8 @@ impl Finished {
         }
     }
 
-    /// The same without what is not shown of its streams: some are kept for each question of a stage.
+    /// The same without what is not shown of its streams: some are kept for each question of a
+    /// stage.
     pub fn without_streams(mut self) -> Self {
         self.stdout = vec![];
         let kept = self.stderr.len().min(SHOWN + 1); // one more, so that the cut is still seen
@@ -126,7 +127,8 @@ impl Finished {
         self
     }
 
-    /// The end of standard error as text that is safe to show, at most some 4 KiB; `None` where nothing was written.
+    /// The end of standard error as text that is safe to show, at most some 4 KiB; `None` where
+    /// nothing was written.
     pub fn stderr_text(&self) -> Option<String> {
         let end = self.stderr.len().saturating_sub(SHOWN);
         let text = crate::plain::shown(String::from_utf8_lossy(&self.stderr[end..]).trim());
@@ -140,10 +142,24 @@ impl Finished {
 /// It is the program's where the program is missing, was not made for this machine, or names an
 /// interpreter that is not there, and where its command holds what no command can.
 fn cannot_start(why: &io::Error) -> Outcome {
-    use io::ErrorKind::{ArgumentListTooLong, InvalidInput, IsADirectory, NotADirectory, NotFound, PermissionDenied};
-    let kinds = [ArgumentListTooLong, InvalidInput, IsADirectory, NotADirectory, NotFound, PermissionDenied];
+    use io::ErrorKind::{
+        ArgumentListTooLong, InvalidInput, IsADirectory, NotADirectory, NotFound, PermissionDenied,
+    };
+    let kinds = [
+        ArgumentListTooLong,
+        InvalidInput,
+        IsADirectory,
+        NotADirectory,
+        NotFound,
+        PermissionDenied,
+    ];
     let codes = [libc::ENOEXEC, libc::ELOOP, libc::ENAMETOOLONG];
-    let is_no_program = kinds.contains(&why.kind()) || why.raw_os_error().is_some_and(|code| codes.contains(&code));
+    let is_no_program =
+        kinds.contains(&why.kind()) || why.raw_os_error().is_some_and(|code| codes.contains(&code));
     let text = why.to_string();
-    if is_no_program { Outcome::NoProgram(text) } else { Outcome::Machine(Shortage::NotStarted(text)) }
+    if is_no_program {
+        Outcome::NoProgram(text)
+    } else {
+        Outcome::Machine(Shortage::NotStarted(text))
+    }
 }

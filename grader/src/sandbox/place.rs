@@ -51,6 +51,8 @@ mod tests {
                 assert!(spawn(&mut Command::new(&path)).unwrap().wait().unwrap().success());
             }
         };
-        std::thread::scope(|scope| (0..4).for_each(|n| drop(scope.spawn(move || write_and_start(n)))));
+        std::thread::scope(|scope| {
+            (0..4).for_each(|n| drop(scope.spawn(move || write_and_start(n))))
+        });
     }
 }

@@ -32,7 +32,8 @@ impl Pump {
 
     /// Waits at most `pause` for a stream and serves all; an outcome where one was flooded.
     pub(super) fn turn(&mut self, pause: Duration) -> Option<Outcome> {
-        let readers: Vec<_> = self.out.iter().map(AsFd::as_fd).chain(self.err.iter().map(AsFd::as_fd)).collect();
+        let readers: Vec<_> =
+            self.out.iter().map(AsFd::as_fd).chain(self.err.iter().map(AsFd::as_fd)).collect();
         sys::wait_for(&readers, self.stdin.as_ref().map(AsFd::as_fd), pause);
         self.feed();
         self.read()
@@ -48,7 +49,8 @@ impl Pump {
     fn feed(&mut self) {
         let Some(stdin) = &mut self.stdin else { return };
         loop {
-            let rest = self.unsent.get_ref().get(self.unsent.position() as usize..).unwrap_or_default();
+            let rest =
+                self.unsent.get_ref().get(self.unsent.position() as usize..).unwrap_or_default();
             if rest.is_empty() {
                 break;
             }
@@ -73,7 +75,8 @@ impl Pump {
     }
 }
 
-/// Moves what can be read now behind `kept`, to its end or `limit`; says whether there is more than that.
+/// Moves what can be read now behind `kept`, to its end or `limit`; says whether there is more than
+/// that.
 fn take(stream: &mut Option<impl Read>, limit: u64, kept: &mut Vec<u8>) -> bool {
     let Some(reader) = stream else { return false };
     let limit = usize::try_from(limit).unwrap_or(usize::MAX);

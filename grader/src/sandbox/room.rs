@@ -108,7 +108,10 @@ mod tests {
         assert_eq!(found.files, 3);
         assert!((100_000..200_000).contains(&found.bytes), "{found:?}");
         assert!(found.exceeds(99_999) && !found.exceeds(200_000), "{found:?}");
-        assert!(Room { bytes: 0, files: MAX_NAMES }.exceeds(1), "many empty files are too much as well");
+        assert!(
+            Room { bytes: 0, files: MAX_NAMES }.exceeds(1),
+            "many empty files are too much as well"
+        );
     }
 
     #[test]

@@ -24,9 +24,12 @@ pub(super) struct Reaped {
 /// Makes the child lead a group of its own, die with us, and live under resource limits.
 pub(super) fn limit(command: &mut Command, granted: &[Granted]) {
     let mut all = vec![(libc::RLIMIT_CORE, 0, 0)];
-    all.extend(granted.iter().map(|granted| (number(granted.resource), granted.allowed, granted.hard)));
+    all.extend(
+        granted.iter().map(|granted| (number(granted.resource), granted.allowed, granted.hard)),
+    );
     command.process_group(0);
-    // SAFETY: the closure runs between fork and exec and makes system calls only: it neither allocates nor locks.
+    // SAFETY: the closure runs between fork and exec and makes system calls only: it neither
+    // allocates nor locks.
     unsafe {
         command.pre_exec(move || {
             #[cfg(target_os = "linux")]
@@ -59,7 +62,8 @@ fn number(resource: Resource) -> LimitNumber {
     }
 }
 
-/// Whether the process has ended; it stays a zombie, so that its number and its group's are not given away.
+/// Whether the process has ended; it stays a zombie, so that its number and its group's are not
+/// given away.
 pub(super) fn has_ended(pid: u32) -> bool {
     // SAFETY: siginfo_t is plain data, for which zeros are valid.
     let mut info: libc::siginfo_t = unsafe { std::mem::zeroed() };
@@ -85,7 +89,11 @@ pub(super) fn reap(pid: u32) -> io::Result<Reaped> {
             return Err(why);
         }
     }
-    let end = if libc::WIFEXITED(status) { Ok(libc::WEXITSTATUS(status)) } else { Err(libc::WTERMSIG(status)) };
+    let end = if libc::WIFEXITED(status) {
+        Ok(libc::WEXITSTATUS(status))
+    } else {
+        Err(libc::WTERMSIG(status))
+    };
     let unit = if cfg!(target_os = "macos") { 1 } else { 1024 };
     let max_resident = u64::try_from(usage.ru_maxrss).unwrap_or(0) * unit;
     Ok(Reaped { end, cpu: duration(usage.ru_utime) + duration(usage.ru_stime), max_resident })
@@ -96,10 +104,12 @@ fn duration(time: libc::timeval) -> Duration {
     seconds + Duration::from_micros(u64::try_from(time.tv_usec).unwrap_or(0))
 }
 
-/// Kills every process of the group, and its leader wherever that is: it may have moved to another group, ours for one.
+/// Kills every process of the group, and its leader wherever that is: it may have moved to another
+/// group, ours for one.
 pub(super) fn kill_group(group: u32) {
     let leader = group.cast_signed();
-    // SAFETY: signals to a child that is not reaped yet, so that its number is still its own, and to the group that bears it.
+    // SAFETY: signals to a child that is not reaped yet, so that its number is still its own, and
+    // to the group that bears it.
     unsafe {
         libc::kill(leader, libc::SIGKILL);
         libc::kill(-leader, libc::SIGKILL);
@@ -115,7 +125,10 @@ pub(super) fn page_bytes() -> u64 {
 /// Units of CPU time in a second, as /proc counts it.
 pub(super) fn ticks_per_second() -> u64 {
     // SAFETY: asks for a constant of the system.
-    u64::try_from(unsafe { libc::sysconf(libc::_SC_CLK_TCK) }).ok().filter(|ticks| *ticks > 0).unwrap_or(100)
+    u64::try_from(unsafe { libc::sysconf(libc::_SC_CLK_TCK) })
+        .ok()
+        .filter(|ticks| *ticks > 0)
+        .unwrap_or(100)
 }
 
 /// Makes reads and writes return at once.
@@ -129,12 +142,18 @@ pub(super) fn set_nonblocking(fd: &impl AsRawFd) -> io::Result<()> {
 }
 
 /// Waits until something can be read from `readers`, written to `writer`, or `timeout` is over.
-pub(super) fn wait_for(readers: &[BorrowedFd<'_>], writer: Option<BorrowedFd<'_>>, timeout: Duration) {
-    let entry = |fd: &BorrowedFd<'_>, events| libc::pollfd { fd: fd.as_raw_fd(), events, revents: 0 };
+pub(super) fn wait_for(
+    readers: &[BorrowedFd<'_>],
+    writer: Option<BorrowedFd<'_>>,
+    timeout: Duration,
+) {
+    let entry =
+        |fd: &BorrowedFd<'_>, events| libc::pollfd { fd: fd.as_raw_fd(), events, revents: 0 };
     let mut all: Vec<libc::pollfd> = readers.iter().map(|fd| entry(fd, libc::POLLIN)).collect();
     all.extend(writer.iter().map(|fd| entry(fd, libc::POLLOUT)));
     let milliseconds = i32::try_from(timeout.as_millis()).unwrap_or(i32::MAX);
-    // SAFETY: `all` lives through the call and its length is given; the descriptors are borrowed, so they are open.
+    // SAFETY: `all` lives through the call and its length is given; the descriptors are borrowed,
+    // so they are open.
     unsafe { libc::poll(all.as_mut_ptr(), all.len() as libc::nfds_t, milliseconds) };
 }
 
@@ -153,7 +172,8 @@ extern "C" fn remember_interrupt(signal: libc::c_int) {
 
 extern "C" fn go_on(_: libc::c_int) {}
 
-/// From now on Ctrl-C and SIGTERM end the running programs and no others are started; a second one ends the grader.
+/// From now on Ctrl-C and SIGTERM end the running programs and no others are started; a second one
+/// ends the grader.
 ///
 /// A file that grows beyond `ulimit -f` is an error of the write from now on, and does not end the
 /// grader.

@@ -31,7 +31,8 @@ pub(super) fn line(script: &str, folder: &Path, limits: Limits) -> Call {
 /// Runs a line of shell in a fresh folder.
 fn shell(script: &str, stdin: &[u8], limits: Limits) -> (Finished, Folder) {
     let folder = Folder::new().unwrap();
-    let finished = run(&Call { stdin: stdin.to_vec(), ..line(script, folder.path(), limits) }, Turn::Shared);
+    let finished =
+        run(&Call { stdin: stdin.to_vec(), ..line(script, folder.path(), limits) }, Turn::Shared);
     (finished, folder)
 }
 
@@ -87,12 +88,20 @@ fn floods_are_cut_and_told_apart() {
 
 #[test]
 fn memory_is_limited_for_one_process_and_for_a_group() {
-    let hoard =
-        |mib: usize| format!("dd if=/dev/zero bs={mib}M count=1 2>/dev/null | (sleep 0; tail -c {mib}M) | sleep 30");
+    let hoard = |mib: usize| {
+        format!(
+            "dd if=/dev/zero bs={mib}M count=1 2>/dev/null | (sleep 0; tail -c {mib}M) | sleep 30"
+        )
+    };
     check(&hoard(300), SMALL, &Outcome::OutOfMemory);
-    let several = "for i in 1 2 3 4; do (x=$(head -c 60000000 /dev/zero | tr '\\0' a); sleep 30; :) & done; wait";
+    let several = "for i in 1 2 3 4; do (x=$(head -c 60000000 /dev/zero | tr '\\0' a); sleep 30; \
+        :) & done; wait";
     check(several, SMALL, &Outcome::OutOfMemory);
-    check("echo 'memory allocation of 99 bytes failed' >&2; kill -ABRT $$", SMALL, &Outcome::OutOfMemory);
+    check(
+        "echo 'memory allocation of 99 bytes failed' >&2; kill -ABRT $$",
+        SMALL,
+        &Outcome::OutOfMemory,
+    );
 }
 
 #[test]
@@ -119,7 +128,8 @@ fn streams_cannot_lock_each_other() {
 
 #[test]
 fn children_left_behind_are_killed_and_counted() {
-    let (finished, folder) = shell("(while :; do date > alive; sleep 0.01; done) & sleep 0.2; exit 3", b"", SMALL);
+    let (finished, folder) =
+        shell("(while :; do date > alive; sleep 0.01; done) & sleep 0.2; exit 3", b"", SMALL);
     assert_eq!(finished.outcome, Outcome::Exited(3));
     assert!(finished.left_behind >= 1);
     let alive = folder.path().join("alive");
@@ -132,14 +142,19 @@ fn children_left_behind_are_killed_and_counted() {
 fn environment_and_folder_are_those_given() {
     let (finished, folder) = shell("env; pwd", b"", SMALL);
     let text = String::from_utf8(finished.stdout).unwrap();
-    let names: Vec<&str> = text.lines().filter_map(|line| line.split_once('=')).map(|(name, _)| name).collect();
-    assert!(names.iter().all(|name| ["PATH", "PWD", "OLDPWD", "SHLVL", "_"].contains(name)), "{names:?}");
+    let names: Vec<&str> =
+        text.lines().filter_map(|line| line.split_once('=')).map(|(name, _)| name).collect();
+    assert!(
+        names.iter().all(|name| ["PATH", "PWD", "OLDPWD", "SHLVL", "_"].contains(name)),
+        "{names:?}"
+    );
     assert!(text.ends_with(&format!("{}\n", folder.path().canonicalize().unwrap().display())));
 }
 
 #[test]
 fn time_and_memory_are_measured() {
-    let (finished, _folder) = shell("x=$(head -c 20000000 /dev/zero | tr '\\0' a); sleep 0.3", b"", SMALL);
+    let (finished, _folder) =
+        shell("x=$(head -c 20000000 /dev/zero | tr '\\0' a); sleep 0.3", b"", SMALL);
     assert_eq!(finished.outcome, Outcome::Exited(0));
     assert!(finished.wall >= Duration::from_millis(300) && finished.cpu > Duration::ZERO);
     assert!(finished.peak_bytes > 20_000_000, "{} bytes", finished.peak_bytes);

@@ -34,8 +34,12 @@ impl Taken {
     /// Waits for the turn.
     pub(super) fn wait(turn: Turn) -> Self {
         let guard = match turn {
-            Turn::Shared => Guard::Shared { _lock: FLOOR.read().unwrap_or_else(PoisonError::into_inner) },
-            Turn::Alone => Guard::Alone { _lock: FLOOR.write().unwrap_or_else(PoisonError::into_inner) },
+            Turn::Shared => {
+                Guard::Shared { _lock: FLOOR.read().unwrap_or_else(PoisonError::into_inner) }
+            }
+            Turn::Alone => {
+                Guard::Alone { _lock: FLOOR.write().unwrap_or_else(PoisonError::into_inner) }
+            }
         };
         let n_begun = N_BEGUN.fetch_add(1, Ordering::Relaxed) + 1;
         let had_company = N_RUNNING.fetch_add(1, Ordering::Relaxed) > 0;

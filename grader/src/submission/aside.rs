@@ -132,7 +132,8 @@ pub(super) fn names(name: &[u8], depth: usize) -> Result<Vec<&str>, Why> {
     if name.starts_with('/') {
         return Err(Why::Absolute);
     }
-    let names: Vec<&str> = name.split('/').filter(|name| !name.is_empty() && *name != ".").collect();
+    let names: Vec<&str> =
+        name.split('/').filter(|name| !name.is_empty() && *name != ".").collect();
     match () {
         () if names.contains(&"..") => Err(Why::Leaves),
         () if names.iter().any(|name| name.len() > 255) => Err(Why::TooLong),
@@ -148,14 +149,19 @@ mod tests {
     #[test]
     fn what_lies_below_is_covered() {
         let aside = Aside { path: "src".to_owned(), why: Why::Link };
-        for (path, expected) in [("src", true), ("src/sphere.rs", true), ("src2", false), ("a/src", false)] {
+        for (path, expected) in
+            [("src", true), ("src/sphere.rs", true), ("src2", false), ("a/src", false)]
+        {
             assert_eq!(aside.covers(path), expected, "{path}");
         }
     }
 
     #[test]
     fn a_path_is_split_or_refused() {
-        let check = |path: &str, expected: Result<&[&str], &str>| match (names(path.as_bytes(), 3), expected) {
+        let check = |path: &str, expected: Result<&[&str], &str>| match (
+            names(path.as_bytes(), 3),
+            expected,
+        ) {
             (Ok(found), Ok(names)) => assert_eq!(found, names, "{path}"),
             (Err(why), Err(words)) => assert!(why.to_string().contains(words), "{path}: {why}"),
             (found, _) => panic!("{path}: {found:?}"),

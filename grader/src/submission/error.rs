@@ -41,7 +41,9 @@ impl SubmissionError {
     /// Returns the error of a failed call about `path`, a file or folder that was handed in.
     pub(super) fn of_path(path: &Path, source: io::Error) -> Self {
         match blame::of(&source) {
-            Blame::Machine => Self::Machine { what: format!("cannot read {}", path.display()), source },
+            Blame::Machine => {
+                Self::Machine { what: format!("cannot read {}", path.display()), source }
+            }
             Blame::File => Self::Unreadable { path: path.to_owned(), source },
         }
     }
@@ -65,7 +67,10 @@ impl SubmissionError {
     /// Returns the error of a failed call in a temporary folder of the grader's own.
     pub(super) fn of_temporary(source: io::Error) -> Self {
         let folder = tempfile::env::temp_dir();
-        let what = format!("cannot unpack the archive below {}, the folder that TMPDIR names", folder.display());
+        let what = format!(
+            "cannot unpack the archive below {}, the folder that TMPDIR names",
+            folder.display()
+        );
         Self::Machine { what, source }
     }
 }

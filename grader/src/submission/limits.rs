@@ -51,7 +51,8 @@ pub const MANIFEST_BYTES: u64 = 64 * KIB;
 pub const NESTED: usize = 3;
 
 /// Folders that tools fill. They are neither unpacked nor read.
-pub const SKIPPED: [&str; 6] = ["target", ".git", "__MACOSX", "node_modules", ".venv", "__pycache__"];
+pub const SKIPPED: [&str; 6] =
+    ["target", ".git", "__MACOSX", "node_modules", ".venv", "__pycache__"];
 
 const KIB: u64 = 1 << 10;
 const MIB: u64 = 1 << 20;
@@ -76,7 +77,9 @@ impl fmt::Display for Excess {
         let limit = size(self.limit);
         match self.found {
             None => write!(f, "has more than {limit}; {limit} are read"),
-            Some(found) if size(found) == limit => write!(f, "has {found} bytes; {} bytes are read", self.limit),
+            Some(found) if size(found) == limit => {
+                write!(f, "has {found} bytes; {} bytes are read", self.limit)
+            }
             Some(found) => write!(f, "has {}; {limit} are read", size(found)),
         }
     }

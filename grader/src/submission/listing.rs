@@ -56,7 +56,12 @@ impl Walk<'_> {
         Ok(())
     }
 
-    fn entry(&mut self, below: &str, depth: usize, entry: &DirEntry) -> Result<(), SubmissionError> {
+    fn entry(
+        &mut self,
+        below: &str,
+        depth: usize,
+        entry: &DirEntry,
+    ) -> Result<(), SubmissionError> {
         let file_name = entry.file_name();
         let bytes = match below {
             "" => file_name.as_encoded_bytes().to_owned(),
@@ -73,7 +78,8 @@ impl Walk<'_> {
         self.n_entries += 1;
         if self.n_entries > self.limits.entries {
             let most = self.limits.entries;
-            let why = format!("it holds more than {most} files and folders: hand in the sources alone");
+            let why =
+                format!("it holds more than {most} files and folders: hand in the sources alone");
             return Err(SubmissionError::Refused(why));
         }
         let path = match names(&bytes, self.limits.depth) {

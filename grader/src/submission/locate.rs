@@ -53,9 +53,13 @@ pub(super) fn locate(listing: &Listing, template: &Template) -> Result<Located, 
             }
         }
     }
-    let owners: Vec<String> =
-        found.iter().filter(|(_, layout)| **layout != Layout::Flat).map(|(folder, _)| folder.clone()).collect();
-    found.retain(|folder, _| !owners.iter().any(|owner| owner != folder && is_below(folder, owner)));
+    let owners: Vec<String> = found
+        .iter()
+        .filter(|(_, layout)| **layout != Layout::Flat)
+        .map(|(folder, _)| folder.clone())
+        .collect();
+    found
+        .retain(|folder, _| !owners.iter().any(|owner| owner != folder && is_below(folder, owner)));
     match (found.pop_first(), found.is_empty()) {
         (Some((folder, layout)), true) => Ok(Located::Submission(folder, layout)),
         (Some((first, _)), false) => Err(several(std::iter::once(&first).chain(found.keys()))),
@@ -99,7 +103,8 @@ fn is_below(path: &str, folder: &str) -> bool {
 /// Returns the only archive, or the error for several, or `None`.
 fn archive(listing: &Listing) -> Option<Result<Located, String>> {
     let is_archive = |path: &&String| {
-        depth(split(path).0) <= NESTED && matches!(nature::by_name(path.as_bytes()), Some(Nature::Archive(_)))
+        depth(split(path).0) <= NESTED
+            && matches!(nature::by_name(path.as_bytes()), Some(Nature::Archive(_)))
     };
     let mut archives = listing.files.iter().filter(is_archive);
     let first = archives.next()?;
@@ -143,13 +148,18 @@ fn nothing(listing: &Listing, template: &Template) -> String {
             )
         }
         (true, false) => format!(
-            "there is neither a folder `src` with files of the template nor a `{}` in it, nor in folders up to {NESTED} \
+            "there is neither a folder `src` with files of the template nor a `{}` in it, nor in \
+                folders up to {NESTED} \
              deep; it holds {}: hand in the folder of the template, with its `src`",
             MANIFEST,
             few(listing.files.iter()),
         ),
         (true, true) => {
-            let what = if listing.aside.is_empty() { "there is no file in it" } else { "no file in it can be taken" };
+            let what = if listing.aside.is_empty() {
+                "there is no file in it"
+            } else {
+                "no file in it can be taken"
+            };
             format!("{what}: hand in the folder of the template, with its `src`")
         }
     };
@@ -165,7 +175,8 @@ mod tests {
     use crate::submission::aside::Aside;
 
     fn template() -> Template {
-        let student = ["src/sphere.rs", "src/plane.rs"].map(|name| (name.to_owned(), String::new()));
+        let student =
+            ["src/sphere.rs", "src/plane.rs"].map(|name| (name.to_owned(), String::new()));
         Template { pristine: BTreeMap::new(), student: student.into(), dependencies: vec![] }
     }
 
@@ -182,7 +193,9 @@ mod tests {
             (Ok(Located::Submission(folder, layout)), Ok(expected)) => {
                 assert_eq!((folder.as_str(), layout), expected, "{paths:?}");
             }
-            (Err(why), Err(words)) => assert!(why.contains(words), "{paths:?}: {why}\nshould speak of: {words}"),
+            (Err(why), Err(words)) => {
+                assert!(why.contains(words), "{paths:?}: {why}\nshould speak of: {words}")
+            }
             (found, _) => panic!("{paths:?}: {found:?}"),
         }
     }
@@ -190,15 +203,24 @@ mod tests {
     #[test]
     fn a_submission_is_found_where_people_put_it() {
         check(&["src/sphere.rs", "src/main.rs", "README.md"], Ok(("", Layout::Template)));
-        check(&["a/b/c/src/plane.rs", "report.pdf", "a/notes.txt"], Ok(("a/b/c", Layout::Template)));
+        check(
+            &["a/b/c/src/plane.rs", "report.pdf", "a/notes.txt"],
+            Ok(("a/b/c", Layout::Template)),
+        );
         check(&["sphere.rs", "main.rs", "report.pdf"], Ok(("", Layout::Flat)));
         check(&["hw/sphere.rs", "report.pdf"], Ok(("hw", Layout::Flat)));
         check(&["a/submission.toml", "a/main.py"], Ok(("a", Layout::Own)));
         check(&["submission.toml", "src/sphere.rs", "sphere.rs"], Ok(("", Layout::Own)));
-        check(&["src/sphere.rs", "sphere.rs", "old/src/sphere.rs", "old/plane.rs"], Ok(("", Layout::Template)));
+        check(
+            &["src/sphere.rs", "sphere.rs", "old/src/sphere.rs", "old/plane.rs"],
+            Ok(("", Layout::Template)),
+        );
         check(&["hw/src/sphere.rs@"], Ok(("hw", Layout::Template)));
         check(&["src@", "README.md"], Ok(("", Layout::Template)));
-        check(&["hw/src/sphere.rs", "/etc/sphere.rs@", "../a/src/plane.rs@"], Ok(("hw", Layout::Template)));
+        check(
+            &["hw/src/sphere.rs", "/etc/sphere.rs@", "../a/src/plane.rs@"],
+            Ok(("hw", Layout::Template)),
+        );
     }
 
     #[test]
@@ -214,7 +236,10 @@ mod tests {
 
     #[test]
     fn none_is_said_to_be_none() {
-        check(&["src/ball.rs", "src/main.rs"], Err("it holds `src/ball.rs`, `src/main.rs`; expected in a folder"));
+        check(
+            &["src/ball.rs", "src/main.rs"],
+            Err("it holds `src/ball.rs`, `src/main.rs`; expected in a folder"),
+        );
         check(&["ball.rs"], Err("`src` are plane.rs, sphere.rs"));
         check(&["notes.txt"], Err("it holds `notes.txt`: hand in"));
         check(&["a/b/c/d/src/sphere.rs"], Err("lies in `a/b/c/d`, more than 3 folders deep"));
@@ -224,7 +249,8 @@ mod tests {
 
     #[test]
     fn the_only_archive_may_hold_one() {
-        let listing = Listing { files: vec!["a/hw.zip".to_owned(), "a/x.pdf".to_owned()], aside: vec![] };
+        let listing =
+            Listing { files: vec!["a/hw.zip".to_owned(), "a/x.pdf".to_owned()], aside: vec![] };
         assert_eq!(locate(&listing, &template()), Ok(Located::Archive("a/hw.zip".to_owned())));
     }
 }

@@ -38,7 +38,8 @@ use nature::Nature;
 /// # Errors
 /// See [`SubmissionError`].
 pub fn read(path: &Path, template: &Template) -> Result<Submission, SubmissionError> {
-    let is_folder = std::fs::metadata(path).map_err(|why| SubmissionError::of_path(path, why))?.is_dir();
+    let is_folder =
+        std::fs::metadata(path).map_err(|why| SubmissionError::of_path(path, why))?.is_dir();
     let mut place = if is_folder { Place::folder(path)? } else { Place::archive(path)? };
     let mut remarks = vec![];
     let mut unpacked = vec![];
@@ -48,12 +49,16 @@ pub fn read(path: &Path, template: &Template) -> Result<Submission, SubmissionEr
         unpacked.extend(std::mem::replace(&mut place, inner).unpacked);
     }
     let Located::Submission(folder, layout) = place.locate(template)? else {
-        return Err(SubmissionError::Refused("there is nothing but an archive within an archive in it".to_owned()));
+        return Err(SubmissionError::Refused(
+            "there is nothing but an archive within an archive in it".to_owned(),
+        ));
     };
     remarks.extend(taken_from(&folder, layout));
     let mut submission = match layout {
         Layout::Own => own::read(&place.top, &folder, place.listing)?,
-        Layout::Template | Layout::Flat => rust::read(&place.top, &folder, layout, place.listing, template)?,
+        Layout::Template | Layout::Flat => {
+            rust::read(&place.top, &folder, layout, place.listing, template)?
+        }
     };
     submission.ignored.splice(0..0, remarks);
     submission._unpacked = unpacked.into_iter().chain(place.unpacked).collect();
@@ -65,17 +70,22 @@ pub fn read(path: &Path, template: &Template) -> Result<Submission, SubmissionEr
 /// The remark completes "left aside ...".
 fn taken_from(folder: &str, layout: Layout) -> Option<String> {
     match (folder, layout) {
-        ("", Layout::Flat) => {
-            Some("the missing folder `src`: the .rs files at the top are taken as its files".to_owned())
+        ("", Layout::Flat) => Some(
+            "the missing folder `src`: the .rs files at the top are taken as its files".to_owned(),
+        ),
+        (_, Layout::Flat) => {
+            Some(outside("folder", folder) + ", its .rs files as those of the missing folder `src`")
         }
-        (_, Layout::Flat) => Some(outside("folder", folder) + ", its .rs files as those of the missing folder `src`"),
         ("", _) => None,
         (_, _) => Some(outside("folder", folder)),
     }
 }
 
 fn outside(kind: &str, name: &str) -> String {
-    format!("everything outside of the {kind} `{}`: the submission is taken from there", plain::name(name.as_bytes()))
+    format!(
+        "everything outside of the {kind} `{}`: the submission is taken from there",
+        plain::name(name.as_bytes())
+    )
 }
 
 /// A folder with what lies in it.
@@ -125,7 +135,8 @@ fn unpack(path: &Path) -> Result<(Folder, Vec<Aside>), SubmissionError> {
     if start.is_empty() {
         return Err(SubmissionError::Refused("the file is empty: hand it in again".to_owned()));
     }
-    let bytes = reading::open_named(path).and_then(|file| reading::read_rest(file, LIMITS.archive_bytes));
+    let bytes =
+        reading::open_named(path).and_then(|file| reading::read_rest(file, LIMITS.archive_bytes));
     let bytes = bytes.map_err(failed)?;
     let into = Folder::new()?;
     let aside = archive::unpack(&bytes, format, into.path(), &LIMITS).map_err(|why| match why {
@@ -142,9 +153,12 @@ fn unpack(path: &Path) -> Result<(Folder, Vec<Aside>), SubmissionError> {
 /// is judged by its first bytes.
 pub fn looks_handed_in(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().as_encoded_bytes();
-    let by_bytes = || nature::by_bytes(&reading::start(path, nature::START_BYTES).unwrap_or_default());
+    let by_bytes =
+        || nature::by_bytes(&reading::start(path, nature::START_BYTES).unwrap_or_default());
     match nature::by_name(name) {
-        None if !name.contains(&b'.') => matches!(by_bytes(), Some(Nature::Archive(_) | Nature::Packed(_))),
+        None if !name.contains(&b'.') => {
+            matches!(by_bytes(), Some(Nature::Archive(_) | Nature::Packed(_)))
+        }
         by_name => by_name.is_some(),
     }
 }

@@ -37,7 +37,11 @@ const BYTES: [(usize, &[u8], Nature); 18] = [
     (0, b"\xd0\xcf\x11\xe0", Work("an Office document")),
     (0, b"\x7fELF", Work("a compiled program")),
     (0, b"MZ", Work("a Windows program")),
-    (0, b"<", Work("a page of the web or another text with markup, perhaps saved instead of the archive")),
+    (
+        0,
+        b"<",
+        Work("a page of the web or another text with markup, perhaps saved instead of the archive"),
+    ),
 ];
 
 /// Endings of names in lower case, longer ones before those that they end in, and what the file is.
@@ -100,7 +104,10 @@ pub(super) fn of(name: &[u8], start: &[u8]) -> Option<Nature> {
 /// Returns what a file is by its first bytes.
 pub(super) fn by_bytes(start: &[u8]) -> Option<Nature> {
     let start_at = |at: usize| start.get(at..).unwrap_or_default();
-    BYTES.iter().find(|(at, bytes, _)| start_at(*at).starts_with(bytes)).map(|(_, _, nature)| *nature)
+    BYTES
+        .iter()
+        .find(|(at, bytes, _)| start_at(*at).starts_with(bytes))
+        .map(|(_, _, nature)| *nature)
 }
 
 /// Returns what a file is by the ending of its name.
@@ -131,9 +138,13 @@ pub(super) fn refusal(name: &[u8], nature: Option<Nature>) -> String {
         _ => String::new(),
     };
     match nature {
-        Some(Packed(what)) => format!("it is {what}{though}, which cannot be read: hand in .zip or .tar.gz"),
+        Some(Packed(what)) => {
+            format!("it is {what}{though}, which cannot be read: hand in .zip or .tar.gz")
+        }
         Some(Work(what)) => format!("it is {what}{though}: {instead}"),
-        Some(Archive(_)) | None => format!("it is neither a folder nor an archive{though}: {instead}"),
+        Some(Archive(_)) | None => {
+            format!("it is neither a folder nor an archive{though}: {instead}")
+        }
     }
 }
 
@@ -167,9 +178,13 @@ mod tests {
 
     #[test]
     fn the_ending_of_an_archive_is_cut() {
-        for (name, expected) in
-            [("a.tar.gz", "a"), ("a.b.7z", "a.b"), ("a.tar.xz", "a"), ("report.pdf", "report.pdf"), (".zip", "")]
-        {
+        for (name, expected) in [
+            ("a.tar.gz", "a"),
+            ("a.b.7z", "a.b"),
+            ("a.tar.xz", "a"),
+            ("report.pdf", "report.pdf"),
+            (".zip", ""),
+        ] {
             assert_eq!(without_ending(name.as_bytes()), expected.as_bytes(), "{name}");
         }
     }
@@ -183,12 +198,14 @@ mod tests {
         check(
             "a.zip",
             b"Rar!\x1a\x07\0",
-            "it is a .rar archive, though its name ends in .zip, which cannot be read: hand in .zip or .tar.gz",
+            "it is a .rar archive, though its name ends in .zip, which cannot be read: hand in \
+                .zip or .tar.gz",
         );
         check(
             "main.rs",
             b"",
-            "it is a single source file: hand in the folder of the template, or a .zip or .tar.gz of it",
+            "it is a single source file: hand in the folder of the template, or a .zip or .tar.gz \
+                of it",
         );
     }
 }

@@ -4,7 +4,7 @@
 //! [build]                                   # may be left out
 //! command = ["make", "tracer"]              # runs in a private copy of the folder
 //! [run]
-//! command = ["./tracer"]                    # `render SCENE.json OUT`, `probe` and so on come behind it
+//! command = ["./tracer"]   # followed by `render SCENE.json OUT`, `probe` and so on
 //! ```
 //! A word that begins with `./` is a path in the submission: the program starts in another, empty
 //! folder. A first word without a `/` is looked up in PATH.
@@ -40,7 +40,11 @@ struct Step {
 ///
 /// # Errors
 /// The manifest cannot be used, a file cannot be read or is too large, or the machine fails.
-pub(super) fn read(top: &Path, folder: &str, listing: Listing) -> Result<Submission, SubmissionError> {
+pub(super) fn read(
+    top: &Path,
+    folder: &str,
+    listing: Listing,
+) -> Result<Submission, SubmissionError> {
     let prefix = if folder.is_empty() { String::new() } else { format!("{folder}/") };
     let manifest = format!("{prefix}{MANIFEST}");
     let Listing { files, mut aside } = listing;
@@ -52,13 +56,20 @@ pub(super) fn read(top: &Path, folder: &str, listing: Listing) -> Result<Submiss
         return Err(SubmissionError::of_aside(top, aside.swap_remove(at)));
     }
     let path = top.join(&manifest);
-    let text = read_text(&path, MANIFEST_BYTES).map_err(|why| SubmissionError::of_file(&path, MANIFEST, why))?;
+    let text = read_text(&path, MANIFEST_BYTES)
+        .map_err(|why| SubmissionError::of_file(&path, MANIFEST, why))?;
     let (build, run) = parse(&text).map_err(|why| refuse(MANIFEST, &why))?;
     let within = |path: &String| path.strip_prefix(&prefix).map(str::to_owned);
-    let (files, folder) = (files.iter().filter_map(within).collect::<Vec<String>>(), top.join(folder));
+    let (files, folder) =
+        (files.iter().filter_map(within).collect::<Vec<String>>(), top.join(folder));
     let digest = digest(&folder, &files)?;
     let ignored = abridged(aside.iter().map(Aside::to_string).collect());
-    Ok(Submission { kind: Kind::Own(Own { folder, files, build, run }), digest, ignored, _unpacked: vec![] })
+    Ok(Submission {
+        kind: Kind::Own(Own { folder, files, build, run }),
+        digest,
+        ignored,
+        _unpacked: vec![],
+    })
 }
 
 /// Returns the build command, if there is one, and the run command.
@@ -69,7 +80,9 @@ fn parse(text: &str) -> Result<(Option<Vec<String>>, Vec<String>), String> {
     let manifest: Manifest = toml::from_str(text).map_err(|why| narrow(&why.to_string()))?;
     let words = |step: Step, name: &str| match step.command.first() {
         None => Err(format!("the command of [{name}] is empty")),
-        Some(first) if first.is_empty() => Err(format!("the command of [{name}] begins with an empty word")),
+        Some(first) if first.is_empty() => {
+            Err(format!("the command of [{name}] begins with an empty word"))
+        }
         Some(_) if step.command.iter().any(|word| word.contains('\0')) => {
             Err(format!("a word of the command of [{name}] has a NUL in it"))
         }
@@ -89,7 +102,8 @@ fn digest(folder: &Path, files: &[String]) -> Result<String, SubmissionError> {
     let mut all = vec![];
     for file in files {
         let path = folder.join(file);
-        let bytes = read_bytes(&path, LIMITS.file_bytes).map_err(|why| SubmissionError::of_file(&path, file, why))?;
+        let bytes = read_bytes(&path, LIMITS.file_bytes)
+            .map_err(|why| SubmissionError::of_file(&path, file, why))?;
         room = room.checked_sub(bytes.len() as u64).ok_or_else(|| {
             let most = size(LIMITS.all_bytes);
             SubmissionError::Refused(format!("its files have more than {most}; {most} are read"))

@@ -45,13 +45,14 @@ pub(super) fn open_named(path: &Path) -> Result<File, ReadError> {
 
 fn open(path: &Path, flags: i32) -> Result<File, ReadError> {
     let mut options = OpenOptions::new();
-    let file = options.read(true).custom_flags(flags | libc::O_NONBLOCK).open(path).map_err(|why| {
-        match why.raw_os_error() {
-            Some(libc::ELOOP) => ReadError::Link,
-            Some(libc::ENXIO) => ReadError::NotRegular, // a socket
-            _ => ReadError::Io(why),
-        }
-    })?;
+    let file =
+        options.read(true).custom_flags(flags | libc::O_NONBLOCK).open(path).map_err(|why| {
+            match why.raw_os_error() {
+                Some(libc::ELOOP) => ReadError::Link,
+                Some(libc::ENXIO) => ReadError::NotRegular, // a socket
+                _ => ReadError::Io(why),
+            }
+        })?;
     if file.metadata()?.is_file() { Ok(file) } else { Err(ReadError::NotRegular) }
 }
 
@@ -71,7 +72,11 @@ pub(super) fn read_rest(file: File, limit: u64) -> Result<Vec<u8>, ReadError> {
     let mut bytes = vec![];
     file.take(limit + 1).read_to_end(&mut bytes)?;
     // The file has grown since, or is a file of the kernel that hides its size.
-    if bytes.len() as u64 > limit { Err(ReadError::TooLarge(Excess { found: None, limit })) } else { Ok(bytes) }
+    if bytes.len() as u64 > limit {
+        Err(ReadError::TooLarge(Excess { found: None, limit }))
+    } else {
+        Ok(bytes)
+    }
 }
 
 /// Returns the bytes of a regular file of at most `limit` bytes.

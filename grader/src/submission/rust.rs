@@ -41,7 +41,8 @@ pub(super) fn read(
         }
         let text = if there.contains(&*path) {
             let full = top.join(&path);
-            read_text(&full, SOURCE_BYTES).map_err(|why| SubmissionError::of_file(&full, &path, why))?
+            read_text(&full, SOURCE_BYTES)
+                .map_err(|why| SubmissionError::of_file(&full, &path, why))?
         } else {
             missing.push(format!("{name}: missing, so the template's untouched one is taken"));
             untouched.clone()
@@ -52,15 +53,25 @@ pub(super) fn read(
     let digest = digest(sources.iter().map(|(name, text)| (name.as_str(), text.as_bytes())));
     let others = files.iter().filter_map(|path| place.other(top, path, template).transpose());
     let others = others.collect::<Result<Vec<Other>, SubmissionError>>()?;
-    let (code, others): (Vec<Other>, Vec<Other>) = others.into_iter().partition(|other| other.is_code);
+    let (code, others): (Vec<Other>, Vec<Other>) =
+        others.into_iter().partition(|other| other.is_code);
     let unused = abridged(code.into_iter().map(|other| other.says).collect());
-    let others = others.into_iter().map(|other| other.says).chain(aside.iter().map(Aside::to_string)).collect();
+    let others = others
+        .into_iter()
+        .map(|other| other.says)
+        .chain(aside.iter().map(Aside::to_string))
+        .collect();
     let mut ignored = [unused.clone(), missing, abridged(others)].concat();
     if !unused.is_empty() {
         let used: Vec<&str> = template.student.keys().map(String::as_str).collect();
         ignored.push(format!("all but the files that you write, which are {}", used.join(", ")));
     }
-    Ok(Submission { kind: Kind::Rust(Rust { sources, unused }), digest, ignored, _unpacked: vec![] })
+    Ok(Submission {
+        kind: Kind::Rust(Rust { sources, unused }),
+        digest,
+        ignored,
+        _unpacked: vec![],
+    })
 }
 
 /// The place of the template in the hand-in.
@@ -79,7 +90,11 @@ struct Other {
 impl Place<'_> {
     /// Returns the path in the hand-in of the template's file `name`.
     fn path(&self, name: &str) -> String {
-        let name = if self.layout == Layout::Flat { name.strip_prefix("src/").unwrap_or(name) } else { name };
+        let name = if self.layout == Layout::Flat {
+            name.strip_prefix("src/").unwrap_or(name)
+        } else {
+            name
+        };
         if self.folder.is_empty() { name.to_owned() } else { format!("{}/{name}", self.folder) }
     }
 
@@ -89,12 +104,22 @@ impl Place<'_> {
             "" => path,
             folder => path.strip_prefix(folder)?.strip_prefix('/')?,
         };
-        let is_source = self.layout == Layout::Flat && !inner.contains('/') && inner.ends_with(".rs");
-        Some(if is_source && inner != "build.rs" { format!("src/{inner}") } else { inner.to_owned() })
+        let is_source =
+            self.layout == Layout::Flat && !inner.contains('/') && inner.ends_with(".rs");
+        Some(if is_source && inner != "build.rs" {
+            format!("src/{inner}")
+        } else {
+            inner.to_owned()
+        })
     }
 
     /// Returns a remark on the file at `path`, or `None` if it counts or is as it was handed out.
-    fn other(&self, top: &Path, path: &str, template: &Template) -> Result<Option<Other>, SubmissionError> {
+    fn other(
+        &self,
+        top: &Path,
+        path: &str,
+        template: &Template,
+    ) -> Result<Option<Other>, SubmissionError> {
         let name = self.name(path);
         let name = name.as_deref().unwrap_or_default();
         if template.student.contains_key(name) || SILENT.contains(&name) {
@@ -105,7 +130,8 @@ impl Place<'_> {
             Some(_) => "differs from the given file, which is used instead",
             None => "not a file of the template, so it is not used",
         };
-        let is_code = name.ends_with(".rs") || name.ends_with("Cargo.toml") || name.starts_with(".cargo/");
+        let is_code =
+            name.ends_with(".rs") || name.ends_with("Cargo.toml") || name.starts_with(".cargo/");
         Ok(Some(Other { says: format!("{}: {why}", plain::name(path.as_bytes())), is_code }))
     }
 }
@@ -113,7 +139,9 @@ impl Place<'_> {
 /// Says whether the file holds that text. A file that cannot be read does not.
 fn is_text(path: &Path, text: &str) -> Result<bool, SubmissionError> {
     match read_bytes(path, SOURCE_BYTES) {
-        Err(ReadError::Io(why)) if blame::of(&why) == Blame::Machine => Err(SubmissionError::of_path(path, why)),
+        Err(ReadError::Io(why)) if blame::of(&why) == Blame::Machine => {
+            Err(SubmissionError::of_path(path, why))
+        }
         found => Ok(found.is_ok_and(|found| found == text.as_bytes())),
     }
 }

@@ -14,7 +14,11 @@ use super::*;
 fn template() -> Template {
     let file = |name: &str, text: &str| (name.to_owned(), text.to_owned());
     Template {
-        pristine: [file("src/main.rs", "mod sphere; fn main() {}"), file("Cargo.toml", "[package]")].into(),
+        pristine: [
+            file("src/main.rs", "mod sphere; fn main() {}"),
+            file("Cargo.toml", "[package]"),
+        ]
+        .into(),
         student: [file("src/sphere.rs", "// todo")].into(),
         dependencies: vec!["cases".to_owned()],
     }
@@ -46,7 +50,9 @@ fn check(files: &[(&str, &[u8])], expected: Result<&[&str], &str>) {
 fn check_folder(folder: &Path, expected: Result<&[&str], &str>) {
     match (read(folder, &template()), expected) {
         (Ok(found), Ok(ignored)) => assert_eq!(found.ignored, ignored),
-        (Err(SubmissionError::Refused(why)), Err(part)) => assert!(why.contains(part), "{why}\nshould say: {part}"),
+        (Err(SubmissionError::Refused(why)), Err(part)) => {
+            assert!(why.contains(part), "{why}\nshould say: {part}")
+        }
         (found, _) => panic!("{found:?}"),
     }
 }
@@ -69,7 +75,10 @@ fn only_the_students_files_count() {
             "all but the files that you write, which are src/sphere.rs",
         ]),
     );
-    check(&[("src/sphere.rs", b""), ("src/main.rs", b"mod sphere; fn main() {}"), ("target/x", b"")], Ok(&[]));
+    check(
+        &[("src/sphere.rs", b""), ("src/main.rs", b"mod sphere; fn main() {}"), ("target/x", b"")],
+        Ok(&[]),
+    );
     let many: Vec<String> = (0..30).map(|n| format!("{n:02}.txt")).collect();
     let mut files: Vec<(&str, &[u8])> = many.iter().map(|name| (name.as_str(), &b""[..])).collect();
     files.push(("src/sphere.rs", b""));
@@ -81,12 +90,17 @@ fn only_the_students_files_count() {
 #[test]
 fn a_file_that_is_missing_comes_from_the_template() {
     let other = Template {
-        student: [("src/sphere.rs", ""), ("src/plane.rs", "// todo")].map(|(a, b)| (a.to_owned(), b.to_owned())).into(),
+        student: [("src/sphere.rs", ""), ("src/plane.rs", "// todo")]
+            .map(|(a, b)| (a.to_owned(), b.to_owned()))
+            .into(),
         ..template()
     };
     let found = read(submission(&[("src/sphere.rs", b"mine")]).path(), &other).unwrap();
     assert_eq!(found.ignored, ["src/plane.rs: missing, so the template's untouched one is taken"]);
-    assert_eq!((&*sources(&found)["src/plane.rs"], &*sources(&found)["src/sphere.rs"]), ("// todo", "mine"));
+    assert_eq!(
+        (&*sources(&found)["src/plane.rs"], &*sources(&found)["src/sphere.rs"]),
+        ("// todo", "mine")
+    );
 }
 
 #[test]
@@ -111,7 +125,8 @@ fn flat_and_nested_submissions_are_the_same_as_plain_ones() {
         assert_eq!(found.ignored, [remark]);
         assert_eq!(found.digest, plain.digest);
     }
-    let flat: &[(&str, &[u8])] = &[("sphere.rs", b""), ("main.rs", b"mine"), ("build.rs", b""), ("x.pdf", b"")];
+    let flat: &[(&str, &[u8])] =
+        &[("sphere.rs", b""), ("main.rs", b"mine"), ("build.rs", b""), ("x.pdf", b"")];
     check(
         flat,
         Ok(&[
@@ -126,17 +141,32 @@ fn flat_and_nested_submissions_are_the_same_as_plain_ones() {
 
 #[test]
 fn what_is_none_is_refused_in_plain_words() {
-    check(&[("notes.txt", b"")], Err("neither a folder `src` with files of the template nor a `submission.toml`"));
+    check(
+        &[("notes.txt", b"")],
+        Err("neither a folder `src` with files of the template nor a `submission.toml`"),
+    );
     check(&[("ball.rs", b"")], Err("expected in a folder `src` are sphere.rs"));
-    check(&[("a/src/sphere.rs", b""), ("b/src/sphere.rs", b"")], Err("`a`, `b`; hand in one of them"));
+    check(
+        &[("a/src/sphere.rs", b""), ("b/src/sphere.rs", b"")],
+        Err("`a`, `b`; hand in one of them"),
+    );
     check(&[("src/sphere.rs", b"ok\nna\xefve")], Err("src/sphere.rs: is not UTF-8 text (line 2)"));
-    check(&[("src/sphere.rs", &[b' '; (1 << 20) + 512 * 1024])], Err("src/sphere.rs: has 1.5 MiB; 1 MiB are read"));
+    check(
+        &[("src/sphere.rs", &[b' '; (1 << 20) + 512 * 1024])],
+        Err("src/sphere.rs: has 1.5 MiB; 1 MiB are read"),
+    );
     check(&[("submission.toml", b"[run]\ncommand = []")], Err("the command of [run] is empty"));
     check(&[("submission.toml", b"[run]\ncommand = ['']")], Err("[run] begins with an empty word"));
-    check(&[("submission.toml", b"[run]\ncommand = ['a', \"\\u0000\"]")], Err("[run] has a NUL in it"));
+    check(
+        &[("submission.toml", b"[run]\ncommand = ['a', \"\\u0000\"]")],
+        Err("[run] has a NUL in it"),
+    );
     check(&[("submission.toml", b"[run]\ncomand = ['x']")], Err("unknown field `comand`"));
     check(&[("submission.toml", b"[build]\ncommand = ['make']")], Err("missing field `run`"));
-    check(&[("submission.toml", &[b'#'; 65 << 10])], Err("submission.toml: has 65 KiB; 64 KiB are read"));
+    check(
+        &[("submission.toml", &[b'#'; 65 << 10])],
+        Err("submission.toml: has 65 KiB; 64 KiB are read"),
+    );
     let run: (&str, &[u8]) = ("submission.toml", b"[run]\ncommand = ['x']");
     check(&[run, ("mesh.obj", &[b'#'; 17 << 20])], Err("mesh.obj: has 17 MiB; 16 MiB are read"));
 }
@@ -204,7 +234,10 @@ fn a_file_that_the_user_may_not_read_is_nobodys_submission() {
         rust::read(folder.path(), "", Layout::Template, listing(), &template()).map(drop),
         own::read(folder.path(), "", listing()).map(drop),
     ] {
-        assert!(matches!(&found, Err(SubmissionError::Unreadable { path, .. }) if *path == closed), "{found:?}");
+        assert!(
+            matches!(&found, Err(SubmissionError::Unreadable { path, .. }) if *path == closed),
+            "{found:?}"
+        );
     }
     let missing = read(&folder.path().join("nowhere"), &template());
     assert!(matches!(missing, Err(SubmissionError::Unreadable { .. })), "{missing:?}");
@@ -215,27 +248,36 @@ fn a_file_that_the_user_may_not_read_is_nobodys_submission() {
 #[test]
 fn more_than_can_be_listed_is_refused() {
     let folder = submission(&[("src/sphere.rs", b"")]);
-    (0..limits::LIMITS.entries - 2).for_each(|n| fs::write(folder.path().join(n.to_string()), "").unwrap());
-    assert!(read(folder.path(), &template()).is_ok(), "with src and src/sphere.rs it is as many as are read");
+    (0..limits::LIMITS.entries - 2)
+        .for_each(|n| fs::write(folder.path().join(n.to_string()), "").unwrap());
+    assert!(
+        read(folder.path(), &template()).is_ok(),
+        "with src and src/sphere.rs it is as many as are read"
+    );
     fs::write(folder.path().join("x"), "").unwrap();
     check_folder(folder.path(), Err("more than 2000 files and folders"));
 }
 
 #[test]
 fn the_digest_follows_what_counts_and_nothing_else() {
-    let digest = |files: &[(&str, &[u8])]| read(submission(files).path(), &template()).unwrap().digest;
+    let digest =
+        |files: &[(&str, &[u8])]| read(submission(files).path(), &template()).unwrap().digest;
     let one = digest(&[("src/sphere.rs", b"a")]);
     assert_eq!(one, digest(&[("src/sphere.rs", b"a"), ("notes.txt", b"n"), (".DS_Store", b"")]));
     assert_ne!(one, digest(&[("src/sphere.rs", b"b")]));
-    let found = read(submission(&[("src/sphere.rs", b"a"), ("src/main.rs", b"evil")]).path(), &template()).unwrap();
+    let found =
+        read(submission(&[("src/sphere.rs", b"a"), ("src/main.rs", b"evil")]).path(), &template())
+            .unwrap();
     assert_eq!(sources(&found)["src/main.rs"], "mod sphere; fn main() {}");
 }
 
 #[test]
 fn another_language_says_how_it_is_run() {
     let run: &[u8] = b"[run]\ncommand = ['python3', './t.py']";
-    let plain = read(submission(&[("submission.toml", run), ("t.py", b"1")]).path(), &template()).unwrap();
-    let nested = [("hw/submission.toml", run), ("hw/t.py", b"1"), ("notes.txt", b""), ("hw/.DS_Store", b"")];
+    let plain =
+        read(submission(&[("submission.toml", run), ("t.py", b"1")]).path(), &template()).unwrap();
+    let nested =
+        [("hw/submission.toml", run), ("hw/t.py", b"1"), ("notes.txt", b""), ("hw/.DS_Store", b"")];
     let nested = read(submission(&nested).path(), &template()).unwrap();
     assert_eq!(nested.digest, plain.digest);
     let Kind::Own(own) = nested.kind else { panic!("{nested:?}") };
@@ -244,7 +286,9 @@ fn another_language_says_how_it_is_run() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        cases: 500, failure_persistence: None, ..ProptestConfig::default()
+    })]
 
     #[test]
     fn any_manifest_is_read_or_refused(bytes in proptest::collection::vec(any::<u8>(), 0..300)) {
@@ -255,7 +299,8 @@ proptest! {
     fn any_change_of_a_manifest_is_read_or_refused(
         edits in proptest::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
     ) {
-        let mut bytes = b"[build]\ncommand = ['make', \"a\"]\n[run]\ncommand = ['./tracer', '''x''']\n".to_vec();
+        let mut bytes = b"[build]\ncommand = ['make', \"a\"]\n[run]\n\
+            command = ['./tracer', '''x''']\n".to_vec();
         for (at, byte) in edits {
             let at = at.index(bytes.len());
             bytes[at] = byte;
@@ -267,7 +312,9 @@ proptest! {
 fn refused_or_read(manifest: &[u8]) {
     match read(submission(&[("submission.toml", manifest)]).path(), &template()) {
         Ok(Submission { kind: Kind::Own(own), .. }) => assert!(!own.run.is_empty()),
-        Err(SubmissionError::Refused(why)) => assert!(why.starts_with("submission.toml: "), "{why}"),
+        Err(SubmissionError::Refused(why)) => {
+            assert!(why.starts_with("submission.toml: "), "{why}")
+        }
         other => panic!("{other:?}"),
     }
 }

@@ -10,8 +10,8 @@ use crate::shared::add_dark_case;
 
 /// Programs in the shell that write a PFM picture of 4 × 3 pixels.
 pub(crate) const BLACK: &str = "{ printf 'PF\\n4 3\\n-1.0\\n'; head -c 144 /dev/zero; } > \"$3\"";
-pub(crate) const WHITE: &str = "{ printf 'PF\\n4 3\\n-1.0\\n'; for n in 1 2 3 4 5 6 7 8 9 10 11 12; do \
-    printf '\\000\\000\\200\\077\\000\\000\\200\\077\\000\\000\\200\\077'; done; } > \"$3\"";
+pub(crate) const WHITE: &str = "{ printf 'PF\\n4 3\\n-1.0\\n'; for n in 1 2 3 4 5 6 7 8 9 10 11 \
+    12; do printf '\\000\\000\\200\\077\\000\\000\\200\\077\\000\\000\\200\\077'; done; } > \"$3\"";
 pub(crate) const CRASH: &str = "echo oh >&2; exit 7";
 pub(crate) const SLOW: &str = "sleep 20";
 
@@ -41,7 +41,8 @@ impl Class {
     pub(crate) fn hand_in(&self, name: &str, script: &str) {
         let folder = self.at("in").join(name);
         fs::create_dir_all(&folder).unwrap();
-        fs::write(folder.join("submission.toml"), "[run]\ncommand = [\"sh\", \"./tracer.sh\"]\n").unwrap();
+        fs::write(folder.join("submission.toml"), "[run]\ncommand = [\"sh\", \"./tracer.sh\"]\n")
+            .unwrap();
         fs::write(folder.join("tracer.sh"), script).unwrap();
     }
 
@@ -64,8 +65,18 @@ impl Class {
     /// The command that grades the class, with `more` arguments, after a line of shell.
     pub(crate) fn command(&self, line: &str, more: &[&str]) -> Command {
         let mut command = Command::new("sh");
-        command.arg("-c").arg(format!("{line}; exec \"$@\"")).arg("sh").arg(env!("CARGO_BIN_EXE_grader"));
-        command.arg("batch").arg(self.at("in")).arg("-o").arg(self.at("out")).arg("--cases").arg(self.at("stages"));
+        command
+            .arg("-c")
+            .arg(format!("{line}; exec \"$@\""))
+            .arg("sh")
+            .arg(env!("CARGO_BIN_EXE_grader"));
+        command
+            .arg("batch")
+            .arg(self.at("in"))
+            .arg("-o")
+            .arg(self.at("out"))
+            .arg("--cases")
+            .arg(self.at("stages"));
         command.args(more).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         command
     }
@@ -76,7 +87,10 @@ impl Class {
 
     pub(crate) fn table(&self) -> Vec<String> {
         let text = fs::read_to_string(self.at("out/class.csv")).unwrap();
-        text.lines().skip(1).map(|line| line.split(',').take(6).collect::<Vec<_>>().join(" ")).collect()
+        text.lines()
+            .skip(1)
+            .map(|line| line.split(',').take(6).collect::<Vec<_>>().join(" "))
+            .collect()
     }
 }
 

@@ -1,4 +1,5 @@
-//! What the tests of the command line share: a folder with submissions, and a way to call the program.
+//! What the tests of the command line share: a folder with submissions, and a way to call the
+//! program.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -27,8 +28,8 @@ pub(crate) fn printed(output: &Output) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr)
 }
 
-/// Puts a submission into `folder/name` that is built by `build`, if that is not empty, and run by `run`,
-/// both by the shell.
+/// Puts a submission into `folder/name` that is built by `build`, if that is not empty, and run by
+/// `run`, both by the shell.
 pub(crate) fn hand_in(folder: &Path, name: &str, build: &str, run: &str) {
     let home = folder.join(name);
     fs::create_dir_all(&home).unwrap();

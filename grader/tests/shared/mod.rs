@@ -13,7 +13,8 @@ use cases::stage::{Base, load_case};
 pub(crate) const STAGE: &str =
     "title = \"Dark\"\nabout = \"Nothing is there.\"\nallows = []\nneeds = []\nunit_points = 0\n";
 
-pub(crate) const CASE: &str = "title = \"Dark\"\nabout = \"Nothing is there, so nothing is seen.\"\nrules = [2]\npoints = 2\n\
+pub(crate) const CASE: &str = "title = \"Dark\"\n\
+    about = \"Nothing is there, so nothing is seen.\"\nrules = [2]\npoints = 2\n\
     [render]\nsize = [4, 3]\nmax_depth = 0\n\
     [scene.camera]\neye = [0, 0, 3]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 40\n\
     [scene.materials]\nchalk = { kd = [1, 1, 1] }\n\
@@ -36,7 +37,8 @@ pub(crate) fn add_dark_case(stages: &Path, name: &str) {
 /// Writes the answers to the case `name` as it is now: a black picture, and no list of mistakes.
 pub(crate) fn expect(stages: &Path, name: &str) {
     let course = Course::default();
-    let case = load_case(&stages.join("01_ray_casting").join(name).with_extension("toml"), &course).unwrap();
+    let case = load_case(&stages.join("01_ray_casting").join(name).with_extension("toml"), &course)
+        .unwrap();
     let answer = ImageAnswer::exact(Image::from_fn(4, 3, |_, _| DVec3::ZERO), 2.0, 0);
     let bytes = answer.encode(&Digest::of_case(&course, Base::Background, &case), &[]).unwrap();
     fs::write(image_answer_path(stages, &case.id), bytes).unwrap();

@@ -1,4 +1,5 @@
-//! Building: ranges of things are split in place, along the axis and at the bin where the surface-area heuristic finds it cheapest.
+//! Building: ranges of things are split in place, along the axis and at the bin where the
+//! surface-area heuristic finds it cheapest.
 //!
 //! Sums and bounds do not depend on the order in which threads come, so the tree does not either.
 
@@ -15,7 +16,8 @@ use crate::real::Real;
 const FEW: usize = 2;
 /// Most places at which a split is tried.
 const BINS: usize = 16;
-/// Deeper than this, ranges are split in halves: 2^28 things are then one each well above [`DEEPEST`].
+/// Deeper than this, ranges are split in halves: 2^28 things are then one each well above
+/// [`DEEPEST`].
 const DEEP: usize = DEEPEST - 30;
 /// Ranges longer than this are worked at by several threads.
 const FORK: usize = 8192;
@@ -112,12 +114,15 @@ fn grow(items: &mut [Item], first: usize, around: Around, bottom: Bottom, nodes:
             nodes.extend(below.into_iter().map(|node| node.moved(by)));
         }
     }
-    let corners = |span: Span| ([span.lo[0], span.lo[1], span.lo[2]], [span.hi[0], span.hi[1], span.hi[2]]);
-    nodes[at] = Node::of(children.into_iter().map(|(span, child)| (corners(span).0, corners(span).1, child)));
+    let corners =
+        |span: Span| ([span.lo[0], span.lo[1], span.lo[2]], [span.hi[0], span.hi[1], span.hi[2]]);
+    nodes[at] = Node::of(
+        children.into_iter().map(|(span, child)| (corners(span).0, corners(span).1, child)),
+    );
 }
 
-/// Parts that the children of a node over `items` hold, in order, and how deep the splits have come: the part with the greatest box is split again, while
-/// there is room.
+/// Parts that the children of a node over `items` hold, in order, and how deep the splits have
+/// come: the part with the greatest box is split again, while there is room.
 fn divide(items: &mut [Item], around: Around, bottom: Bottom) -> (ArrayVec<Part, WIDTH>, Bottom) {
     let Bottom { most, at_once, .. } = bottom;
     let mut parts = ArrayVec::<Part, WIDTH>::new();
@@ -127,9 +132,10 @@ fn divide(items: &mut [Item], around: Around, bottom: Bottom) -> (ArrayVec<Part,
     }
     parts.push((items.len(), around));
     while !parts.is_full() {
-        let weight = |(count, around): &Part| if *count > most { around.all.half_area() } else { -1.0 };
-        let largest =
-            (0..parts.len()).fold(0, |best, n| if weight(&parts[n]) > weight(&parts[best]) { n } else { best });
+        let weight =
+            |(count, around): &Part| if *count > most { around.all.half_area() } else { -1.0 };
+        let largest = (0..parts.len())
+            .fold(0, |best, n| if weight(&parts[n]) > weight(&parts[best]) { n } else { best });
         let (count, around) = parts[largest];
         if count <= most {
             break;
@@ -199,7 +205,8 @@ struct Grid {
 impl Grid {
     #[inline(always)]
     fn bin(&self, item: &Item, axis: usize) -> usize {
-        (((item.middle(axis) - self.least[axis]) * self.per_width[axis]) as usize).min(self.n_bins - 1)
+        (((item.middle(axis) - self.least[axis]) * self.per_width[axis]) as usize)
+            .min(self.n_bins - 1)
     }
 }
 
@@ -308,9 +315,15 @@ mod tests {
             pool.install(|| build(&bounds, &Space::of(&bounds), 4))
         };
         let (Built { nodes, mut order, crowd }, other) = (built(1), built(5));
-        assert!(nodes == other.nodes && order == other.order && crowd == other.crowd, "the trees differ");
+        assert!(
+            nodes == other.nodes && order == other.order && crowd == other.crowd,
+            "the trees differ"
+        );
         order.sort_unstable();
-        assert!(order.iter().enumerate().all(|(n, number)| n as u32 == *number), "something is lost, or held twice");
+        assert!(
+            order.iter().enumerate().all(|(n, number)| n as u32 == *number),
+            "something is lost, or held twice"
+        );
     }
 
     /// Boxes about one middle: so many equal ones, and one of every other size in between.

@@ -1,15 +1,20 @@
-//! A packet of rays in a tree's space: the pyramid that holds them all, asked where one ray would be.
+//! A packet of rays in a tree's space: the pyramid that holds them all, asked where one ray would
+//! be.
 //!
-//! **No box hides a hit.** Let z be the axis that the rays run along, x one across it, o the origin. A ray with slope s passes the points
-//! x − o.x = s (z − o.z), so that, ahead of the origin, with the greatest slope S of all rays, x − S z ≤ o.x − S o.z; below by the least slope likewise, and
-//! both the other way round where the rays go down their axis. A box all of which breaks one of these is missed by every ray. The bound on the right is
-//! worked out in f64, for the very S that is used: the greatest slope rounded to f32 and then moved up by one place more, so that none is beyond it.
-//! Of a box, x − S z is least where x is, and where S z is greatest. With u = 2⁻²⁴ it is off by u for S z, 2u for the difference and 2u for
-//! the planes themselves; a bound that amounts to less than 4 by 2u for being rounded to f32, and a greater one decides nothing narrowly, as no box
-//! reaches so far: 7u in all, which the 32u by which boxes grow in `slab` more than cover. Depths are off by less.
+//! **No box hides a hit.** Let z be the axis that the rays run along, x one across it, o the
+//! origin. A ray with slope s passes the points x − o.x = s (z − o.z), so that, ahead of the
+//! origin, with the greatest slope S of all rays, x − S z ≤ o.x − S o.z; below by the least slope
+//! likewise, and both the other way round where the rays go down their axis. A box all of which
+//! breaks one of these is missed by every ray. The bound on the right is worked out in f64, for the
+//! very S that is used: the greatest slope rounded to f32 and then moved up by one place more, so
+//! that none is beyond it. Of a box, x − S z is least where x is, and where S z is greatest. With u
+//! = 2⁻²⁴ it is off by u for S z, 2u for the difference and 2u for the planes themselves; a bound
+//! that amounts to less than 4 by 2u for being rounded to f32, and a greater one decides nothing
+//! narrowly, as no box reaches so far: 7u in all, which the 32u by which boxes grow in `slab` more
+//! than cover. Depths are off by less.
 //!
-//! What the test of a thing loses, the pad of `slab`, counts once for x and |S| ≤ 1 times for z. A third is left for what f64 loses here: 256 last places
-//! are many.
+//! What the test of a thing loses, the pad of `slab`, counts once for x and |S| ≤ 1 times for z. A
+//! third is left for what f64 loses here: 256 last places are many.
 
 use std::ops::Range;
 
@@ -30,8 +35,8 @@ pub(crate) trait VisitTogether<Y> {
 }
 
 impl Bvh {
-    /// Has `visitor` visit every thing whose box the pyramid of the packet enters before the limit, nearer boxes first; whether it could: not where rounding
-    /// may lose much of the tree.
+    /// Has `visitor` visit every thing whose box the pyramid of the packet enters before the limit,
+    /// nearer boxes first; whether it could: not where rounding may lose much of the tree.
     #[inline]
     pub(crate) fn walk_together<T: Real, Y: Tally>(
         &self,
@@ -128,11 +133,19 @@ impl Frustum {
         let side = |n: usize, is_upper: bool| {
             let (x, slopes) = (packet.axes[n], &packet.slopes[n]);
             let slope = match is_upper == goes_up {
-                true => slopes.iter().fold(slopes[0], |most, s| if *s > most { *s } else { most }).next_up(),
-                false => slopes.iter().fold(slopes[0], |least, s| if *s < least { *s } else { least }).next_down(),
+                true => slopes
+                    .iter()
+                    .fold(slopes[0], |most, s| if *s > most { *s } else { most })
+                    .next_up(),
+                false => slopes
+                    .iter()
+                    .fold(slopes[0], |least, s| if *s < least { *s } else { least })
+                    .next_down(),
             };
-            let bound = origin[x] - f64::from(slope) * origin[z] + if is_upper { slack } else { -slack };
-            let planes = [2 * x + usize::from(!is_upper), 2 * z + usize::from((slope >= 0.0) == is_upper)];
+            let bound =
+                origin[x] - f64::from(slope) * origin[z] + if is_upper { slack } else { -slack };
+            let planes =
+                [2 * x + usize::from(!is_upper), 2 * z + usize::from((slope >= 0.0) == is_upper)];
             Side { planes, slope, bound: bound as f32 }
         };
         Some(Self {
@@ -152,7 +165,8 @@ impl Frustum {
         (depth * self.scale + self.start + self.slack).min(1e30) as f32
     }
 
-    /// At which coordinate along the rays each box begins, and a bit for each that the pyramid may enter, before `reach`.
+    /// At which coordinate along the rays each box begins, and a bit for each that the pyramid may
+    /// enter, before `reach`.
     #[inline(always)]
     fn boxes(&self, planes: &[Eight; 6], reach: f32) -> (Eight, u32) {
         let (near, far) = (&planes[self.near], &planes[self.near ^ 1]);
@@ -163,8 +177,9 @@ impl Frustum {
             is_out[lane] = (begin[lane] > reach) | (far[lane] * self.sign < start);
         }
         for (upper, lower) in self.upper.iter().zip(&self.lower) {
-            let at =
-                |side: &Side, lane: usize| planes[side.planes[0]][lane] - side.slope * planes[side.planes[1]][lane];
+            let at = |side: &Side, lane: usize| {
+                planes[side.planes[0]][lane] - side.slope * planes[side.planes[1]][lane]
+            };
             for (lane, is_out) in is_out.iter_mut().enumerate() {
                 *is_out |= (at(upper, lane) > upper.bound) | (at(lower, lane) < lower.bound);
             }

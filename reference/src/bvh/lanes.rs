@@ -1,8 +1,12 @@
-//! The instructions that a walk is made of: eight boxes or four triangles at once where the machine has registers for them.
+//! The instructions that a walk is made of: eight boxes or four triangles at once where the machine
+//! has registers for them.
 //!
-//! One source is compiled for each: lane by lane the same operations of IEEE 754, none of them fused, so that every path visits the same nodes and finds
-//! the same bits. NEON needs no path of its own: it is part of every 64-bit ARM processor, so that the portable path uses it there.
-#![allow(unsafe_code, reason = "functions for some processors alone are unsafe to call; here it is known which")]
+//! One source is compiled for each: lane by lane the same operations of IEEE 754, none of them
+//! fused, so that every path visits the same nodes and finds the same bits. NEON needs no path of
+//! its own: it is part of every 64-bit ARM processor, so that the portable path uses it there.
+// A function that is compiled for one kind of processor is unsafe to call on another. This file
+// knows on which kind it runs.
+#![allow(unsafe_code)]
 
 #[cfg(target_arch = "x86_64")]
 use std::arch::x86_64::*;
@@ -14,8 +18,9 @@ pub(super) type Eight = [f32; 8];
 
 /// Eight boxes against a ray.
 pub(crate) trait Test {
-    /// At which τ from 0 on the ray enters each box, and a bit for each that it leaves no earlier, and enters no later than `reach`. The planes come axis
-    /// by axis, those met first, then those met last.
+    /// At which τ from 0 on the ray enters each box, and a bit for each that it leaves no earlier,
+    /// and enters no later than `reach`. The planes come axis by axis, those met first, then those
+    /// met last.
     fn boxes(planes: [[&Eight; 2]; 3], ray: &Slab, reach: f32) -> (Eight, u32);
 
     /// A bit for each triangle that the ray does not certainly miss.
@@ -24,7 +29,8 @@ pub(crate) trait Test {
     /// The same for corners in double precision.
     fn doubles(corners: &Four<f64>, ray: &Across) -> u32;
 
-    /// A bit for each of eight points of a plane, x and y side by side, that lies between `least` and `most`; none for NaN.
+    /// A bit for each of eight points of a plane, x and y side by side, that lies between `least`
+    /// and `most`; none for NaN.
     fn within(points: [&Eight; 2], least: [f32; 2], most: [f32; 2]) -> u32;
 
     /// Has memory that is soon to be read brought near. It changes nothing but time.
@@ -82,12 +88,16 @@ impl Test for Portable {
 
     #[inline(always)]
     fn singles(corners: &Four<f32>, ray: &Across) -> u32 {
-        (0..4).fold(0, |left, n| left | one(corners.map(|corner| corner.map(|axis| f64::from(axis[n]))), ray) << n)
+        (0..4).fold(0, |left, n| {
+            left | one(corners.map(|corner| corner.map(|axis| f64::from(axis[n]))), ray) << n
+        })
     }
 
     #[inline(always)]
     fn doubles(corners: &Four<f64>, ray: &Across) -> u32 {
-        (0..4).fold(0, |left, n| left | one(corners.map(|corner| corner.map(|axis| axis[n])), ray) << n)
+        (0..4).fold(0, |left, n| {
+            left | one(corners.map(|corner| corner.map(|axis| axis[n])), ray) << n
+        })
     }
 }
 
@@ -119,7 +129,10 @@ impl Test for Wide {
             let to_x = _mm256_cmp_ps::<_CMP_LE_OQ>(x, _mm256_set1_ps(most[0]));
             let from_y = _mm256_cmp_ps::<_CMP_GE_OQ>(y, _mm256_set1_ps(least[1]));
             let to_y = _mm256_cmp_ps::<_CMP_LE_OQ>(y, _mm256_set1_ps(most[1]));
-            _mm256_movemask_ps(_mm256_and_ps(_mm256_and_ps(from_x, to_x), _mm256_and_ps(from_y, to_y)))
+            _mm256_movemask_ps(_mm256_and_ps(
+                _mm256_and_ps(from_x, to_x),
+                _mm256_and_ps(from_y, to_y),
+            ))
         };
         within.cast_unsigned()
     }
@@ -136,13 +149,17 @@ impl Test for Wide {
     #[inline(always)]
     fn boxes(planes: [[&Eight; 2]; 3], ray: &Slab, reach: f32) -> (Eight, u32) {
         let mut all = [0.0; 8];
-        // SAFETY: `Lanes` runs this where the processor has AVX2; what is read and written is as long as a register.
+        // SAFETY: `Lanes` runs this where the processor has AVX2; what is read and written is as
+        // long as a register.
         let entered = unsafe {
             let (mut enter, mut leave) = (_mm256_setzero_ps(), _mm256_set1_ps(reach));
             for (axis, [near, far]) in planes.into_iter().enumerate() {
                 let inverse = _mm256_set1_ps(ray.inverse[axis]);
                 let t = |planes: &Eight, from| {
-                    _mm256_mul_ps(_mm256_sub_ps(_mm256_loadu_ps(planes.as_ptr()), _mm256_set1_ps(from)), inverse)
+                    _mm256_mul_ps(
+                        _mm256_sub_ps(_mm256_loadu_ps(planes.as_ptr()), _mm256_set1_ps(from)),
+                        inverse,
+                    )
                 };
                 enter = _mm256_max_ps(t(near, ray.from_near[axis]), enter);
                 leave = _mm256_min_ps(t(far, ray.from_far[axis]), leave);
@@ -171,7 +188,9 @@ impl Test for Wide {
 #[target_feature(enable = "avx2")]
 fn singles(corners: &Four<f32>, ray: &Across) -> u32 {
     // SAFETY: what is read is as long as a register.
-    let load = |corner: usize, axis: usize| _mm256_cvtps_pd(unsafe { _mm_loadu_ps(corners[corner][axis].as_ptr()) });
+    let load = |corner: usize, axis: usize| {
+        _mm256_cvtps_pd(unsafe { _mm_loadu_ps(corners[corner][axis].as_ptr()) })
+    };
     let [x, y, z] = ray.axes;
     let a = seen(load(0, x), load(0, y), load(0, z), ray);
     let b = seen(load(1, x), load(1, y), load(1, z), ray);
@@ -184,7 +203,8 @@ fn singles(corners: &Four<f32>, ray: &Across) -> u32 {
 #[target_feature(enable = "avx2")]
 fn doubles(corners: &Four<f64>, ray: &Across) -> u32 {
     // SAFETY: what is read is as long as a register.
-    let load = |corner: usize, axis: usize| unsafe { _mm256_loadu_pd(corners[corner][axis].as_ptr()) };
+    let load =
+        |corner: usize, axis: usize| unsafe { _mm256_loadu_pd(corners[corner][axis].as_ptr()) };
     let [x, y, z] = ray.axes;
     let a = seen(load(0, x), load(0, y), load(0, z), ray);
     let b = seen(load(1, x), load(1, y), load(1, z), ray);
@@ -218,7 +238,12 @@ fn area(p: (__m256d, __m256d), q: (__m256d, __m256d)) -> __m256d {
 #[cfg(target_arch = "x86_64")]
 #[inline]
 #[target_feature(enable = "avx2")]
-fn not_missed(a: (__m256d, __m256d), b: (__m256d, __m256d), c: (__m256d, __m256d), doubt: f64) -> u32 {
+fn not_missed(
+    a: (__m256d, __m256d),
+    b: (__m256d, __m256d),
+    c: (__m256d, __m256d),
+    doubt: f64,
+) -> u32 {
     let (u, v, w) = (area(b, c), area(c, a), area(a, b));
     let most = _mm256_max_pd(_mm256_max_pd(u, v), w);
     let least = _mm256_min_pd(_mm256_min_pd(u, v), w);
@@ -254,8 +279,12 @@ impl Lanes {
             if is_x86_feature_detected!("avx2") {
                 all.push(Self(Path::Avx2));
             }
-            let has_avx512 = is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512vl");
-            if has_avx512 && is_x86_feature_detected!("avx512dq") && is_x86_feature_detected!("avx512bw") {
+            let has_avx512 =
+                is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512vl");
+            if has_avx512
+                && is_x86_feature_detected!("avx512dq")
+                && is_x86_feature_detected!("avx512bw")
+            {
                 all.push(Self(Path::Avx512));
             }
         }

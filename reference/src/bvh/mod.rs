@@ -1,7 +1,8 @@
 //! A tree of boxes over numbered things, known by their bounds alone.
 //!
-//! Boxes only prune: what they leave is asked in full precision by whoever walks, so that a walk finds what a scan of the whole list finds,
-//! bit for bit, on every machine. `slab` says why no box hides a hit.
+//! Boxes only prune: what they leave is asked in full precision by whoever walks, so that a walk
+//! finds what a scan of the whole list finds, bit for bit, on every machine. `slab` says why no box
+//! hides a hit.
 
 mod build;
 mod frustum;
@@ -57,8 +58,10 @@ pub struct Bvh {
 }
 
 impl Bvh {
-    /// The tree over `bounds.len()` things, and the order in which it numbers them: its thing n is the one with `bounds[order[n]]`. Split where the
-    /// surface-area heuristic finds it cheapest, on all threads of the current `rayon` pool; the same bounds give the same tree on any number of them.
+    /// The tree over `bounds.len()` things, and the order in which it numbers them: its thing n is
+    /// the one with `bounds[order[n]]`. Split where the surface-area heuristic finds it cheapest,
+    /// on all threads of the current `rayon` pool; the same bounds give the same tree on any number
+    /// of them.
     pub fn build<T: Real>(bounds: &[Bounds<T>]) -> (Self, Vec<u32>) {
         let space = Space::of(bounds);
         let build::Built { nodes, order, .. } = build::build(bounds, &space, 1);
@@ -82,7 +85,8 @@ impl Bvh {
         size_of_val(&*self.nodes)
     }
 
-    /// The tree over things that are asked in frames of their own, on the way to which roundings grow by up to this factor, 1 or more.
+    /// The tree over things that are asked in frames of their own, on the way to which roundings
+    /// grow by up to this factor, 1 or more.
     pub fn with_loss(self, loss: f64) -> Self {
         Self { space: self.space.with_loss(loss), ..self }
     }
@@ -92,9 +96,15 @@ impl Bvh {
         Self { lanes, ..self }
     }
 
-    /// Has `visitor` visit every thing whose box the ray enters before the limit, nearer boxes first.
+    /// Has `visitor` visit every thing whose box the ray enters before the limit, nearer boxes
+    /// first.
     #[inline]
-    pub(crate) fn walk<T: Real, Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, visitor: impl Visit<T, Y>) {
+    pub(crate) fn walk<T: Real, Y: Tally>(
+        &self,
+        ray: &Ray<T>,
+        tally: &mut Y,
+        visitor: impl Visit<T, Y>,
+    ) {
         if !self.nodes.is_empty() {
             self.lanes.run(Walk { tree: self, ray, tally, visitor });
         }
@@ -103,11 +113,12 @@ impl Bvh {
 
 /// Visits things by their numbers.
 pub(crate) trait Visit<T, Y> {
-    /// Visits a thing; gets the limit before which something may still be met, and returns the new one: a lower one where it has met something, −∞ to
-    /// end the walk.
+    /// Visits a thing; gets the limit before which something may still be met, and returns the new
+    /// one: a lower one where it has met something, −∞ to end the walk.
     fn visit(&mut self, tally: &mut Y, thing: u32, limit: T) -> T;
 
-    /// A bit for each thing of a leaf, all but those of which it is known at once that visiting them would change nothing.
+    /// A bit for each thing of a leaf, all but those of which it is known at once that visiting
+    /// them would change nothing.
     #[inline(always)]
     fn left<P: Test>(&mut self, things: &Range<u32>) -> u32 {
         (1 << things.len()) - 1

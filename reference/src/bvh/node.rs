@@ -35,13 +35,19 @@ impl Child {
 
     /// A node by its number.
     pub(super) fn of_node(node: usize) -> Self {
-        assert!(node < 1 << 31, "a node number of 31 bits: trees over 2^28 things have fewer nodes");
+        assert!(
+            node < 1 << 31,
+            "a node number of 31 bits: trees over 2^28 things have fewer nodes"
+        );
         Self(node as u32)
     }
 
     /// `count` things from `first` on, 1 to [`MOST_THINGS`].
     pub(super) fn of_things(first: usize, count: usize) -> Self {
-        assert!(first < 1 << Self::COUNT && (1..=MOST_THINGS).contains(&count), "things of a number of 28 bits");
+        assert!(
+            first < 1 << Self::COUNT && (1..=MOST_THINGS).contains(&count),
+            "things of a number of 28 bits"
+        );
         Self(Self::LEAF | (count as u32 - 1) << Self::COUNT | first as u32)
     }
 
@@ -69,11 +75,14 @@ impl Node {
     /// The node of these boxes, eight at most.
     pub(super) fn of(boxes: impl IntoIterator<Item = ([f32; 3], [f32; 3], Child)>) -> Self {
         let nowhere = [f32::INFINITY, -f32::INFINITY];
-        let mut node =
-            Self { planes: std::array::from_fn(|plane| [nowhere[plane % 2]; WIDTH]), children: [Child::ROOT; WIDTH] };
+        let mut node = Self {
+            planes: std::array::from_fn(|plane| [nowhere[plane % 2]; WIDTH]),
+            children: [Child::ROOT; WIDTH],
+        };
         for (lane, (lo, hi, child)) in boxes.into_iter().enumerate() {
             for axis in 0..3 {
-                (node.planes[2 * axis][lane], node.planes[2 * axis + 1][lane]) = (lo[axis], hi[axis]);
+                (node.planes[2 * axis][lane], node.planes[2 * axis + 1][lane]) =
+                    (lo[axis], hi[axis]);
             }
             node.children[lane] = child;
         }
@@ -86,7 +95,8 @@ impl Node {
         self
     }
 
-    /// The nearest child that the ray enters before `reach`; the others that it enters are put among the open ones, the nearest last.
+    /// The nearest child that the ray enters before `reach`; the others that it enters are put
+    /// among the open ones, the nearest last.
     #[inline(always)]
     pub(super) fn enter<P: Test>(&self, ray: &Slab, reach: f32, open: &mut Open) -> Option<Child> {
         let planes = ray.near.map(|near| [&self.planes[near], &self.planes[near ^ 1]]);
@@ -110,7 +120,8 @@ impl Node {
         })
     }
 
-    /// The nearest of the children with the bits `entered`, by where they are entered; the others are put among the open ones, the nearest last.
+    /// The nearest of the children with the bits `entered`, by where they are entered; the others
+    /// are put among the open ones, the nearest last.
     #[inline(always)]
     pub(super) fn open(&self, enter: Eight, mut entered: u32, open: &mut Open) -> Option<Child> {
         let mut next = || {
@@ -121,14 +132,16 @@ impl Node {
         let mut nearest = next()?;
         let begin = open.0.len();
         while let Some(child) = next() {
-            let farther = if child.1 < nearest.1 { std::mem::replace(&mut nearest, child) } else { child };
+            let farther =
+                if child.1 < nearest.1 { std::mem::replace(&mut nearest, child) } else { child };
             open.insert(begin, farther);
         }
         Some(nearest.0)
     }
 }
 
-/// Has every leaf begin at a multiple of four: gives the things of the leaves new numbers, and their order by these.
+/// Has every leaf begin at a multiple of four: gives the things of the leaves new numbers, and
+/// their order by these.
 pub(super) fn in_fours(nodes: &mut [Node], order: &[u32]) -> Vec<u32> {
     let mut padded = Vec::with_capacity(order.len() + order.len() / 2);
     for child in nodes.iter_mut().flat_map(|node| &mut node.children) {

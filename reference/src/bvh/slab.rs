@@ -1,19 +1,26 @@
 //! A tree's own space, and a ray brought into it.
 //!
-//! Boxes lie in single precision around the tree's middle, scaled by a power of two so that all of them lie within −1 ≤ x ≤ 1: neither the size of
-//! the things nor how far from the origin they lie matters to the tests.
+//! Boxes lie in single precision around the tree's middle, scaled by a power of two so that all of
+//! them lie within −1 ≤ x ≤ 1: neither the size of the things nor how far from the origin they lie
+//! matters to the tests.
 //!
-//! **No box hides a hit.** With u = 2⁻²⁴, half a last place of 1, a hit lies at r(t) within its thing's box, but for what the test of the thing itself
-//! loses: the `pad` of a [`Slab`], by which every box grows. What is left is what the test of the box loses. The ray is moved to where it enters the
-//! root, by f64, to which the pad belongs too, and by its direction as it is; from there its coordinates stay below 1.3, its direction's greatest component lies between 1 and 2, and so
+//! **No box hides a hit.** With u = 2⁻²⁴, half a last place of 1, a hit lies at r(t) within its
+//! thing's box, but for what the test of the thing itself loses: the `pad` of a [`Slab`], by which
+//! every box grows. What is left is what the test of the box loses. The ray is moved to where it
+//! enters the root, by f64, to which the pad belongs too, and by its direction as it is; from there
+//! its coordinates stay below 1.3, its direction's greatest component lies between 1 and 2, and so
 //! all of its way within the root is τ < 2.6. Then a coordinate on the ray at τ is off by
 //! - u for its start and u for the pad in it, rounded to f32;
-//! - u/8 where a component of its direction below 2⁻³⁰ is taken for that, so that nothing is divided by 0;
-//! - 7.5u for the three roundings of (plane − start) · inverse, where planes are less than 2.5 away;
+//! - u/8 where a component of its direction below 2⁻³⁰ is taken for that, so that nothing is
+//!   divided by 0;
+//! - 7.5u for the three roundings of (plane − start) · inverse, where planes are less than 2.5
+//!   away;
 //! - u for the plane itself, rounded to f32:
 //!
-//! less than 11u in all. Boxes grow by [`PAD`] = 32u, so that τ of their entry comes out at least 10u too small, more than the 4u that are lost in the
-//! limit's τ, and that of their exit too great. (After Ize, Robust BVH ray traversal, 2013, with one bound for all boxes instead of one a box.)
+//! less than 11u in all. Boxes grow by [`PAD`] = 32u, so that τ of their entry comes out at least
+//! 10u too small, more than the 4u that are lost in the limit's τ, and that of their exit too
+//! great. (After Ize, Robust BVH ray traversal, 2013, with one bound for all boxes instead of one a
+//! box.)
 
 use std::ops::Range;
 
@@ -26,11 +33,13 @@ use crate::vec3::Vec3;
 pub(super) const PAD: f64 = 32.0 / 16_777_216.0;
 /// Boxes that would have to grow by more than this share of the tree are all entered.
 pub(super) const BLIND: f64 = 0.125;
-/// More than this of 1/direction is taken for this where the ray enters the tree, so that nothing is infinite.
+/// More than this of 1/direction is taken for this where the ray enters the tree, so that nothing
+/// is infinite.
 const FINITE: f64 = 1e300;
 /// More than this of 1/direction is taken for this within the tree.
 const MOST: f64 = 1_073_741_824.0;
-/// Rays whose direction is shorter or longer enter every box: with others all that is worked out of it is a number.
+/// Rays whose direction is shorter or longer enter every box: with others all that is worked out of
+/// it is a number.
 const SIZES: Range<f64> = 1e-290..1e290;
 /// The bits that hold the exponent.
 const EXPONENT: u64 = 0x7ff << 52;
@@ -47,7 +56,8 @@ pub(super) struct Space {
     scale: f64,
     /// The greatest coordinate of its things.
     farthest: f64,
-    /// What the test of a thing loses, in this space, for every unit of the greatest coordinate in play.
+    /// What the test of a thing loses, in this space, for every unit of the greatest coordinate in
+    /// play.
     loss: f64,
 }
 
@@ -60,7 +70,12 @@ impl Space {
         let half = (max - middle).max(middle - min).max_element();
         let scale = scaled(1.0, (-exponent(half) - 1).clamp(-1000, 1000));
         let farthest = all.min.abs().greatest(all.max.abs()).max_element().f64();
-        Self { middle: [middle.x, middle.y, middle.z, 0.0], scale, farthest, loss: 256.0 * T::ULP.f64() * scale }
+        Self {
+            middle: [middle.x, middle.y, middle.z, 0.0],
+            scale,
+            farthest,
+            loss: 256.0 * T::ULP.f64() * scale,
+        }
     }
 
     /// The same over things whose tests lose `loss` times as much, as they would in world space.
@@ -68,7 +83,8 @@ impl Space {
         Self { loss: self.loss * loss, ..self }
     }
 
-    /// A point within it, and what the tests of things that are asked from there lose, see [`Slab::new`].
+    /// A point within it, and what the tests of things that are asked from there lose, see
+    /// [`Slab::new`].
     #[inline(always)]
     pub(super) fn point<T: Real>(&self, point: Vec3<T>) -> (Four, f64) {
         let point = four(point);
@@ -96,10 +112,12 @@ impl Space {
     }
 }
 
-/// A ray in a tree's space: a start within it and a direction, for τ ≥ 0. Only the first three numbers of each count.
+/// A ray in a tree's space: a start within it and a direction, for τ ≥ 0. Only the first three
+/// numbers of each count.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slab {
-    /// For each axis the number of the plane that is met first, that of x from below being 0, from above 1, then y and z.
+    /// For each axis the number of the plane that is met first, that of x from below being 0, from
+    /// above 1, then y and z.
     pub(super) near: [usize; 3],
     /// The start, moved by the pad away from the plane that is met first.
     pub(super) from_near: [f32; 4],
@@ -115,8 +133,8 @@ pub(crate) struct Slab {
 impl Slab {
     /// The ray in that space; `None` where it misses all of it.
     ///
-    /// A test loses up to 256 last places of the greatest coordinate in play. Where that is much of the tree, or where numbers leave their range, the
-    /// ray enters every box.
+    /// A test loses up to 256 last places of the greatest coordinate in play. Where that is much of
+    /// the tree, or where numbers leave their range, the ray enters every box.
     #[inline(always)]
     pub(super) fn new<T: Real>(ray: &Ray<T>, space: &Space) -> Option<Self> {
         let (origin, direction) = (four(ray.origin), four(ray.direction));
@@ -130,11 +148,13 @@ impl Slab {
             return Some(Self::blind());
         }
         let origin = each(|axis| (origin[axis] - space.middle[axis]) * space.scale);
-        let inverse = each(|axis| less((inverse[axis] * unit).abs(), FINITE).copysign(direction[axis]));
+        let inverse =
+            each(|axis| less((inverse[axis] * unit).abs(), FINITE).copysign(direction[axis]));
         let half = 2.0 * pad + (1.0 + 1.0 / 1024.0);
         let middle = each(|axis| -origin[axis] * inverse[axis]);
         let reach = each(|axis| half * inverse[axis].abs());
-        let [near, far] = [each(|axis| middle[axis] - reach[axis]), each(|axis| middle[axis] + reach[axis])];
+        let [near, far] =
+            [each(|axis| middle[axis] - reach[axis]), each(|axis| middle[axis] + reach[axis])];
         let base = more(more(near[0], near[1]), more(near[2], ray.t_min.f64() * rate));
         if base > less(less(far[0], far[1]), far[2]) {
             return None;
@@ -159,7 +179,14 @@ impl Slab {
     /// Enters every box.
     #[cold]
     fn blind() -> Self {
-        Self { near: [0, 2, 4], from_near: [8.0; 4], from_far: [-8.0; 4], inverse: [1.0; 4], rate: 0.0, base: -64.0 }
+        Self {
+            near: [0, 2, 4],
+            from_near: [8.0; 4],
+            from_far: [-8.0; 4],
+            inverse: [1.0; 4],
+            rate: 0.0,
+            base: -64.0,
+        }
     }
 
     /// The τ of a limit of t.

@@ -7,7 +7,8 @@ use clap::{Parser, Subcommand, ValueEnum};
 pub(super) use super::cost_args::CostArgs;
 use super::values::{CourseArg, STAGES, size, threshold};
 
-/// Renders and explains scenes by the numbered rules of light, and writes the answers that submissions are judged by.
+/// Renders and explains scenes by the numbered rules of light, and writes the answers that
+/// submissions are judged by.
 #[derive(Debug, Parser)]
 #[command(name = "reference", version, after_help = AFTER, propagate_version = true)]
 pub(super) struct Args {
@@ -83,7 +84,7 @@ Exit codes: 0 done, 2 no such command or folder, or a folder that cannot be writ
 #[derive(Debug, Parser)]
 #[command(after_help = "\
 Example:
-  echo '{\"id\":\"a\",\"fn\":\"reflect\",\"direction\":[0,-1,0],\"normal\":[0,1,0]}' | reference probe
+  echo '{\"id\":1,\"fn\":\"reflect\",\"direction\":[0,-1,0],\"normal\":[0,1,0]}' | reference probe
 
 Exit codes: 0 every question is answered, 2 a question or course that cannot be understood")]
 pub(super) struct ProbeArgs {
@@ -117,7 +118,8 @@ Examples:
   reference render scene.toml -o - | grader compare - expected.png
   reference render - -o out.png < scene.toml               a scene on standard input
 
-Exit codes: 0 rendered, 2 usage, a scene that cannot be read or a name that cannot be written, 3 the disk is full, say")]
+Exit codes: 0 rendered, 2 usage, a scene that cannot be read or a name that cannot be written, 3
+the disk is full, say")]
 pub(super) struct RenderArgs {
     /// Scene, case, id of a case, or - for a scene on standard input
     pub scene: String,
@@ -136,27 +138,36 @@ pub(super) struct RenderArgs {
     /// Depth at which rays spawn no more, in the place of the scene's
     #[arg(long, value_name = "N")]
     pub max_depth: Option<u32>,
-    /// Weight below which rays spawn no more, such as 0.001 or 1/256, in the place of the scene's; 0 for never
+    /// Weight below which rays spawn no more, such as 0.001 or 1/256, in the place of the scene's;
+    /// 0 for never
     #[arg(long, value_name = "WEIGHT", value_parser = threshold)]
     pub threshold: Option<f64>,
-    /// Light, such as 0.001 or 1/512: a lamp that cannot bring as much to a point casts no shadow ray from there and adds nothing; 0 for never
+    /// Light, such as 0.001 or 1/512: a lamp that cannot bring as much to a point casts no shadow
+    /// ray from there and adds nothing; 0 for never
     #[arg(long, value_name = "LIGHT", default_value = "0", value_parser = threshold)]
     pub light_cutoff: f64,
     /// Numbers to compute with
     #[arg(long, default_value = "f64")]
     pub precision: Precision,
-    /// Effects to simulate: `auto` (those the scene lists), `all`, `none`, or names such as `shadows,reflection`. What is not named is left out:
-    /// without `transforms` objects stay in their own space, without `attenuation` lights are as strong at any distance
+    /// Effects to simulate: `auto` (those the scene lists), `all`, `none`, or names such as
+    /// `shadows,reflection`. What is not named is left out: without `transforms` objects stay in
+    /// their own space, without `attenuation` lights are as strong at any distance
     #[arg(long, value_name = "EFFECTS", default_value = "auto")]
     pub effects: String,
     /// N x N rays a pixel, on a regular grid; the pixel is their mean
-    #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=256))]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value = "1",
+        value_parser = clap::value_parser!(u32).range(1..=256)
+    )]
     pub samples: u32,
     /// Threads; the picture is the same with any number [default: one a core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Says how many rays of each kind were cast, what work they made, which effects were simulated and why, how much it can matter
-    /// what was left out for depth, threshold or light cutoff, and the time of each step; on the error stream where the picture goes to the output
+    /// Says how many rays of each kind were cast, what work they made, which effects were simulated
+    /// and why, how much it can matter what was left out for depth, threshold or light cutoff, and
+    /// the time of each step; on the error stream where the picture goes to the output
     #[arg(long, value_name = "FORM", num_args = 0..=1, default_missing_value = "text")]
     pub stats: Option<Form>,
     #[command(flatten)]
@@ -204,19 +215,20 @@ pub(super) struct ExplainArgs {
 
 /// Writes the answers that submissions are judged by, beside the cases: all of them, or none
 ///
-/// An answer carries a digest of what it was made from: the scene, its meshes, what the course decides, the version of the rules. The
-/// grader refuses answers that belong to something else.
+/// An answer carries a digest of what it was made from: the scene, its meshes, what the course
+/// decides, the version of the rules. The grader refuses answers that belong to something else.
 #[derive(Debug, Parser)]
 #[command(after_help = "\
 Examples:
   reference expect                            every stage of ./cases/stages
   reference expect 02_shadows                 one stage
   reference expect 02_shadows/two_lamps       one case
-  reference expect --course phong.toml        sets up another course: its course.toml, answers and docs/course.md
+  reference expect --course phong.toml        course.toml, answers and docs/course.md of a course
   reference expect --check                    writes nothing, fails where anything differs
 
-Exit codes: 0 all is as the rules give it, 1 a stored answer differs or an answer on paper is wrong,
-2 no such case, one that cannot be read, or a name that cannot be written, 3 the disk is full, say, 130 interrupted")]
+Exit codes: 0 all is as the rules give it, 1 a stored answer differs or an answer on paper is
+wrong, 2 no such case, one that cannot be read, or a name that cannot be written, 3 the disk is
+full, say, 130 interrupted")]
 pub(super) struct ExpectArgs {
     #[command(flatten)]
     pub course: CourseArg,
@@ -228,25 +240,27 @@ pub(super) struct ExpectArgs {
     pub check: bool,
 }
 
-/// Makes a hidden set with its answers: the same cases with their numbers moved within the bounds of each
-/// case's `[vary]`
+/// Makes a hidden set with its answers: the same cases with their numbers moved within the bounds
+/// of each case's `[vary]`
 #[derive(Debug, Parser)]
 #[command(after_help = "\
-The same seed gives the same files on every machine. A draw counts only where the case stays valid, still shows what its stage adds
-and every rule it names, and is fair to right programs; else it is drawn again. A case without `[vary]` is copied as it is, with a warning.
-The set appears whole or not at all.
+The same seed gives the same files on every machine. A draw counts only where the case stays
+valid, still shows what its stage adds and every rule it names, and is fair to right programs;
+else it is drawn again. A case without `[vary]` is copied as it is, with a warning. The set
+appears whole or not at all.
 
 Examples:
-  reference vary --seed 2026                      ./cases/stages, moved, in ./varied-2026, with answers
+  reference vary --seed 2026                      varies ./cases/stages into ./varied-2026
   reference vary --seed 2026 --out hidden
   grader grade tests/solution --cases hidden      a right program earns all of it
   reference vary --check --seeds 100              writes nothing, says how well the bounds hold
 
-What --check prints of each case: the share of seeds whose first draw does, the draws it took at most, the share of pixels that show what
-the stage adds (in the first stage, anything but background) and the least of it, and the largest share of contested pixels.
+What --check prints of each case: the share of seeds whose first draw does, the draws it took at
+most, the share of pixels that show what the stage adds (in the first stage, anything but
+background) and the least of it, and the largest share of contested pixels.
 
-Exit codes: 0 done, 1 a case that cannot be varied within its bounds, 2 usage or a case that cannot be read,
-3 a folder that cannot be written")]
+Exit codes: 0 done, 1 a case that cannot be varied within its bounds, 2 usage or a case that
+cannot be read, 3 a folder that cannot be written")]
 pub(super) struct VaryArgs {
     /// Folder of stages
     #[arg(default_value = STAGES)]
@@ -257,13 +271,21 @@ pub(super) struct VaryArgs {
     /// Folder to write, which must not exist or be empty [default: varied-N]
     #[arg(short, long, value_name = "DIR", conflicts_with = "check")]
     pub out: Option<PathBuf>,
-    /// Draws sets and writes nothing: a table of how often the first draw does, and how much it shows at least
+    /// Draws sets and writes nothing: a table of how often the first draw does, and how much it
+    /// shows at least
     #[arg(long)]
     pub check: bool,
     /// Sets that --check draws
-    #[arg(long, value_name = "COUNT", default_value = "20", requires = "check", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    #[arg(
+        long,
+        value_name = "COUNT",
+        default_value = "20",
+        requires = "check",
+        value_parser = clap::value_parser!(u64).range(1..=1_000_000)
+    )]
     pub seeds: u64,
-    /// Of these sets, how many are also rendered in all legal ways, for the share of contested pixels: that takes ten times as long
+    /// Of these sets, how many are also rendered in all legal ways, for the share of contested
+    /// pixels: that takes ten times as long
     #[arg(long, value_name = "COUNT", default_value = "2", requires = "check")]
     pub contested: u64,
 }
@@ -343,6 +365,9 @@ mod tests {
             std::fs::write(path, &page).expect("a page that can be written");
         }
         let is_there = page.contains("reference render");
-        assert!(page == stored() && is_there, "docs/cli.md is not what `--help` prints: set BLESS=1");
+        assert!(
+            page == stored() && is_there,
+            "docs/cli.md is not what `--help` prints: set BLESS=1"
+        );
     }
 }

@@ -47,7 +47,9 @@ enum Output {
 impl Output {
     fn bytes(self, report: &impl Forms) -> Result<Vec<u8>, Stop> {
         match self {
-            Self::Json => serde_json::to_vec_pretty(report).map_err(|why| Stop::Machine(why.to_string())),
+            Self::Json => {
+                serde_json::to_vec_pretty(report).map_err(|why| Stop::Machine(why.to_string()))
+            }
             Self::Csv => report.csv().map_err(|why| Stop::Machine(why.to_string())),
             Self::Svg => Ok(plot::stack(&report.plots(), Place::File).into_bytes()),
             Self::Html => Ok(report.page().into_bytes()),
@@ -57,12 +59,18 @@ impl Output {
 
 /// What is asked for, and where it goes; two on one stream would be neither.
 fn outputs(args: &CostArgs) -> Result<Vec<(Output, &Path)>, Stop> {
-    let all =
-        [(Output::Json, &args.json), (Output::Csv, &args.csv), (Output::Svg, &args.svg), (Output::Html, &args.html)];
+    let all = [
+        (Output::Json, &args.json),
+        (Output::Csv, &args.csv),
+        (Output::Svg, &args.svg),
+        (Output::Html, &args.html),
+    ];
     let asked: Vec<(Output, &Path)> =
         all.into_iter().filter_map(|(what, path)| Some((what, path.as_deref()?))).collect();
     if asked.iter().filter(|(_, path)| is_stdout(path)).count() > 1 {
-        return Err(Stop::Usage("only one of --json, --csv, --svg and --html can go to the output stream".to_owned()));
+        return Err(Stop::Usage(
+            "only one of --json, --csv, --svg and --html can go to the output stream".to_owned(),
+        ));
     }
     // A measurement takes minutes: a name that cannot be written is an error before.
     asked.iter().try_for_each(|(_, path)| files::check(path))?;

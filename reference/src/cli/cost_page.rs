@@ -13,7 +13,8 @@ use crate::cost::document::{self, Document, SCENES, SIZED};
 use crate::cost::plot::{self, Place};
 use crate::rules::Rules;
 
-/// Measures what the page shows, and writes it. An interrupt leaves what was there: half a page would mix two measurements.
+/// Measures what the page shows, and writes it. An interrupt leaves what was there: half a page
+/// would mix two measurements.
 pub(super) fn run(args: &CostArgs, path: &Path, session: &Session) -> Result<(), Stop> {
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
     let stem = stem.ok_or_else(|| Stop::Usage(format!("`{}` names no file", path.display())))?;
@@ -31,10 +32,18 @@ pub(super) fn run(args: &CostArgs, path: &Path, session: &Session) -> Result<(),
     let beside = |name: String| path.with_file_name(name);
     for scene in &page.scenes {
         let picture = plot::svg(&crate::cost::page::plots(scene)[0], Place::File);
-        put(&beside(document::picture_name(&stem, &scene.scene)), picture.as_bytes(), session.talk)?;
+        put(
+            &beside(document::picture_name(&stem, &scene.scene)),
+            picture.as_bytes(),
+            session.talk,
+        )?;
     }
     let functions = ["sphere", "triangle"].map(|function| page.functions.plot(function));
-    put(&beside(format!("{stem}-functions.svg")), plot::stack(&functions, Place::File).as_bytes(), session.talk)?;
+    put(
+        &beside(format!("{stem}-functions.svg")),
+        plot::stack(&functions, Place::File).as_bytes(),
+        session.talk,
+    )?;
     put(path, document::markdown(&page, &stem).as_bytes(), session.talk)?;
     if session.talk >= Talk::Normal {
         say::err(&format!("wrote {} and {} pictures beside it", path.display(), SCENES.len() + 1));

@@ -30,7 +30,15 @@ pub(super) fn of_scene(named: &str, args: &CostArgs, session: &Session) -> Resul
     }
     let sweep = Sweep::of(&scene, &args.narrowed(Axes::of(&scene)));
     let measured = session.sweep(&scene, &rules, &sweep, usize::from(args.rounds))?;
-    Ok(Report::new(named, &scene, &rules, session.machine(), &sweep, &measured, usize::from(args.rounds)))
+    Ok(Report::new(
+        named,
+        &scene,
+        &rules,
+        session.machine(),
+        &sweep,
+        &measured,
+        usize::from(args.rounds),
+    ))
 }
 
 /// Measures one function at a time.
@@ -38,7 +46,8 @@ pub(super) fn of_functions(args: &CostArgs, session: &Session) -> Result<Functio
     let (mut candidates, n_rounds) = (functions::candidates(), usize::from(args.rounds));
     candidates.retain(|candidate| args.asks_for(candidate));
     let mut run = session.run(Bar::steps(functions::work(&candidates, n_rounds), session.talk));
-    let measured = functions::measure(&candidates, args.draws, n_rounds, &mut run).ok_or_else(nothing)?;
+    let measured =
+        functions::measure(&candidates, args.draws, n_rounds, &mut run).ok_or_else(nothing)?;
     Ok(FunctionsReport::new(session.machine(), &measured, args.draws))
 }
 
@@ -118,7 +127,9 @@ impl Session {
         }
         let mut run = self.run(Bar::pictures(measure::work(sweep, n_rounds), self.talk));
         let mut bench = Bench::new(scene, rules);
-        self.pool.install(|| measure::measure(&mut bench, sweep, n_rounds, &mut run)).ok_or_else(nothing)
+        self.pool
+            .install(|| measure::measure(&mut bench, sweep, n_rounds, &mut run))
+            .ok_or_else(nothing)
     }
 
     /// Returns the processor, the threads and the clock of the measurements.
@@ -134,7 +145,9 @@ impl Session {
     /// Ends a command after that many of the rounds, early where the user has interrupted it.
     pub(super) fn end(&self, rounds: usize, wanted: u16) -> Result<(), Stop> {
         if self.interrupt.is_set() {
-            return Err(Stop::Interrupted(format!("interrupted after {rounds} of {wanted} rounds")));
+            return Err(Stop::Interrupted(format!(
+                "interrupted after {rounds} of {wanted} rounds"
+            )));
         }
         Ok(())
     }

@@ -1,4 +1,5 @@
-//! `reference cost --store`: what accuracy costs in each public case, for students to compare themselves with.
+//! `reference cost --store`: what accuracy costs in each public case, for students to compare
+//! themselves with.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -42,7 +43,10 @@ pub(super) fn run(args: &CostArgs, session: &Session) -> Result<(), Stop> {
     }
     let n_cases = points.len();
     let machine = session.machine();
-    let fronts = Fronts { machine: format!("{}, {} of one thread", machine.processor, machine.clock), cases: points };
+    let fronts = Fronts {
+        machine: format!("{}, {} of one thread", machine.processor, machine.clock),
+        cases: points,
+    };
     let text = fronts_to_string(&fronts).map_err(|why| Stop::Machine(why.to_string()))?;
     put(&path, text.as_bytes(), session.talk)?;
     if session.talk >= Talk::Normal {
@@ -51,8 +55,14 @@ pub(super) fn run(args: &CostArgs, session: &Session) -> Result<(), Stop> {
     Ok(())
 }
 
-/// Both precisions by all formulas, then the scene's own setting at each lesser depth; one ray a pixel, as pictures are judged.
-fn of_case(scene: &Scene, rules: &Rules, rounds: u16, session: &Session) -> Result<Vec<FrontPoint>, Stop> {
+/// Both precisions by all formulas, then the scene's own setting at each lesser depth; one ray a
+/// pixel, as pictures are judged.
+fn of_case(
+    scene: &Scene,
+    rules: &Rules,
+    rounds: u16,
+    session: &Session,
+) -> Result<Vec<FrontPoint>, Stop> {
     let own = Setting::of(scene);
     let both = |formula| [Precision::F64, Precision::F32].map(|precision| (precision, formula));
     let mut settings: Vec<(Setting, String)> = Formula::ALL
@@ -60,15 +70,18 @@ fn of_case(scene: &Scene, rules: &Rules, rounds: u16, session: &Session) -> Resu
         .rev()
         .flat_map(both)
         .map(|(precision, formula)| {
-            (Setting { precision, formula, ..own }, format!("{}, {} formulas", precision.says(), formula.name()))
+            (
+                Setting { precision, formula, ..own },
+                format!("{}, {} formulas", precision.says(), formula.name()),
+            )
         })
         .collect();
-    if scene.effects.has(cases::Effect::Reflection) || scene.effects.has(cases::Effect::Refraction) {
+    if scene.effects.has(cases::Effect::Reflection) || scene.effects.has(cases::Effect::Refraction)
+    {
         let shallower = (0..own.max_depth).rev();
-        settings.extend(
-            shallower
-                .map(|max_depth| (Setting { max_depth, ..own }, format!("f64, robust formulas, depth {max_depth}"))),
-        );
+        settings.extend(shallower.map(|max_depth| {
+            (Setting { max_depth, ..own }, format!("f64, robust formulas, depth {max_depth}"))
+        }));
     }
     let subjects = settings.iter().map(|(setting, _)| (*setting, About::Accuracy)).collect();
     let sweep = Sweep { own, truth: own, subjects };
@@ -76,10 +89,11 @@ fn of_case(scene: &Scene, rules: &Rules, rounds: u16, session: &Session) -> Resu
     session.end(measured.first().map_or(0, |one| one.times_s.len()), rounds)?;
     let mut bench = Bench::new(scene, rules);
     let (expected, _) = bench.render(&own);
-    let point = |((setting, name), one): ((Setting, String), &crate::cost::measure::Measured)| FrontPoint {
-        setting: name,
-        time_s: Times::of(&one.times_s).median,
-        rmse_levels: rmse_levels(&expected, &bench.render(&setting).0),
-    };
+    let point =
+        |((setting, name), one): ((Setting, String), &crate::cost::measure::Measured)| FrontPoint {
+            setting: name,
+            time_s: Times::of(&one.times_s).median,
+            rmse_levels: rmse_levels(&expected, &bench.render(&setting).0),
+        };
     Ok(settings.into_iter().zip(&measured).map(point).collect())
 }

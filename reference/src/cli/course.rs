@@ -18,12 +18,16 @@ pub(super) fn run(args: &CourseArgs) -> Result<(), Stop> {
     print(course::markdown(&course::load(&args.course)?).as_bytes())
 }
 
-/// Returns what else changes with the answers of the folder `stages`: its `course.toml`, where another
-/// file is given, and the page for students, where there is one.
+/// Returns what else changes with the answers of the folder `stages`: its `course.toml`, where
+/// another file is given, and the page for students, where there is one.
 ///
-/// The page belongs to the `course.toml` beside the folder. A set that has its own file changes no page,
-/// and a file that other sets use as well is left as it is.
-pub(super) fn files(stages: &Path, given: &CourseArg, course: &Course) -> Result<Vec<Expected>, Stop> {
+/// The page belongs to the `course.toml` beside the folder. A set that has its own file changes no
+/// page, and a file that other sets use as well is left as it is.
+pub(super) fn files(
+    stages: &Path,
+    given: &CourseArg,
+    course: &Course,
+) -> Result<Vec<Expected>, Stop> {
     let own = stages.join(FILE);
     let beside = course::path_of(stages).filter(|path| *path != own);
     let changed = beside.as_ref().filter(|path| given.course.is_none() || !is_shared(path, stages));
@@ -39,13 +43,18 @@ pub(super) fn files(stages: &Path, given: &CourseArg, course: &Course) -> Result
     Ok(files)
 }
 
-/// Returns whether a folder of stages other than `stages` uses the file at `course`, which lies beside it.
+/// Returns whether a folder of stages other than `stages` uses the file at `course`, which lies
+/// beside it.
 fn is_shared(course: &Path, stages: &Path) -> bool {
-    let folders = |path: &Path| std::fs::read_dir(path).into_iter().flatten().flatten().map(|entry| entry.path());
+    let folders = |path: &Path| {
+        std::fs::read_dir(path).into_iter().flatten().flatten().map(|entry| entry.path())
+    };
     let has_stage = |folder: &Path| folders(folder).any(|path| path.join("stage.toml").is_file());
     let is_this = |folder: &Path| folder.canonicalize().ok() == stages.canonicalize().ok();
     let beside = course.parent().map(folders).into_iter().flatten();
-    beside.filter(|folder| !folder.join(FILE).is_file() && has_stage(folder)).any(|folder| !is_this(&folder))
+    beside
+        .filter(|folder| !folder.join(FILE).is_file() && has_stage(folder))
+        .any(|folder| !is_this(&folder))
 }
 
 /// Returns the page for students that belongs to the file at `home`, if there is one.

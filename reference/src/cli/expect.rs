@@ -22,7 +22,8 @@ use crate::expect::{self, Answers, CaseAnswer, ExpectError, Expected, Progress, 
 type Targets = BTreeMap<PathBuf, Vec<String>>;
 
 const PART_OF_A_COURSE: &str = "\
---course sets up a whole folder of stages: the answers of the other cases would belong to another course
+--course sets up a whole folder of stages: the answers of the other cases would belong to another \
+course
 help: leave CASE and STAGE out, or change the course.toml of the folder";
 
 /// Carries out the command. Everything is computed before the first file is written.
@@ -37,10 +38,16 @@ pub(super) fn run(args: &ExpectArgs, talk: Talk) -> Result<(), Stop> {
         } else if args.course.course.is_some() && !args.check {
             return Err(Stop::Usage(PART_OF_A_COURSE.to_owned()));
         }
-        let is_in_set =
-            |id: &str| set.stages.iter().any(|stage| stage.id == id || stage.cases.iter().any(|it| it.id == id));
+        let is_in_set = |id: &str| {
+            set.stages
+                .iter()
+                .any(|stage| stage.id == id || stage.cases.iter().any(|it| it.id == id))
+        };
         if let Some(id) = wanted.iter().find(|id| !is_in_set(id)) {
-            return Err(Stop::Usage(format!("{} has no case and no stage `{id}`", stages.display())));
+            return Err(Stop::Usage(format!(
+                "{} has no case and no stage `{id}`",
+                stages.display()
+            )));
         }
         let is_wanted = |id: &str| wanted.is_empty() || wanted.iter().any(|one| one == id);
         match answers(&stages, &set, is_wanted, &interrupt, talk) {
@@ -51,7 +58,10 @@ pub(super) fn run(args: &ExpectArgs, talk: Talk) -> Result<(), Stop> {
     }
     if !wrong.is_empty() {
         let n = wrong.len();
-        return Err(Stop::NotPassed(format!("{}\n{n} did not pass; nothing was written", wrong.join("\n"))));
+        return Err(Stop::NotPassed(format!(
+            "{}\n{n} did not pass; nothing was written",
+            wrong.join("\n")
+        )));
     }
     if args.check { compare(&files, talk) } else { write(&files, talk) }
 }
@@ -71,8 +81,8 @@ fn targets(named: &[PathBuf]) -> Result<Targets, Stop> {
     Ok(targets)
 }
 
-/// Returns the folder of stages that `named` lies in, and the id of a case or a stage unless it is that
-/// folder itself.
+/// Returns the folder of stages that `named` lies in, and the id of a case or a stage unless it is
+/// that folder itself.
 fn target(named: &Path) -> Result<(PathBuf, Option<String>), Stop> {
     let below = Path::new(STAGES).join(named);
     let as_case = PathBuf::from(format!("{}.toml", below.display()));
@@ -162,8 +172,10 @@ fn figures(case: &CaseAnswer) -> String {
     let (contested, earned_from) = (100.0 * answer.contested_share(), 100.0 * unearned);
     let (n_mistakes, size) = (wrong.len(), files[0].bytes.len());
     format!(
-        "{id}: {contested:.2} % contested; clusters up to {cluster} ({legal_cluster} legal), {count} pixels out \
-         ({legal_count} legal); points from {earned_from:.1} %; {n_mistakes} mistakes show; {size} bytes"
+        "{id}: {contested:.2} % contested; clusters up to {cluster} ({legal_cluster} legal), \
+            {count} pixels out \
+         ({legal_count} legal); points from {earned_from:.1} %; {n_mistakes} mistakes show; \
+         {size} bytes"
     )
 }
 
@@ -173,7 +185,8 @@ fn compare(files: &[Expected], talk: Talk) -> Result<(), Stop> {
         .iter()
         .filter(|file| !file.is_stored())
         .map(|file| {
-            let how = if file.path.exists() { "differs from what the rules give" } else { "is missing" };
+            let how =
+                if file.path.exists() { "differs from what the rules give" } else { "is missing" };
             format!("{} {how}", file.path.display())
         })
         .collect();

@@ -17,7 +17,9 @@ pub(super) fn run(args: &ExplainArgs) -> Result<(), Stop> {
     let (width, height) = (scene.render.width, scene.render.height);
     if args.x >= width || args.y >= height {
         let (x, y) = (args.x, args.y);
-        return Err(Stop::Usage(format!("pixel ({x}, {y}) does not lie in a picture of {width}×{height}")));
+        return Err(Stop::Usage(format!(
+            "pixel ({x}, {y}) does not lie in a picture of {width}×{height}"
+        )));
     }
     let world = World::<f64>::new(&scene);
     let rules = Rules::of(&course);

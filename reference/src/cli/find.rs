@@ -18,8 +18,9 @@ const STANDARD_INPUT: &str = "-";
 /// A scene with what its surroundings say of it.
 pub(super) struct Found {
     pub(super) scene: Scene,
-    /// The effects that may be simulated: those that the stage allows or that programs of the course
-    /// always simulate; those that a resolved scene lists; all of them for a scene of no stage.
+    /// The effects that may be simulated: those that the stage allows or that programs of the
+    /// course always simulate; those that a resolved scene lists; all of them for a scene of no
+    /// stage.
     pub(super) allowed: Effects,
     /// The course given on the command line, else that of the case, else the lecture.
     pub(super) course: Course,
@@ -40,7 +41,11 @@ pub(super) fn found(named: &str, arg: &CourseArg) -> Result<Found, Stop> {
     let course = given.map_or_else(|| course::course_at(&path), Ok)?;
     let scene = stage::load_scene(&path, &course)?;
     let is_resolved = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("json"));
-    let allowed = if is_resolved { scene.effects } else { stage::allowed_at(&path)?.union(course.always_simulated) };
+    let allowed = if is_resolved {
+        scene.effects
+    } else {
+        stage::allowed_at(&path)?.union(course.always_simulated)
+    };
     Ok(Found { scene, allowed, course })
 }
 
@@ -49,19 +54,27 @@ pub(super) fn given(arg: &CourseArg) -> Result<Option<Course>, Stop> {
     Ok(arg.course.as_deref().map(course::load).transpose()?)
 }
 
-/// The scene on standard input, in JSON where it begins with a brace, else in TOML; and whether it is
-/// JSON. Mesh files are sought from the current folder.
+/// The scene on standard input, in JSON where it begins with a brace, else in TOML; and whether it
+/// is JSON. Mesh files are sought from the current folder.
 fn standard_input(course: &Course) -> Result<(Scene, bool), Stop> {
     let name = "standard input";
     let mut bytes = Vec::new();
     let unusable = |why: &dyn Display| Stop::Usage(format!("standard input cannot be used: {why}"));
-    std::io::stdin().take(MAX_SCENE_BYTES + 1).read_to_end(&mut bytes).map_err(|why| unusable(&why))?;
+    std::io::stdin()
+        .take(MAX_SCENE_BYTES + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|why| unusable(&why))?;
     if bytes.len() as u64 > MAX_SCENE_BYTES {
         return Err(unusable(&format!("a scene has at most {MAX_SCENE_BYTES} bytes")));
     }
-    let text = String::from_utf8(bytes).map_err(|why| unusable(&format!("it is not UTF-8: {}", why.utf8_error())))?;
+    let text = String::from_utf8(bytes)
+        .map_err(|why| unusable(&format!("it is not UTF-8: {}", why.utf8_error())))?;
     let is_resolved = text.trim_start().starts_with('{');
-    let scene = if is_resolved { parse_json(name, &text)? } else { parse(name, &text, Path::new("."), course)? };
+    let scene = if is_resolved {
+        parse_json(name, &text)?
+    } else {
+        parse(name, &text, Path::new("."), course)?
+    };
     Ok((scene, is_resolved))
 }
 
@@ -73,7 +86,10 @@ fn path(named: &str) -> Result<PathBuf, Stop> {
     } else if as_case.is_file() {
         Ok(as_case)
     } else {
-        Err(Stop::Usage(format!("there is no file `{named}` and no case `{named}` in ./{STAGES}{}", hint(named))))
+        Err(Stop::Usage(format!(
+            "there is no file `{named}` and no case `{named}` in ./{STAGES}{}",
+            hint(named)
+        )))
     }
 }
 
@@ -87,9 +103,14 @@ pub(super) fn hint(named: &str) -> String {
 }
 
 fn case_ids() -> Vec<String> {
-    let list = |folder: &Path| std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    let list = |folder: &Path| {
+        std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path())
+    };
     let stages: Vec<_> = list(Path::new(STAGES)).collect();
-    let files = stages.iter().flat_map(|stage| list(stage)).filter(|path| cases::stage::is_case(path));
-    let id = |path: PathBuf| Some(path.strip_prefix(STAGES).ok()?.with_extension("").to_str()?.to_owned());
+    let files =
+        stages.iter().flat_map(|stage| list(stage)).filter(|path| cases::stage::is_case(path));
+    let id = |path: PathBuf| {
+        Some(path.strip_prefix(STAGES).ok()?.with_extension("").to_str()?.to_owned())
+    };
     files.filter_map(id).collect()
 }

@@ -1,4 +1,5 @@
-//! Ctrl-C and SIGTERM during long work: the first one asks the work to end, a second one ends the program.
+//! Ctrl-C and SIGTERM during long work: the first one asks the work to end, a second one ends the
+//! program.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};

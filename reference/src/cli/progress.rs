@@ -1,4 +1,5 @@
-//! Progress of what takes long, on standard error: a bar on a terminal, a line now and then elsewhere.
+//! Progress of what takes long, on standard error: a bar on a terminal, a line now and then
+//! elsewhere.
 
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use pages::bar::{self, Lines};
@@ -18,7 +19,11 @@ pub(super) struct Bar {
 impl Bar {
     /// For a picture of `n_pixels`, each worth `rays_each` eye rays.
     pub(super) fn rendering(n_pixels: u64, rays_each: u64, talk: Talk) -> Self {
-        Self::new(n_pixels, "pixels", talk > Talk::Quiet && n_pixels.saturating_mul(rays_each) >= LONG)
+        Self::new(
+            n_pixels,
+            "pixels",
+            talk > Talk::Quiet && n_pixels.saturating_mul(rays_each) >= LONG,
+        )
     }
 
     /// For `n` cases.
@@ -37,7 +42,8 @@ impl Bar {
     }
 
     fn new(n: u64, unit: &'static str, is_shown: bool) -> Self {
-        let target = if is_shown { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
+        let target =
+            if is_shown { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         let bar = ProgressBar::with_draw_target(Some(n), target).with_message(unit);
         let bar = bar.with_style(bar::style("{bar:40} {percent}% of {len} {msg}{left}"));
         let is_log = is_shown && bar.is_hidden();

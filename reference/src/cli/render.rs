@@ -25,7 +25,11 @@ use crate::world::World;
 
 /// Carries out the command.
 pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
-    let out = args.output.as_ref().or(args.out.as_ref()).ok_or_else(|| Stop::Usage("OUT is missing".to_owned()))?;
+    let out = args
+        .output
+        .as_ref()
+        .or(args.out.as_ref())
+        .ok_or_else(|| Stop::Usage("OUT is missing".to_owned()))?;
     let form = Form::of(out, args.bits)?;
     files::check(out)?;
     let mut clock = Clock(Instant::now());
@@ -47,7 +51,8 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     let pool = pool.use_current_thread().build();
     let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
     let samples = args.samples;
-    let fineness = Fineness { samples, light_cutoff: args.light_cutoff, counts: args.stats.is_some() };
+    let fineness =
+        Fineness { samples, light_cutoff: args.light_cutoff, counts: args.stats.is_some() };
     let ((image, stats, work), prepare_s) = pool.install(|| match args.precision {
         Precision::F32 => picture::<f32>(&scene, &rules, fineness, talk),
         Precision::F64 => picture::<f64>(&scene, &rules, fineness, talk),
@@ -96,12 +101,17 @@ fn cut(scene: &mut Scene, threshold: f64, may_adapt: bool) -> Result<(), Stop> {
     scene.render.threshold = threshold;
     if threshold > 0.0 && !may_adapt {
         return Err(Stop::Usage(
-            "the case's stage does not allow adaptive_depth\nhelp: say with --effects what to simulate, such as --effects all".to_owned(),
+            "the case's stage does not allow adaptive_depth\n\
+                help: say with --effects what to simulate, such as --effects all"
+                .to_owned(),
         ));
     }
     let effects = scene.effects;
-    scene.effects =
-        if threshold > 0.0 { effects.with(Effect::AdaptiveDepth) } else { effects.without(Effect::AdaptiveDepth) };
+    scene.effects = if threshold > 0.0 {
+        effects.with(Effect::AdaptiveDepth)
+    } else {
+        effects.without(Effect::AdaptiveDepth)
+    };
     Ok(())
 }
 
@@ -144,7 +154,12 @@ struct Fineness {
 }
 
 /// The picture, and the seconds it took to make the world ready.
-fn picture<T: Real>(scene: &Scene, rules: &Rules, fineness: Fineness, talk: Talk) -> (Picture, f64) {
+fn picture<T: Real>(
+    scene: &Scene,
+    rules: &Rules,
+    fineness: Fineness,
+    talk: Talk,
+) -> (Picture, f64) {
     let Fineness { samples, light_cutoff, counts } = fineness;
     let start = Instant::now();
     let world = World::<T>::new(scene);
@@ -184,13 +199,22 @@ enum Form {
 impl Form {
     /// By the ending of the name; a stream has none, and gets a PNG.
     fn of(out: &Path, bits: Bits) -> Result<Self, Stop> {
-        let deep = |kind| if kind == film::Kind::Png && bits == Bits::Sixteen { film::Kind::DeepPng } else { kind };
+        let deep = |kind| {
+            if kind == film::Kind::Png && bits == Bits::Sixteen {
+                film::Kind::DeepPng
+            } else {
+                kind
+            }
+        };
         if out.extension().is_some_and(|end| end.eq_ignore_ascii_case("exr")) {
             return Ok(Self::Exr);
         }
         let stream = || files::is_stream(out).then_some(film::Kind::Png);
         film::Kind::of(out).or_else(stream).map(deep).map(Self::Film).ok_or_else(|| {
-            Stop::Usage(format!("{}: the name must end in .png, .pfm or .exr, or be `-`", out.display()))
+            Stop::Usage(format!(
+                "{}: the name must end in .png, .pfm or .exr, or be `-`",
+                out.display()
+            ))
         })
     }
 
@@ -198,7 +222,8 @@ impl Form {
         let bytes = match self {
             Self::Film(kind) => film::encode_by(quantiser, kind, image),
             Self::Exr => {
-                let part = Part { name: "colour".to_owned(), planes: rgb("", image, Depth::Float).into() };
+                let part =
+                    Part { name: "colour".to_owned(), planes: rgb("", image, Depth::Float).into() };
                 film::exr::encode((image.width(), image.height()), &[part], "")
             }
         };

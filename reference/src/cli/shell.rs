@@ -21,7 +21,8 @@ pub(super) fn man(what: Option<&Path>) -> Result<(), Stop> {
     match shell::man(Args::command(), what).map_err(Stop::Usage)? {
         Man::Page(page) => print(&page),
         Man::Folder(folder, pages) => {
-            std::fs::create_dir_all(&folder).map_err(|why| files::WriteError::untouched(&folder, why))?;
+            std::fs::create_dir_all(&folder)
+                .map_err(|why| files::WriteError::untouched(&folder, why))?;
             Ok(pages.iter().try_for_each(|(name, page)| files::write(&folder.join(name), page))?)
         }
     }

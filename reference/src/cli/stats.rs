@@ -13,7 +13,8 @@ use crate::cost::figures::{figure, levels};
 use crate::watch::{Counts, made_by};
 use crate::work::{Amounts, Work};
 
-/// The figures of a picture; times in seconds of wall clock, those of `render` with the counting in them.
+/// The figures of a picture; times in seconds of wall clock, those of `render` with the counting in
+/// them.
 #[derive(Debug, Serialize)]
 pub(super) struct Report {
     pub(super) width: u32,
@@ -25,7 +26,8 @@ pub(super) struct Report {
     pub(super) rays: Counts,
     pub(super) work: Amounts,
     pub(super) by_effect: Vec<Row>,
-    /// Greatest amount of linear light by which what was left out for depth, threshold or light cutoff darkens a pixel; none where nothing bounds it.
+    /// Greatest amount of linear light by which what was left out for depth, threshold or light
+    /// cutoff darkens a pixel; none where nothing bounds it.
     pub(super) left_out_at_most: Option<f64>,
     pub(super) load_s: f64,
     pub(super) prepare_s: f64,
@@ -48,10 +50,22 @@ pub(super) struct Row {
 
 impl Row {
     /// A row for every effect there is, of which `simulated` were.
-    pub(super) fn all(reasons: Vec<Reason>, simulated: Effects, rays: &Counts, work: &Amounts) -> Vec<Self> {
+    pub(super) fn all(
+        reasons: Vec<Reason>,
+        simulated: Effects,
+        rays: &Counts,
+        work: &Amounts,
+    ) -> Vec<Self> {
         let row = |Reason { effect, called_for, because }| {
             let (made, of) = made_by(effect, rays, work);
-            Self { effect: effect.name(), called_for, simulated: simulated.has(effect), because, made, of }
+            Self {
+                effect: effect.name(),
+                called_for,
+                simulated: simulated.has(effect),
+                because,
+                made,
+                of,
+            }
         };
         reasons.into_iter().map(row).collect()
     }
@@ -60,7 +74,9 @@ impl Row {
         let Self { effect, because, made, of, .. } = self;
         match (self.simulated, self.called_for) {
             (true, true) => format!("  {effect:<15} {made} {of}: {because}\n"),
-            (true, false) => format!("  {effect:<15} {made} {of}, though not called for: {because}\n"),
+            (true, false) => {
+                format!("  {effect:<15} {made} {of}, though not called for: {because}\n")
+            }
             (false, true) => format!("  {effect:<15} left out, though called for: {because}\n"),
             (false, false) => format!("  {effect:<15} not called for: {because}\n"),
         }
@@ -71,7 +87,10 @@ impl Report {
     /// Prints it, to the error stream where the picture went to the other one.
     pub(super) fn say(&self, form: Form, to_errors: bool) -> Result<(), Stop> {
         let text = match form {
-            Form::Json => serde_json::to_string_pretty(self).map_err(|why| Stop::Machine(why.to_string()))? + "\n",
+            Form::Json => {
+                serde_json::to_string_pretty(self).map_err(|why| Stop::Machine(why.to_string()))?
+                    + "\n"
+            }
             Form::Text => self.text(),
         };
         if to_errors {
@@ -86,17 +105,23 @@ impl Report {
         let left_out = match self.left_out_at_most {
             Some(0.0) => "nothing, for depth, threshold or light cutoff".to_owned(),
             Some(most) => {
-                format!("rays and light that darken no pixel by more than {} levels (proven)", figure(levels(most)))
+                format!(
+                    "rays and light that darken no pixel by more than {} levels (proven)",
+                    figure(levels(most))
+                )
             }
             None => "rays that nothing bounds: some material has kr + kt of 1 or more".to_owned(),
         };
         let amounts = |works: &[Work]| {
             let done = works.iter().filter(|work| self.work.of(**work) > 0);
-            let all: Vec<_> = done.map(|work| format!("{} {}", self.work.of(*work), work.name())).collect();
+            let all: Vec<_> =
+                done.map(|work| format!("{} {}", self.work.of(*work), work.name())).collect();
             if all.is_empty() { "nothing".to_owned() } else { all.join(", ") }
         };
         let mut text = format!(
-            "picture    {}x{}, {} a pixel, {}, {} threads\nrays       {eye} eye, {shadow} shadow, {reflected} reflected, {refracted} refracted\n",
+            "picture    {}x{}, {} a pixel, {}, {} threads\n\
+                rays       {eye} eye, {shadow} shadow, {reflected} reflected, {refracted} \
+                refracted\n",
             self.width,
             self.height,
             self.samples * self.samples,
@@ -109,7 +134,8 @@ impl Report {
         text.extend(self.by_effect.iter().map(Row::line));
         let _ = writeln!(
             text,
-            "left out   {left_out}\nseconds    load {:.4}, prepare {:.4}, render {:.4} (counting in it), write {:.4}",
+            "left out   {left_out}\nseconds    load {:.4}, prepare {:.4}, render {:.4} (counting \
+                in it), write {:.4}",
             self.load_s, self.prepare_s, self.render_s, self.write_s,
         );
         text

@@ -11,7 +11,8 @@ use super::stop::Stop;
 use crate::expect::Set;
 use crate::vary::{Care, Original, Varied};
 
-/// What was seen of one case, over any number of seeds; adding up two gives the same in either order.
+/// What was seen of one case, over any number of seeds; adding up two gives the same in either
+/// order.
 #[derive(Clone, Debug, Default)]
 struct Seen {
     n_seeds: u64,
@@ -61,7 +62,12 @@ fn either(one: Option<f64>, other: Option<f64>, choose: fn(f64, f64) -> f64) -> 
 }
 
 /// Draws the sets that are asked for and prints a line a case.
-pub(super) fn run(originals: &[Original], set: &Set, args: &VaryArgs, talk: Talk) -> Result<(), Stop> {
+pub(super) fn run(
+    originals: &[Original],
+    set: &Set,
+    args: &VaryArgs,
+    talk: Talk,
+) -> Result<(), Stop> {
     let first = args.seed.unwrap_or(1);
     let bar = Bar::cases(args.seeds * originals.len() as u64, talk);
     let draw = |n: u64| -> Vec<Seen> {
@@ -73,9 +79,13 @@ pub(super) fn run(originals: &[Original], set: &Set, args: &VaryArgs, talk: Talk
         };
         originals.par_iter().map(one).collect()
     };
-    let both = |one: Vec<Seen>, other: Vec<Seen>| one.into_iter().zip(other).map(|(a, b)| a.and(b)).collect();
-    let seen: Vec<Seen> =
-        (0..args.seeds).into_par_iter().map(draw).reduce(|| vec![Seen::default(); originals.len()], both);
+    let both = |one: Vec<Seen>, other: Vec<Seen>| {
+        one.into_iter().zip(other).map(|(a, b)| a.and(b)).collect()
+    };
+    let seen: Vec<Seen> = (0..args.seeds)
+        .into_par_iter()
+        .map(draw)
+        .reduce(|| vec![Seen::default(); originals.len()], both);
     drop(bar);
     print(table(originals, &seen).as_bytes())?;
     let failed: Vec<&str> = seen.iter().flat_map(|seen| &seen.failed).map(String::as_str).collect();
@@ -85,11 +95,15 @@ pub(super) fn run(originals: &[Original], set: &Set, args: &VaryArgs, talk: Talk
 fn table(originals: &[Original], seen: &[Seen]) -> String {
     let width = originals.iter().map(|original| original.id().len()).max().unwrap_or_default();
     let mut text = format!("{:<width$}  first draw   draws    shows    least  contested\n", "case");
-    let percent = |share: Option<f64>| share.map_or("–".to_owned(), |share| format!("{:.1} %", 100.0 * share));
+    let percent = |share: Option<f64>| {
+        share.map_or("–".to_owned(), |share| format!("{:.1} %", 100.0 * share))
+    };
     for (original, seen) in originals.iter().zip(seen) {
         let first = percent(Some(seen.n_first as f64 / seen.n_seeds.max(1) as f64));
-        let draws = if seen.failed.is_empty() { seen.most_draws.to_string() } else { "failed".to_owned() };
-        let (shows, least, contested) = (percent(Some(original.shows())), percent(seen.least), percent(seen.contested));
+        let draws =
+            if seen.failed.is_empty() { seen.most_draws.to_string() } else { "failed".to_owned() };
+        let (shows, least, contested) =
+            (percent(Some(original.shows())), percent(seen.least), percent(seen.contested));
         let _ = writeln!(
             text,
             "{:<width$}  {first:>10}  {draws:>6}  {shows:>7}  {least:>7}  {contested:>9}",

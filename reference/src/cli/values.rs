@@ -21,7 +21,8 @@ const MAX_SIDE: u32 = 16384;
 
 /// Reads the sides of a picture, such as `640x480`.
 pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
-    let sides = text.split_once(['x', '×']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
+    let sides =
+        text.split_once(['x', '×']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
     match sides {
         Some((w, h)) if (1..=MAX_SIDE).contains(&w) && (1..=MAX_SIDE).contains(&h) => Ok((w, h)),
         _ => Err(format!("a size is two numbers from 1 to {MAX_SIDE}, such as 640x480")),
@@ -32,7 +33,9 @@ pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
 pub(super) fn threshold(text: &str) -> Result<f64, String> {
     let number = |text: &str| text.trim().parse::<f64>().ok();
     let value = match text.split_once('/') {
-        Some((above, below)) => number(above).zip(number(below)).map(|(above, below)| above / below),
+        Some((above, below)) => {
+            number(above).zip(number(below)).map(|(above, below)| above / below)
+        }
         None => number(text),
     };
     let wrong = || "this is a number from 0 to 1, such as 0.01 or 1/256".to_owned();
@@ -45,7 +48,9 @@ mod tests {
 
     #[test]
     fn thresholds_are_numbers_or_fractions_from_0_to_1() {
-        for (text, value) in [("0", 0.0), ("1", 1.0), ("1/256", 1.0 / 256.0), (" 3 / 4 ", 0.75), ("1e-3", 1e-3)] {
+        for (text, value) in
+            [("0", 0.0), ("1", 1.0), ("1/256", 1.0 / 256.0), (" 3 / 4 ", 0.75), ("1e-3", 1e-3)]
+        {
             assert_eq!(threshold(text), Ok(value), "{text}");
         }
         for text in ["", "a", "-0.1", "1.5", "1/0", "0/0", "1/2/3", "nan", "inf"] {

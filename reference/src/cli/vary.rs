@@ -20,9 +20,10 @@ use crate::vary::folder::{self, Draft, Originals, WriteSetError};
 /// Carries out the command.
 pub(super) fn run(args: &VaryArgs, talk: Talk) -> Result<(), Stop> {
     let out = match (args.seed, args.check) {
-        (Some(seed), false) => {
-            Some((seed, args.out.clone().unwrap_or_else(|| PathBuf::from(format!("varied-{seed}")))))
-        }
+        (Some(seed), false) => Some((
+            seed,
+            args.out.clone().unwrap_or_else(|| PathBuf::from(format!("varied-{seed}"))),
+        )),
         _ => None,
     };
     if let Some((_, out)) = &out {
@@ -39,11 +40,17 @@ pub(super) fn run(args: &VaryArgs, talk: Talk) -> Result<(), Stop> {
 
 /// Returns the cases to vary, and warns of those that cannot be varied.
 fn originals(args: &VaryArgs, set: &Set, talk: Talk) -> Result<Originals, Stop> {
-    let n_varying = set.stages.iter().flat_map(|stage| &stage.cases).filter(|case| case.bounds.is_some()).count();
+    let n_varying = set
+        .stages
+        .iter()
+        .flat_map(|stage| &stage.cases)
+        .filter(|case| case.bounds.is_some())
+        .count();
     if n_varying == 0 {
         let folder = args.stages.display();
         return Err(Stop::Usage(format!(
-            "no case in {folder} has a `[vary]`, so that nothing would change\nhelp: docs/scene-format.md describes it"
+            "no case in {folder} has a `[vary]`, so that nothing would change\n\
+                help: docs/scene-format.md describes it"
         )));
     }
     let bar = Bar::cases(n_varying as u64, talk);
@@ -51,14 +58,23 @@ fn originals(args: &VaryArgs, set: &Set, talk: Talk) -> Result<Originals, Stop> 
     drop(bar);
     if talk > Talk::Quiet {
         for id in &originals.constant {
-            say::err(&format!("warning: {id} has no `[vary]`, so it stays as everybody has seen it"));
+            say::err(&format!(
+                "warning: {id} has no `[vary]`, so it stays as everybody has seen it"
+            ));
         }
     }
     Ok(originals)
 }
 
 /// Draws the set, makes its answers, and puts both at their place at once.
-fn write(args: &VaryArgs, set: &Set, originals: &Originals, seed: u64, out: &Path, talk: Talk) -> Result<(), Stop> {
+fn write(
+    args: &VaryArgs,
+    set: &Set,
+    originals: &Originals,
+    seed: u64,
+    out: &Path,
+    talk: Talk,
+) -> Result<(), Stop> {
     let Originals { varying, constant } = originals;
     let bar = Bar::cases(varying.len() as u64, talk);
     let varied = folder::draw(varying, set, seed, || bar.add(1)).map_err(Stop::NotPassed)?;
@@ -68,7 +84,8 @@ fn write(args: &VaryArgs, set: &Set, originals: &Originals, seed: u64, out: &Pat
     let draft = Draft::write(&args.stages, set, &varied, constant, out)?;
     let stages = draft.stages();
     let hidden = Set::new(stage::load_all(&stages, &set.course)?, &set.course);
-    let answers = expect::answers(&stages, &hidden, |_| true, interrupt, talk).map_err(|why| Stop::of(&why))?;
+    let answers = expect::answers(&stages, &hidden, |_| true, interrupt, talk)
+        .map_err(|why| Stop::of(&why))?;
     files::write_all(answers.files().map(Expected::as_output))?;
     draft.publish(out)?;
     if talk >= Talk::Normal {

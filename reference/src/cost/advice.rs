@@ -5,12 +5,16 @@ use super::report::{Report, Row};
 use super::setting::{Formula, Setting};
 use crate::variations::Precision;
 
-/// The cheapest setting that changes no 8-bit pixel, the next step below, and what more rays a pixel buy.
+/// The cheapest setting that changes no 8-bit pixel, the next step below, and what more rays a
+/// pixel buy.
 pub(super) fn advice(report: &Report) -> Vec<String> {
     let Some(own) = report.row(&report.own) else { return Vec::new() };
-    let same: Vec<&Row> = report.rows.iter().filter(|row| row.setting.samples == own.setting.samples).collect();
+    let same: Vec<&Row> =
+        report.rows.iter().filter(|row| row.setting.samples == own.setting.samples).collect();
     let mut sentences = Vec::new();
-    let cheapest = least(same.iter().filter(|row| row.same_rays.changed == 0.0).copied(), |row| row.time_ms.median);
+    let cheapest = least(same.iter().filter(|row| row.same_rays.changed == 0.0).copied(), |row| {
+        row.time_ms.median
+    });
     if let Some(pick) = cheapest {
         sentences.push(pick_it(pick, own, &same));
         sentences.extend(step_below(pick, &same));
@@ -28,7 +32,8 @@ fn least<'a>(rows: impl Iterator<Item = &'a Row>, by: impl Fn(&Row) -> f64) -> O
 fn pick_it(pick: &Row, own: &Row, same: &[&Row]) -> String {
     let n = own.setting.samples;
     let mut text = format!(
-        "Pick {}: {} ms, the cheapest with {n}×{n} rays a pixel that changes no 8-bit pixel of the most accurate picture with as many.",
+        "Pick {}: {} ms, the cheapest with {n}×{n} rays a pixel that changes no 8-bit pixel of \
+            the most accurate picture with as many.",
         pick.name,
         figure(pick.time_ms.median)
     );
@@ -42,12 +47,15 @@ fn pick_it(pick: &Row, own: &Row, same: &[&Row]) -> String {
         );
     }
     let is_as_fast = |row: &&&Row| {
-        row.setting != pick.setting && row.same_rays.changed == 0.0 && row.time_ms.least <= pick.time_ms.greatest
+        row.setting != pick.setting
+            && row.same_rays.changed == 0.0
+            && row.time_ms.least <= pick.time_ms.greatest
     };
     let n_others = same.iter().filter(is_as_fast).count();
     if n_others > 0 {
         text += &format!(
-            " {n_others} other{} that change{} none {} not told apart from it by time: the spreads overlap.",
+            " {n_others} other{} that change{} none {} not told apart from it by time: the \
+                spreads overlap.",
             if n_others == 1 { "" } else { "s" },
             if n_others == 1 { "s" } else { "" },
             if n_others == 1 { "is" } else { "are" },
@@ -57,10 +65,13 @@ fn pick_it(pick: &Row, own: &Row, same: &[&Row]) -> String {
 }
 
 fn step_below(pick: &Row, same: &[&Row]) -> Option<String> {
-    let cheaper = same.iter().filter(|row| row.time_ms.median < pick.time_ms.median && row.same_rays.changed > 0.0);
+    let cheaper = same
+        .iter()
+        .filter(|row| row.time_ms.median < pick.time_ms.median && row.same_rays.changed > 0.0);
     let next = least(cheaper.copied(), |row| row.same_rays.rms_levels)?;
     Some(format!(
-        "The next step below is {}: {} ms; it changes {} of the pixels, {} by more than 1/255, the worst by {} levels.",
+        "The next step below is {}: {} ms; it changes {} of the pixels, {} by more than 1/255, \
+            the worst by {} levels.",
         next.name,
         figure(next.time_ms.median),
         percent(next.same_rays.changed),
@@ -72,7 +83,8 @@ fn step_below(pick: &Row, same: &[&Row]) -> Option<String> {
 fn own_error(own: &Row) -> Option<String> {
     (own.same_rays.changed > 0.0).then(|| {
         format!(
-            "The scene as it stands is not there yet: greater depth or no threshold changes {} of its pixels, the worst by {} levels.",
+            "The scene as it stands is not there yet: greater depth or no threshold changes {} of \
+                its pixels, the worst by {} levels.",
             percent(own.same_rays.changed),
             figure(own.same_rays.max_levels)
         )
@@ -86,9 +98,14 @@ fn proven(own: &Row) -> Option<String> {
         Some(0.0) => "Proven: as the scene stands no ray is left out.".to_owned(),
         Some(most) => {
             let levels = figure(levels(most));
-            format!("Proven: rays left out as the scene stands darken no pixel by more than {levels} levels.")
+            format!(
+                "Proven: rays left out as the scene stands darken no pixel by more than \
+                {levels} levels."
+            )
         }
-        None => "Nothing bounds what is left out: some surface sends on all the light that it receives (kr + kt is not below 1).".to_owned(),
+        None => "Nothing bounds what is left out: some surface sends on all the light that it \
+            receives (kr + kt is not below 1)."
+            .to_owned(),
     };
     Some(text)
 }
@@ -98,7 +115,10 @@ fn samples(report: &Report) -> Option<String> {
     let exact = |row: &&Row| {
         let s = &row.setting;
         let truth = Setting { samples: s.samples, ..report.truth };
-        *s == truth && s.precision == Precision::F64 && s.formula == Formula::Robust && *s != report.truth
+        *s == truth
+            && s.precision == Precision::F64
+            && s.formula == Formula::Robust
+            && *s != report.truth
     };
     let mut rows: Vec<&Row> = report.rows.iter().filter(exact).collect();
     rows.sort_by_key(|row| row.setting.samples);
@@ -116,7 +136,8 @@ fn samples(report: &Report) -> Option<String> {
         / ln(f64::from(last.setting.samples) / f64::from(first.setting.samples));
     let n = report.truth.samples;
     Some(format!(
-        "More rays a pixel, against {n}×{n}: {} levels (root mean square). The error falls as the number of rays a side to the power −{}.",
+        "More rays a pixel, against {n}×{n}: {} levels (root mean square). The error falls as the \
+            number of rays a side to the power −{}.",
         steps.join(", "),
         figure(order)
     ))
@@ -141,7 +162,8 @@ mod tests {
     };
     const TRUTH: Setting = Setting { samples: 8, max_depth: 4, ..OWN };
 
-    /// A row that takes `ms`, give or take one, and is that far off: the share of changed pixels, and RMS error against the truth.
+    /// A row that takes `ms`, give or take one, and is that far off: the share of changed pixels,
+    /// and RMS error against the truth.
     fn row(setting: Setting, ms: f64, changed: f64, rms: f64) -> Row {
         Row {
             name: setting.to_string(),
@@ -151,7 +173,12 @@ mod tests {
             bytes: 0,
             left_out_at_most: None,
             error: Error { rms_levels: rms, ..Error::default() },
-            same_rays: Error { changed, rms_levels: changed, max_levels: 100.0 * changed, ..Error::default() },
+            same_rays: Error {
+                changed,
+                rms_levels: changed,
+                max_levels: 100.0 * changed,
+                ..Error::default()
+            },
             rounding: None,
             is_on_front: false,
             is_on_same_rays_front: false,
@@ -159,7 +186,8 @@ mod tests {
     }
 
     fn said(rows: Vec<Row>) -> Vec<String> {
-        let machine = Machine { processor: String::new(), threads: 1, clock: "", is_optimised: true };
+        let machine =
+            Machine { processor: String::new(), threads: 1, clock: "", is_optimised: true };
         let report = Report {
             schema: 1,
             scene: String::new(),
@@ -192,9 +220,15 @@ mod tests {
             row(TRUTH, 900.0, 0.0, 0.0),
         ]);
         assert!(all[0].starts_with("Pick f32 robust, 1×1, depth 2: 20.0 ms,"), "{all:?}");
-        assert!(all[0].contains("it takes 40.0 ms; this is 50.0 % of that.") && !all[0].contains("overlap"), "{all:?}");
         assert!(
-            all[1].starts_with("The next step below is f64 robust, 1×1, depth 1: 15.0 ms; it changes 25.0 %"),
+            all[0].contains("it takes 40.0 ms; this is 50.0 % of that.")
+                && !all[0].contains("overlap"),
+            "{all:?}"
+        );
+        assert!(
+            all[1].starts_with(
+                "The next step below is f64 robust, 1×1, depth 1: 15.0 ms; it changes 25.0 %"
+            ),
             "{all:?}"
         );
         assert!(all[2].starts_with("Nothing bounds what is left out"), "{all:?}");
@@ -206,10 +240,15 @@ mod tests {
         let bound = Row { left_out_at_most: Some(0.01), ..row(OWN, 40.0, 0.125, 4.0) };
         let all = said(vec![bound, row(depth(4), 50.0, 0.0, 4.0), row(depth(3), 51.0, 0.0, 4.0)]);
         assert!(
-            all[0].starts_with("Pick f64 robust, 1×1, depth 4") && all[0].contains("1 other that changes none is"),
+            all[0].starts_with("Pick f64 robust, 1×1, depth 4")
+                && all[0].contains("1 other that changes none is"),
             "{all:?}"
         );
-        assert!(all[2].starts_with("The scene as it stands is not there yet") && all[2].contains("12.5 %"), "{all:?}");
+        assert!(
+            all[2].starts_with("The scene as it stands is not there yet")
+                && all[2].contains("12.5 %"),
+            "{all:?}"
+        );
         assert!(all[3].contains("darken no pixel by more than 2.55 levels"), "{all:?}");
     }
 
@@ -224,7 +263,10 @@ mod tests {
             row(TRUTH, 640.0, 0.0, 0.0),
         ]);
         let last = all.last().unwrap();
-        assert!(last.contains("1×1 10.0 ms and 8.00, 2×2 40.0 ms and 4.00, 4×4 160 ms and 2.00"), "{last}");
+        assert!(
+            last.contains("1×1 10.0 ms and 8.00, 2×2 40.0 ms and 4.00, 4×4 160 ms and 2.00"),
+            "{last}"
+        );
         assert!(last.ends_with("to the power −1.00."), "{last}");
     }
 }

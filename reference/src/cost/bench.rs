@@ -10,7 +10,8 @@ use crate::rules::Rules;
 use crate::variations::Precision;
 use crate::world::World;
 
-/// The worlds of a scene in both precisions, each made when it is first asked for, and the rules by which it is rendered.
+/// The worlds of a scene in both precisions, each made when it is first asked for, and the rules by
+/// which it is rendered.
 #[derive(Debug)]
 pub struct Bench {
     rules: Rules,
@@ -39,27 +40,39 @@ impl Bench {
     /// The picture by a setting, and what it took. Runs in the current `rayon` pool.
     pub fn render(&mut self, setting: &Setting) -> (Image, Stats) {
         match setting.precision {
-            Precision::F32 => render(ready(&mut self.single, &self.scene, setting.effects), &self.rules, setting),
-            Precision::F64 => render(ready(&mut self.double, &self.scene, setting.effects), &self.rules, setting),
+            Precision::F32 => {
+                render(ready(&mut self.single, &self.scene, setting.effects), &self.rules, setting)
+            }
+            Precision::F64 => {
+                render(ready(&mut self.double, &self.scene, setting.effects), &self.rules, setting)
+            }
         }
     }
 
-    /// Bytes that a setting takes: the scene made ready for rays, and the picture in the scalars it is computed with.
+    /// Bytes that a setting takes: the scene made ready for rays, and the picture in the scalars it
+    /// is computed with.
     pub fn bytes(&mut self, setting: &Setting) -> usize {
         let n_pixels = self.scene.render.width as usize * self.scene.render.height as usize;
         match setting.precision {
             Precision::F32 => {
-                ready(&mut self.single, &self.scene, setting.effects).bytes() + n_pixels * 3 * size_of::<f32>()
+                ready(&mut self.single, &self.scene, setting.effects).bytes()
+                    + n_pixels * 3 * size_of::<f32>()
             }
             Precision::F64 => {
-                ready(&mut self.double, &self.scene, setting.effects).bytes() + n_pixels * 3 * size_of::<f64>()
+                ready(&mut self.double, &self.scene, setting.effects).bytes()
+                    + n_pixels * 3 * size_of::<f64>()
             }
         }
     }
 }
 
-/// The world of `scene` without the matrices or the attenuation that it calls for and `effects` does not have.
-fn ready<'a, T: Real>(worlds: &'a mut Worlds<T>, scene: &Scene, effects: Effects) -> &'a mut World<T> {
+/// The world of `scene` without the matrices or the attenuation that it calls for and `effects`
+/// does not have.
+fn ready<'a, T: Real>(
+    worlds: &'a mut Worlds<T>,
+    scene: &Scene,
+    effects: Effects,
+) -> &'a mut World<T> {
     let is_left_out = |effect: &Effect| scene.effects.has(*effect) && !effects.has(*effect);
     let kept: Effects = OF_THE_SCENE.iter().filter(|effect| !is_left_out(effect)).collect();
     let at = worlds.iter().position(|(of, _)| *of == kept).unwrap_or_else(|| {
@@ -74,6 +87,7 @@ fn ready<'a, T: Real>(worlds: &'a mut Worlds<T>, scene: &Scene, effects: Effects
 fn render<T: Real>(world: &mut World<T>, rules: &Rules, setting: &Setting) -> (Image, Stats) {
     world.render.max_depth = setting.max_depth;
     world.render.threshold = setting.threshold;
-    let options = Options { effects: setting.simulated(), samples: setting.samples, ..Options::of(world) };
+    let options =
+        Options { effects: setting.simulated(), samples: setting.samples, ..Options::of(world) };
     render::render_by(world, &setting.formula.rules(rules), &options, |_| {})
 }

@@ -74,14 +74,24 @@ pub fn csv(report: &Report) -> Result<Vec<u8>, csv::Error> {
 
 fn line(report: &Report, row: &Row) -> Vec<String> {
     let Setting { precision, formula, samples, max_depth, threshold, .. } = row.setting;
-    let mut line =
-        vec![harmless(&report.scene), report.width.to_string(), report.height.to_string(), "setting".to_owned()];
+    let mut line = vec![
+        harmless(&report.scene),
+        report.width.to_string(),
+        report.height.to_string(),
+        "setting".to_owned(),
+    ];
     line.extend([precision.says().to_owned(), formula.name().to_owned()]);
     line.extend([samples, max_depth].map(|n| n.to_string()));
-    line.extend([threshold, row.time_ms.median, row.time_ms.least, row.time_ms.greatest].map(|x| x.to_string()));
+    line.extend(
+        [threshold, row.time_ms.median, row.time_ms.least, row.time_ms.greatest]
+            .map(|x| x.to_string()),
+    );
     line.push(report.rounds.to_string());
     let rays = row.rays;
-    line.extend([rays.eye, rays.shadow, rays.reflected, rays.refracted, row.bytes as u64].map(|n| n.to_string()));
+    line.extend(
+        [rays.eye, rays.shadow, rays.reflected, rays.refracted, row.bytes as u64]
+            .map(|n| n.to_string()),
+    );
     let (error, same) = (row.error, row.same_rays);
     line.extend(
         [
@@ -99,7 +109,8 @@ fn line(report: &Report, row: &Row) -> Vec<String> {
     );
     line.extend([row.is_on_front, row.is_on_same_rays_front].map(|is_on| is_on.to_string()));
     line.push(row.left_out_at_most.map_or_else(String::new, |most| most.to_string()));
-    let rounding = [row.rounding.map(|error| error.max_levels), row.rounding.map(|error| error.changed)];
+    let rounding =
+        [row.rounding.map(|error| error.max_levels), row.rounding.map(|error| error.changed)];
     line.extend(rounding.map(|x| x.map_or_else(String::new, |x| x.to_string())));
     line
 }

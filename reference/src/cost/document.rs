@@ -16,9 +16,14 @@ use super::setting::{Formula, Setting};
 use crate::rules::{Epsilon, Rules};
 use crate::variations::Precision;
 
-/// The scenes of the page, each for what it has: mirrors that see each other, glass, moved spheres, smooth meshes.
-pub const SCENES: [&str; 4] =
-    ["03_reflection/hall_of_mirrors", "04_refraction/crystal_ball", "05_transforms/pebbles", "06_smooth_normals/soap"];
+/// The scenes of the page, each for what it has: mirrors that see each other, glass, moved spheres,
+/// smooth meshes.
+pub const SCENES: [&str; 4] = [
+    "03_reflection/hall_of_mirrors",
+    "04_refraction/crystal_ball",
+    "05_transforms/pebbles",
+    "06_smooth_normals/soap",
+];
 /// The scene that is shown in many sizes.
 pub const SIZED: &str = SCENES[1];
 /// The powers of ten of those sizes.
@@ -35,7 +40,8 @@ pub struct StartRow {
     pub changed: Vec<f64>,
 }
 
-/// A row for the reference's own start and each RAY_EPSILON, in both precisions; right is the reference's f64 picture of the scene as it is.
+/// A row for the reference's own start and each RAY_EPSILON, in both precisions; right is the
+/// reference's f64 picture of the scene as it is.
 pub fn starts(scene: &Scene, rules: &Rules) -> Vec<StartRow> {
     let own = Setting::of(scene);
     let (truth, _) = Bench::new(scene, rules).render(&own);
@@ -78,7 +84,8 @@ pub struct Document {
 
 /// File of the picture that belongs to a scene of that name, beside a page of that stem.
 pub fn picture_name(stem: &str, scene: &str) -> String {
-    let tame: String = scene.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
+    let tame: String =
+        scene.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
     format!("{stem}-{tame}.svg")
 }
 
@@ -95,6 +102,9 @@ pub fn markdown(document: &Document, stem: &str) -> String {
     });
     let page = minijinja::Value::from(Serde(document));
     engine
-        .render_str(include_str!("accuracy.md.in"), context! { page, sizes => SIZES.to_vec(), sized => SIZED })
+        .render_str(
+            include_str!("accuracy.md.in"),
+            context! { page, sizes => SIZES.to_vec(), sized => SIZED },
+        )
         .expect("the template is part of this program and a test renders all of it")
 }

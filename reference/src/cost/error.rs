@@ -4,7 +4,8 @@ use cases::film::{Image, Quantiser, level};
 use cases::glam::DVec3;
 use serde::Serialize;
 
-/// What separates two pictures. A channel that is no finite number counts as wrong by its whole range: 255 levels, 1 of light.
+/// What separates two pictures. A channel that is no finite number counts as wrong by its whole
+/// range: 255 levels, 1 of light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Error {
     /// Greatest difference of a channel in 8-bit levels, before rounding to whole ones.
@@ -22,7 +23,8 @@ pub struct Error {
 }
 
 impl Error {
-    /// How far `image` is from `truth`, a picture of the same size; bytes come about by `quantiser`.
+    /// How far `image` is from `truth`, a picture of the same size; bytes come about by
+    /// `quantiser`.
     pub fn of(truth: &Image, image: &Image, quantiser: Quantiser) -> Self {
         let mut error = Self::default();
         let n_pixels = truth.pixels().len().max(1) as f64;
@@ -58,14 +60,16 @@ fn difference(a: DVec3, b: DVec3, scale: impl Fn(f64) -> f64, all: f64) -> DVec3
 mod tests {
     use super::*;
 
-    /// The error of a picture of four pixels, of which the last one is as given and all others are mid-grey.
+    /// The error of a picture of four pixels, of which the last one is as given and all others are
+    /// mid-grey.
     fn check(last: [f64; 3], expected: Error) {
         let grey = DVec3::splat(0.5);
         let truth = Image::from_fn(2, 2, |_, _| grey);
         let last = DVec3::from_array(last);
         let image = Image::from_fn(2, 2, |i, j| if i + j == 2 { last } else { grey });
         let error = Error::of(&truth, &image, Quantiser::Rounding);
-        let numbers = |e: Error| [e.max_levels, e.rms_levels, e.max_light, e.rms_light, e.changed, e.off];
+        let numbers =
+            |e: Error| [e.max_levels, e.rms_levels, e.max_light, e.rms_light, e.changed, e.off];
         for (found, wanted) in numbers(error).into_iter().zip(numbers(expected)) {
             assert!((found - wanted).abs() < 1e-12, "{last}: {error:?}, not {expected:?}");
         }

@@ -16,20 +16,27 @@ impl Times {
     pub fn of(times: &[f64]) -> Self {
         let mut times = times.to_vec();
         times.sort_by(f64::total_cmp);
-        let (Some(least), Some(greatest)) = (times.first(), times.last()) else { return Self::default() };
+        let (Some(least), Some(greatest)) = (times.first(), times.last()) else {
+            return Self::default();
+        };
         let half = times.len() / 2;
-        let median = if times.len() % 2 == 1 { times[half] } else { (times[half - 1] + times[half]) / 2.0 };
+        let median =
+            if times.len() % 2 == 1 { times[half] } else { (times[half - 1] + times[half]) / 2.0 };
         Self { median, least: *least, greatest: *greatest }
     }
 }
 
-/// For each (price, error), whether it is on the Pareto front: whether no other point is as good in both and better in one. Of equal
-/// points the first is on it. NaN is never on it.
+/// For each (price, error), whether it is on the Pareto front: whether no other point is as good in
+/// both and better in one. Of equal points the first is on it. NaN is never on it.
 pub fn front(points: &[(f64, f64)]) -> Vec<bool> {
     let mut order: Vec<usize> =
         (0..points.len()).filter(|n| !points[*n].0.is_nan() && !points[*n].1.is_nan()).collect();
     order.sort_by(|a, b| {
-        points[*a].0.total_cmp(&points[*b].0).then(points[*a].1.total_cmp(&points[*b].1)).then(a.cmp(b))
+        points[*a]
+            .0
+            .total_cmp(&points[*b].0)
+            .then(points[*a].1.total_cmp(&points[*b].1))
+            .then(a.cmp(b))
     });
     let mut is_on = vec![false; points.len()];
     let mut least = f64::INFINITY;
@@ -48,7 +55,8 @@ mod tests {
 
     #[track_caller]
     fn check(points: &[(f64, f64)], expected: &[usize]) {
-        let on: Vec<usize> = front(points).iter().enumerate().filter(|(_, on)| **on).map(|(n, _)| n).collect();
+        let on: Vec<usize> =
+            front(points).iter().enumerate().filter(|(_, on)| **on).map(|(n, _)| n).collect();
         assert_eq!(on, expected, "{points:?}");
     }
 
@@ -76,7 +84,8 @@ mod tests {
             let beats = |a: (f64, f64), b: (f64, f64)| a.0 <= b.0 && a.1 <= b.1;
             for (n, point) in points.iter().enumerate() {
                 let beaten = (0..12).any(|m| m != n && on[m] && beats(points[m], *point));
-                let strictly = (0..12).any(|m| m != n && points[m] != *point && beats(points[m], *point));
+                let strictly =
+                    (0..12).any(|m| m != n && points[m] != *point && beats(points[m], *point));
                 assert!(if on[n] { !strictly } else { beaten }, "{n} of {points:?}");
             }
         }

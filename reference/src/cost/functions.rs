@@ -1,4 +1,5 @@
-//! One function at a time: how long an answer takes, how far it is off, and how often it is the wrong one, over the hard families.
+//! One function at a time: how long an answer takes, how far it is off, and how often it is the
+//! wrong one, over the hard families.
 
 use super::front::Times;
 use super::measure::Outside;
@@ -62,12 +63,20 @@ pub fn candidates() -> Vec<Candidate> {
 /// The formulas that there are for a function.
 fn ways(function: &str) -> Vec<(&'static str, Style)> {
     let stable = Formula::Stable.style();
-    let quadratics = |n| Quadratic::ALL[..n].iter().map(|q| (q.says(), Style { quadratic: *q, ..stable })).collect();
+    let quadratics = |n| {
+        Quadratic::ALL[..n].iter().map(|q| (q.says(), Style { quadratic: *q, ..stable })).collect()
+    };
     let others: Vec<(&'static str, Style)> = match function {
         "sphere" | "transformed sphere" => quadratics(Quadratic::ALL.len()),
-        "cylinder" | "cone" => quadratics(Quadratic::ALL.len() - 1), // the last one is of spheres alone
-        "plane" => PlaneFormula::ALL.iter().map(|p| (p.says(), Style { plane: *p, ..stable })).collect(),
-        "triangle" => TriangleFormula::ALL.iter().map(|t| (t.says(), Style { triangle: *t, ..stable })).collect(),
+        // the last one is of spheres alone
+        "cylinder" | "cone" => quadratics(Quadratic::ALL.len() - 1),
+        "plane" => {
+            PlaneFormula::ALL.iter().map(|p| (p.says(), Style { plane: *p, ..stable })).collect()
+        }
+        "triangle" => TriangleFormula::ALL
+            .iter()
+            .map(|t| (t.says(), Style { triangle: *t, ..stable }))
+            .collect(),
         "refract" => Snell::ALL.iter().map(|s| (s.says(), Style { snell: *s, ..stable })).collect(),
         _ => vec![("plain", stable)],
     };
@@ -84,8 +93,9 @@ fn families(function: &str) -> impl Iterator<Item = &'static Family> {
     FAMILIES.iter().filter(move |family| family.function == function)
 }
 
-/// Surveys every candidate with `n_draws` questions a family, then times them in interleaved rounds. `None` where it was stopped before the
-/// first round was done; the rounds done by then count. Surveys run in the current `rayon` pool, times are of this thread.
+/// Surveys every candidate with `n_draws` questions a family, then times them in interleaved
+/// rounds. `None` where it was stopped before the first round was done; the rounds done by then
+/// count. Surveys run in the current `rayon` pool, times are of this thread.
 pub fn measure(
     candidates: &[Candidate],
     n_draws: u64,
@@ -120,13 +130,16 @@ pub fn measure(
     if times.first().is_none_or(|[ns, _]| ns.is_empty()) {
         return None;
     }
-    let measured = candidates.iter().zip(surveyed).zip(times).map(|((candidate, tallies), [ns, hard_ns])| Measured {
-        candidate: candidate.clone(),
-        rounds: ns.len(),
-        ns: Times::of(&ns),
-        hard_ns: Times::of(&hard_ns),
-        tallies,
-    });
+    let measured =
+        candidates.iter().zip(surveyed).zip(times).map(|((candidate, tallies), [ns, hard_ns])| {
+            Measured {
+                candidate: candidate.clone(),
+                rounds: ns.len(),
+                ns: Times::of(&ns),
+                hard_ns: Times::of(&hard_ns),
+                tallies,
+            }
+        });
     Some(measured.collect())
 }
 
@@ -142,7 +155,8 @@ fn batches(candidate: &Candidate) -> [Vec<Question>; 2] {
     [all.first().cloned().unwrap_or_default(), all.concat()]
 }
 
-/// Nanoseconds of both batches of every candidate; each round begins with another one. `None` where it was stopped.
+/// Nanoseconds of both batches of every candidate; each round begins with another one. `None` where
+/// it was stopped.
 fn one_round(
     candidates: &[Candidate],
     batches: &[[Vec<Question>; 2]],

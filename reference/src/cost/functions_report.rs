@@ -46,8 +46,8 @@ pub struct FunctionRow {
     /// All families together.
     #[serde(flatten)]
     pub all: Came,
-    /// Whether nothing is as fast on generic questions and as near, and better in one of both; a wrong decision is an error of 1, and so is
-    /// all that is greater.
+    /// Whether nothing is as fast on generic questions and as near, and better in one of both; a
+    /// wrong decision is an error of 1, and so is all that is greater.
     pub is_on_front: bool,
     /// Each family.
     pub families: Vec<FamilyRow>,
@@ -68,7 +68,8 @@ pub struct FamilyRow {
 pub struct Came {
     /// Questions.
     pub n: u64,
-    /// Wrong decisions that no rounding of the question excuses, answers that are no number among them.
+    /// Wrong decisions that no rounding of the question excuses, answers that are no number among
+    /// them.
     pub wrong: u64,
     /// Hits where there is none.
     pub false_hits: u64,
@@ -119,7 +120,8 @@ impl Came {
         }
     }
 
-    /// What stands for both kinds of error: 1 where any decision is wrong, else the greatest error, but no more than 1.
+    /// What stands for both kinds of error: 1 where any decision is wrong, else the greatest error,
+    /// but no more than 1.
     fn loss(&self) -> f64 {
         if self.wrong > 0 { 1.0 } else { self.max_error.min(1.0) }
     }
@@ -131,8 +133,10 @@ impl FunctionsReport {
         let rounds = measured.first().map_or(0, |one| one.rounds);
         let mut rows: Vec<FunctionRow> = measured.iter().map(row).collect();
         for function in names(&rows) {
-            let of: Vec<usize> = (0..rows.len()).filter(|n| rows[*n].function == function).collect();
-            let points: Vec<(f64, f64)> = of.iter().map(|n| (rows[*n].ns.median, rows[*n].all.loss())).collect();
+            let of: Vec<usize> =
+                (0..rows.len()).filter(|n| rows[*n].function == function).collect();
+            let points: Vec<(f64, f64)> =
+                of.iter().map(|n| (rows[*n].ns.median, rows[*n].all.loss())).collect();
             for (n, is_on) in of.into_iter().zip(front(&points)) {
                 rows[n].is_on_front = is_on;
             }
@@ -145,7 +149,8 @@ impl FunctionsReport {
         let rows = self.rows.iter().filter(|row| row.function == function);
         Plot {
             title: format!("{function}: error against time"),
-            x: "nanoseconds an answer, generic questions (median; the line: least to greatest)".to_owned(),
+            x: "nanoseconds an answer, generic questions (median; the line: least to greatest)"
+                .to_owned(),
             y: "greatest relative error; a wrong decision is 1".to_owned(),
             line: plot::FRONT,
             key: vec![
@@ -166,7 +171,10 @@ fn names(rows: &[FunctionRow]) -> Vec<&'static str> {
 
 fn row(one: &Measured) -> FunctionRow {
     let precision = one.candidate.precision;
-    let family = |(family, tally): &(&'static str, Tally)| FamilyRow { family, came: Came::of(tally, precision) };
+    let family = |(family, tally): &(&'static str, Tally)| FamilyRow {
+        family,
+        came: Came::of(tally, precision),
+    };
     let families: Vec<FamilyRow> = one.tallies.iter().map(family).collect();
     FunctionRow {
         function: one.candidate.function,
@@ -228,7 +236,8 @@ const HEAD: [&str; 19] = [
 impl Forms for FunctionsReport {
     fn text(&self) -> String {
         let mut out = format!(
-            "{} questions a family, {} rounds, {}\n\n* {:<18} {:<33} {:<4} {:>8} {:>8}  {:>9} {:>7} {:>9}  {:>9}\n",
+            "{} questions a family, {} rounds, {}\n\n\
+                * {:<18} {:<33} {:<4} {:>8} {:>8}  {:>9} {:>7} {:>9}  {:>9}\n",
             self.draws,
             self.rounds,
             self.machine.processor,
@@ -258,11 +267,14 @@ impl Forms for FunctionsReport {
                 figure(row.all.ulps),
             );
         }
-        out += "ns: an answer to generic questions, hard ns: over all families. wrong: decisions that no rounding of the question excuses;\n\
-                doubtful: those that are right for a question one rounding away. ulps: greatest error of right decisions, in the last place of 1.\n\
+        out += "ns: an answer to generic questions, hard ns: over all families. wrong: decisions \
+            that no rounding of the question excuses;\n\
+                doubtful: those that are right for a question one rounding away. ulps: greatest \
+                error of right decisions, in the last place of 1.\n\
                 * nothing is faster and nearer; a wrong decision is an error of 1.\n";
         if !self.machine.is_optimised {
-            out += "This program was compiled without optimisation: measure with `cargo run --release`.\n";
+            out += "This program was compiled without optimisation: measure with `cargo run \
+                --release`.\n";
         }
         out
     }
@@ -272,7 +284,9 @@ impl Forms for FunctionsReport {
         out.write_record(HEAD)?;
         for row in &self.rows {
             for FamilyRow { family, came } in &row.families {
-                let mut line = [row.function, row.formula, row.precision.says(), family].map(str::to_owned).to_vec();
+                let mut line = [row.function, row.formula, row.precision.says(), family]
+                    .map(str::to_owned)
+                    .to_vec();
                 let counts = [
                     came.n,
                     came.wrong,
@@ -285,7 +299,10 @@ impl Forms for FunctionsReport {
                 line.extend(counts.map(|n| n.to_string()));
                 line.extend([came.max_error, came.ulps].map(|x| x.to_string()));
                 line.extend(
-                    [row.ns, row.hard_ns].iter().flat_map(|t| [t.median, t.least, t.greatest]).map(|x| x.to_string()),
+                    [row.ns, row.hard_ns]
+                        .iter()
+                        .flat_map(|t| [t.median, t.least, t.greatest])
+                        .map(|x| x.to_string()),
                 );
                 out.write_record(line)?;
             }
@@ -298,7 +315,8 @@ impl Forms for FunctionsReport {
     }
 
     fn page(&self) -> String {
-        let plots: Vec<String> = self.plots().iter().map(|plot| plot::svg(plot, Place::Page)).collect();
+        let plots: Vec<String> =
+            self.plots().iter().map(|plot| plot::svg(plot, Place::Page)).collect();
         page::render(include_str!("functions.html"), self, &plots, context! {})
     }
 }

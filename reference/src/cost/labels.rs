@@ -20,13 +20,22 @@ pub(super) fn width(text: &str) -> f64 {
 /// Left, top, right, bottom.
 type Area = (f64, f64, f64, f64);
 
-/// For each name that finds a free place within `inside`, the left end and the base line of its text.
-pub(super) fn place<'a>(labels: &[Label<'a>], points: &[(f64, f64)], inside: Area) -> Vec<(Label<'a>, (f64, f64))> {
-    let mut taken: Vec<Area> = points.iter().map(|(x, y)| (x - 6.0, y - 6.0, x + 6.0, y + 6.0)).collect();
+/// For each name that finds a free place within `inside`, the left end and the base line of its
+/// text.
+pub(super) fn place<'a>(
+    labels: &[Label<'a>],
+    points: &[(f64, f64)],
+    inside: Area,
+) -> Vec<(Label<'a>, (f64, f64))> {
+    let mut taken: Vec<Area> =
+        points.iter().map(|(x, y)| (x - 6.0, y - 6.0, x + 6.0, y + 6.0)).collect();
     let mut placed = Vec::new();
     for label in labels {
         let free = around(label).into_iter().find(|area| {
-            let is_inside = area.0 >= inside.0 && area.1 >= inside.1 && area.2 <= inside.2 && area.3 <= inside.3;
+            let is_inside = area.0 >= inside.0
+                && area.1 >= inside.1
+                && area.2 <= inside.2
+                && area.3 <= inside.3;
             is_inside && !taken.iter().any(|other| overlap(*area, *other))
         });
         if let Some(area) = free {
@@ -67,21 +76,30 @@ mod tests {
     #[test]
     fn names_keep_clear_of_each_other_of_points_and_of_the_edge() {
         let points = [(10.0, 10.0), (60.0, 30.0), (66.0, 34.0), (390.0, 290.0), (200.0, 150.0)];
-        let labels: Vec<Label<'_>> = points.iter().map(|at| Label { text: "f64 robust 2×2", at: *at }).collect();
+        let labels: Vec<Label<'_>> =
+            points.iter().map(|at| Label { text: "f64 robust 2×2", at: *at }).collect();
         let placed = place(&labels, &points, INSIDE);
         assert!(placed.len() >= 4, "{placed:?}");
-        let areas: Vec<Area> =
-            placed.iter().map(|(label, (x, y))| (*x, y + 3.0 - LINE, x + width(label.text), y + 3.0)).collect();
+        let areas: Vec<Area> = placed
+            .iter()
+            .map(|(label, (x, y))| (*x, y + 3.0 - LINE, x + width(label.text), y + 3.0))
+            .collect();
         for (n, area) in areas.iter().enumerate() {
             assert!(areas[n + 1..].iter().all(|other| !overlap(*area, *other)));
-            assert!(area.0 >= 0.0 && area.1 >= 0.0 && area.2 <= 400.0 && area.3 <= 300.0, "{area:?}");
-            assert!(points.iter().all(|(x, y)| !overlap(*area, (x - 1.0, y - 1.0, x + 1.0, y + 1.0))));
+            assert!(
+                area.0 >= 0.0 && area.1 >= 0.0 && area.2 <= 400.0 && area.3 <= 300.0,
+                "{area:?}"
+            );
+            assert!(
+                points.iter().all(|(x, y)| !overlap(*area, (x - 1.0, y - 1.0, x + 1.0, y + 1.0)))
+            );
         }
     }
 
     #[test]
     fn a_name_without_room_is_left_out() {
-        let crowd: Vec<(f64, f64)> = (0..400).map(|n| (f64::from(n % 20) * 10.0, f64::from(n / 20) * 10.0)).collect();
+        let crowd: Vec<(f64, f64)> =
+            (0..400).map(|n| (f64::from(n % 20) * 10.0, f64::from(n / 20) * 10.0)).collect();
         assert!(place(&[Label { text: "here", at: (100.0, 100.0) }], &crowd, INSIDE).is_empty());
     }
 }

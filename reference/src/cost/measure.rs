@@ -17,9 +17,11 @@ pub struct Measured {
     pub about: About,
     /// Against the truth; for an effect, against the scene as it stands.
     pub error: Error,
-    /// Against the most accurate setting with as many rays a pixel; for an effect, the same as `error`.
+    /// Against the most accurate setting with as many rays a pixel; for an effect, the same as
+    /// `error`.
     pub same_rays: Error,
-    /// What precision and formulas alone do: against f64 and the robust formulas, all else the same; none where that was not rendered.
+    /// What precision and formulas alone do: against f64 and the robust formulas, all else the
+    /// same; none where that was not rendered.
     pub rounding: Option<Error>,
     /// Rays by kind, and what was left out.
     pub stats: Stats,
@@ -49,12 +51,19 @@ fn weight(setting: &Setting) -> u64 {
     u64::from(setting.samples) * u64::from(setting.samples)
 }
 
-/// Measures a sweep: a row for each subject, in its order, each with as many times. `None` where it was stopped before the first round
-/// was done; where it is stopped later, the rounds done by then count.
+/// Measures a sweep: a row for each subject, in its order, each with as many times. `None` where it
+/// was stopped before the first round was done; where it is stopped later, the rounds done by then
+/// count.
 ///
-/// Each round renders every setting once and begins at another one, so that a machine that slows down or is busy for a while is hard on all
-/// alike. The pictures from which errors are taken are rendered before, and not timed: they warm the caches.
-pub fn measure(bench: &mut Bench, sweep: &Sweep, n_rounds: usize, outside: &mut impl Outside) -> Option<Vec<Measured>> {
+/// Each round renders every setting once and begins at another one, so that a machine that slows
+/// down or is busy for a while is hard on all alike. The pictures from which errors are taken are
+/// rendered before, and not timed: they warm the caches.
+pub fn measure(
+    bench: &mut Bench,
+    sweep: &Sweep,
+    n_rounds: usize,
+    outside: &mut impl Outside,
+) -> Option<Vec<Measured>> {
     let mut rows = pictures(bench, sweep, outside)?;
     for round in 0..n_rounds {
         let Some(times) = one_round(bench, &rows, round, outside) else { break };
@@ -71,7 +80,12 @@ fn turn(round: usize, n: usize, n_settings: usize) -> usize {
     (n + round * step) % n_settings
 }
 
-fn one_round(bench: &mut Bench, rows: &[Measured], round: usize, outside: &mut impl Outside) -> Option<Vec<f64>> {
+fn one_round(
+    bench: &mut Bench,
+    rows: &[Measured],
+    round: usize,
+    outside: &mut impl Outside,
+) -> Option<Vec<f64>> {
     let mut times = vec![0.0; rows.len()];
     for n in 0..rows.len() {
         let at = turn(round, n, rows.len());
@@ -90,7 +104,8 @@ fn one_round(bench: &mut Bench, rows: &[Measured], round: usize, outside: &mut i
 fn pictures(bench: &mut Bench, sweep: &Sweep, outside: &mut impl Outside) -> Option<Vec<Measured>> {
     let mut kept: Vec<(Setting, Image, Stats)> = Vec::new();
     for (setting, about) in &sweep.subjects {
-        let is_kept = *about == About::Accuracy && (*setting == sweep.own || *setting == sweep.exact(setting));
+        let is_kept = *about == About::Accuracy
+            && (*setting == sweep.own || *setting == sweep.exact(setting));
         if is_kept {
             let (image, stats) = picture(bench, setting, outside)?;
             kept.push((*setting, image, stats));
@@ -106,21 +121,34 @@ fn pictures(bench: &mut Bench, sweep: &Sweep, outside: &mut impl Outside) -> Opt
         };
         let against = |other: &Setting| {
             let other = kept.iter().find(|(s, ..)| s == other);
-            other.map_or_else(Error::default, |(_, truth, _)| Error::of(truth, &image, bench.rules().quantiser))
+            other.map_or_else(Error::default, |(_, truth, _)| {
+                Error::of(truth, &image, bench.rules().quantiser)
+            })
         };
         let (error, same_rays) = match about {
             About::Accuracy => (against(&sweep.truth), against(&sweep.exact(setting))),
             About::Without(_) | About::Everything => (against(&sweep.own), against(&sweep.own)),
         };
         let exact = setting.by_exact_numbers();
-        let sibling =
-            kept.iter().map(|(s, picture, _)| (s, picture)).chain(last_exact.iter().map(|(s, picture)| (s, picture)));
+        let sibling = kept
+            .iter()
+            .map(|(s, picture, _)| (s, picture))
+            .chain(last_exact.iter().map(|(s, picture)| (s, picture)));
         let sibling = sibling.into_iter().find(|(s, _)| **s == exact).map(|(_, picture)| picture);
         let rounding = if exact == *setting { Some(&image) } else { sibling };
         let rounding = rounding.map(|picture| Error::of(picture, &image, bench.rules().quantiser));
         let bytes = bench.bytes(setting);
         let (setting, about) = (*setting, *about);
-        rows.push(Measured { setting, about, error, same_rays, rounding, stats, bytes, times_s: Vec::new() });
+        rows.push(Measured {
+            setting,
+            about,
+            error,
+            same_rays,
+            rounding,
+            stats,
+            bytes,
+            times_s: Vec::new(),
+        });
         if exact == setting {
             last_exact = Some((setting, image));
         }
@@ -128,7 +156,11 @@ fn pictures(bench: &mut Bench, sweep: &Sweep, outside: &mut impl Outside) -> Opt
     Some(rows)
 }
 
-fn picture(bench: &mut Bench, setting: &Setting, outside: &mut impl Outside) -> Option<(Image, Stats)> {
+fn picture(
+    bench: &mut Bench,
+    setting: &Setting,
+    outside: &mut impl Outside,
+) -> Option<(Image, Stats)> {
     if !outside.goes_on() {
         return None;
     }

@@ -34,12 +34,18 @@ pub fn plots(report: &Report) -> [Plot; 2] {
     };
     let truth = report.rows.iter().map(|row| point(row, row.error.rms_levels, row.is_on_front));
     let is_own = |row: &&Row| row.setting.samples == n;
-    let same =
-        report.rows.iter().filter(is_own).map(|row| point(row, row.same_rays.rms_levels, row.is_on_same_rays_front));
+    let same = report
+        .rows
+        .iter()
+        .filter(is_own)
+        .map(|row| point(row, row.same_rays.rms_levels, row.is_on_same_rays_front));
     [
         plot(
             format!("{}: error against time", report.scene),
-            format!("RMS error in 8-bit levels, against {0}×{0} rays a pixel", report.truth.samples),
+            format!(
+                "RMS error in 8-bit levels, against {0}×{0} rays a pixel",
+                report.truth.samples
+            ),
             truth.collect(),
         ),
         plot(
@@ -66,7 +72,8 @@ fn point(row: &Row, error: f64, is_on_front: bool) -> Point {
         is_on_front,
         label: row.name.clone(),
         hover: format!(
-            "{}\n{} ms ({} to {}), {rays} rays\nRMS {} levels, greatest {}, {} of the pixels changed",
+            "{}\n{} ms ({} to {}), {rays} rays\n\
+                RMS {} levels, greatest {}, {} of the pixels changed",
             row.name,
             figure(time.median),
             figure(time.least),
@@ -88,10 +95,17 @@ pub fn page(report: &Report) -> String {
 }
 
 /// `template` with `report` in it, our style alone allowed by its hash.
-pub(super) fn render(template: &str, report: &impl Serialize, plots: &[String], names: minijinja::Value) -> String {
+pub(super) fn render(
+    template: &str,
+    report: &impl Serialize,
+    plots: &[String],
+    names: minijinja::Value,
+) -> String {
     let style = format!("{LOOK}{}", plot::STYLE);
     let hash = BASE64_STANDARD.encode(Sha256::digest(style.as_bytes()));
-    let policy = format!("default-src 'none'; style-src 'sha256-{hash}'; base-uri 'none'; form-action 'none'");
+    let policy = format!(
+        "default-src 'none'; style-src 'sha256-{hash}'; base-uri 'none'; form-action 'none'"
+    );
     let mut engine = Environment::new();
     engine.set_auto_escape_callback(|_| AutoEscape::Html);
     engine.add_filter("figure", figure);

@@ -1,7 +1,8 @@
 //! Error against price, both on logarithmic scales, as SVG.
 //!
-//! Nothing rests on colour: shapes and fillings tell the points apart, the front is a line with names, and each point says what it is
-//! when it is pointed at. An error of 0 has no place on such a scale and stands on a line of its own below it.
+//! Nothing rests on colour: shapes and fillings tell the points apart, the front is a line with
+//! names, and each point says what it is when it is pointed at. An error of 0 has no place on such
+//! a scale and stands on a line of its own below it.
 
 use std::fmt::Write;
 
@@ -59,7 +60,8 @@ pub struct Plot {
     pub x: String,
     /// At its side, with the unit.
     pub y: String,
-    /// What the line through the points on the front means; none, where they are only to bear names.
+    /// What the line through the points on the front means; none, where they are only to bear
+    /// names.
     pub line: Option<&'static str>,
     /// What shapes and fillings mean.
     pub key: Vec<(Shape, bool, &'static str)>,
@@ -89,9 +91,11 @@ struct Scale {
 }
 
 impl Scale {
-    /// Takes the least and greatest of `values`, with some room to either side, to `to`; for no values, 1 to 10.
+    /// Takes the least and greatest of `values`, with some room to either side, to `to`; for no
+    /// values, 1 to 10.
     fn new(values: impl Iterator<Item = f64>, to: (f64, f64)) -> Self {
-        let (least, greatest) = values.fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
+        let (least, greatest) =
+            values.fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
         let (least, greatest) = if least <= greatest { (least, greatest) } else { (1.0, 10.0) };
         let room = 0.06 * (log10(greatest) - log10(least)).max(0.5);
         Self { from: (log10(least) - room, log10(greatest) + room), to }
@@ -102,13 +106,16 @@ impl Scale {
         self.to.0 + share * (self.to.1 - self.to.0)
     }
 
-    /// Values to mark: powers of ten, thinned out where there are many; where there are few, twice and five times as well.
+    /// Values to mark: powers of ten, thinned out where there are many; where there are few, twice
+    /// and five times as well.
     fn ticks(&self) -> Vec<f64> {
         let (first, last) = (self.from.0.floor() as i32, self.from.1.ceil() as i32);
         let step = (last - first).div_euclid(8) + 1;
-        let multiples: &[f64] = if self.from.1 - self.from.0 < 2.5 { &[1.0, 2.0, 5.0] } else { &[1.0] };
+        let multiples: &[f64] =
+            if self.from.1 - self.from.0 < 2.5 { &[1.0, 2.0, 5.0] } else { &[1.0] };
         let decades = (first..=last).filter(|n| n.rem_euclid(step) == 0);
-        let values = decades.flat_map(|n| multiples.iter().map(move |m| m * maths::pow(10.0, f64::from(n))));
+        let values =
+            decades.flat_map(|n| multiples.iter().map(move |m| m * maths::pow(10.0, f64::from(n))));
         values.filter(|v| (self.from.0..=self.from.1).contains(&log10(*v))).collect()
     }
 }
@@ -127,15 +134,24 @@ pub fn stack(plots: &[Plot], place: Place) -> String {
     let height = HEIGHT * plots.len() as f64;
     let titles: Vec<String> = plots.iter().map(|plot| quoted(&plot.title)).collect();
     let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" class=\"plot\" aria-label=\"{}\">\n",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" \
+            class=\"plot\" aria-label=\"{}\">\n",
         titles.join("; ")
     );
     if place == Place::File {
-        let _ =
-            write!(out, "<style>\n{STYLE}</style>\n<rect class=\"paper\" width=\"{WIDTH}\" height=\"{height}\"/>\n");
+        let _ = write!(
+            out,
+            "<style>\n{STYLE}</style>\n\
+                <rect class=\"paper\" width=\"{WIDTH}\" height=\"{height}\"/>\n"
+        );
     }
     for (n, plot) in plots.iter().enumerate() {
-        let _ = write!(out, "<g transform=\"translate(0 {})\">\n{}</g>\n", HEIGHT * n as f64, drawn(plot));
+        let _ = write!(
+            out,
+            "<g transform=\"translate(0 {})\">\n{}</g>\n",
+            HEIGHT * n as f64,
+            drawn(plot)
+        );
     }
     out += "</svg>\n";
     out
@@ -146,7 +162,10 @@ fn drawn(plot: &Plot) -> String {
     let points: Vec<&Point> = plot.points.iter().filter(drawable).collect();
     let has_zero = points.iter().any(|point| point.y == 0.0);
     let floor = if has_zero { BOTTOM - BAND } else { BOTTOM };
-    let x = Scale::new(points.iter().flat_map(|p| [p.x, p.spread.0, p.spread.1]).filter(|x| *x > 0.0), (LEFT, RIGHT));
+    let x = Scale::new(
+        points.iter().flat_map(|p| [p.x, p.spread.0, p.spread.1]).filter(|x| *x > 0.0),
+        (LEFT, RIGHT),
+    );
     let y = Scale::new(points.iter().map(|p| p.y).filter(|y| *y > 0.0), (floor, TOP));
     let height = |value: f64| if value == 0.0 { BOTTOM - BAND / 2.0 } else { y.at(value) };
     let at: Vec<(f64, f64)> = points.iter().map(|p| (x.at(p.x), height(p.y))).collect();
@@ -158,27 +177,44 @@ fn drawn(plot: &Plot) -> String {
         out += &stairs(&front);
     }
     for (point, at) in points.iter().zip(&at) {
-        let spread = [point.spread.0, point.spread.1].map(|value| if value > 0.0 { x.at(value) } else { at.0 });
+        let spread = [point.spread.0, point.spread.1]
+            .map(|value| if value > 0.0 { x.at(value) } else { at.0 });
         out += &mark(point, *at, spread);
     }
-    let wanted: Vec<Label<'_>> = on_front().map(|(point, at)| Label { text: &point.label, at: *at }).collect();
+    let wanted: Vec<Label<'_>> =
+        on_front().map(|(point, at)| Label { text: &point.label, at: *at }).collect();
     for (label, (left, base)) in labels::place(&wanted, &at, (LEFT, TOP, RIGHT, BOTTOM)) {
-        let _ = writeln!(out, "<text class=\"label\" x=\"{left:.1}\" y=\"{base:.1}\">{}</text>", quoted(label.text));
+        let _ = writeln!(
+            out,
+            "<text class=\"label\" x=\"{left:.1}\" y=\"{base:.1}\">{}</text>",
+            quoted(label.text)
+        );
     }
     out
 }
 
 fn axes(plot: &Plot, x: &Scale, y: &Scale, floor: f64, has_zero: bool) -> String {
-    let mut out = format!("<text class=\"title\" x=\"{LEFT}\" y=\"20\">{}</text>\n", quoted(&plot.title));
+    let mut out =
+        format!("<text class=\"title\" x=\"{LEFT}\" y=\"20\">{}</text>\n", quoted(&plot.title));
     for tick in x.ticks() {
         let at = x.at(tick);
-        let _ = writeln!(out, "<line class=\"grid\" x1=\"{at:.1}\" y1=\"{TOP}\" x2=\"{at:.1}\" y2=\"{BOTTOM}\"/>");
-        let _ =
-            writeln!(out, "<text class=\"tick middle\" x=\"{at:.1}\" y=\"{}\">{}</text>", BOTTOM + 16.0, number(tick));
+        let _ = writeln!(
+            out,
+            "<line class=\"grid\" x1=\"{at:.1}\" y1=\"{TOP}\" x2=\"{at:.1}\" y2=\"{BOTTOM}\"/>"
+        );
+        let _ = writeln!(
+            out,
+            "<text class=\"tick middle\" x=\"{at:.1}\" y=\"{}\">{}</text>",
+            BOTTOM + 16.0,
+            number(tick)
+        );
     }
     for tick in y.ticks() {
         let at = y.at(tick);
-        let _ = writeln!(out, "<line class=\"grid\" x1=\"{LEFT}\" y1=\"{at:.1}\" x2=\"{RIGHT}\" y2=\"{at:.1}\"/>");
+        let _ = writeln!(
+            out,
+            "<line class=\"grid\" x1=\"{LEFT}\" y1=\"{at:.1}\" x2=\"{RIGHT}\" y2=\"{at:.1}\"/>"
+        );
         let _ = writeln!(
             out,
             "<text class=\"tick end\" x=\"{}\" y=\"{:.1}\">{}</text>",
@@ -188,14 +224,26 @@ fn axes(plot: &Plot, x: &Scale, y: &Scale, floor: f64, has_zero: bool) -> String
         );
     }
     if has_zero {
-        let _ = writeln!(out, "<line class=\"axis\" x1=\"{LEFT}\" y1=\"{floor}\" x2=\"{RIGHT}\" y2=\"{floor}\"/>");
+        let _ = writeln!(
+            out,
+            "<line class=\"axis\" x1=\"{LEFT}\" y1=\"{floor}\" x2=\"{RIGHT}\" y2=\"{floor}\"/>"
+        );
         let middle = BOTTOM - BAND / 2.0;
-        let _ = writeln!(out, "<text class=\"tick end\" x=\"{}\" y=\"{}\">none</text>", LEFT - 7.0, middle + 4.0);
+        let _ = writeln!(
+            out,
+            "<text class=\"tick end\" x=\"{}\" y=\"{}\">none</text>",
+            LEFT - 7.0,
+            middle + 4.0
+        );
     }
     let _ = writeln!(out, "<path class=\"axis\" d=\"M{LEFT} {TOP}V{BOTTOM}H{RIGHT}\"/>");
     let middle = (LEFT + RIGHT) / 2.0;
-    let _ =
-        writeln!(out, "<text class=\"name middle\" x=\"{middle}\" y=\"{}\">{}</text>", BOTTOM + 40.0, quoted(&plot.x));
+    let _ = writeln!(
+        out,
+        "<text class=\"name middle\" x=\"{middle}\" y=\"{}\">{}</text>",
+        BOTTOM + 40.0,
+        quoted(&plot.x)
+    );
     let side = (TOP + BOTTOM) / 2.0;
     let _ = writeln!(
         out,
@@ -205,12 +253,22 @@ fn axes(plot: &Plot, x: &Scale, y: &Scale, floor: f64, has_zero: bool) -> String
     let mut left = LEFT;
     for (shape, is_hollow, text) in &plot.key {
         let _ = writeln!(out, "{}", outline(*shape, *is_hollow, (left + 5.0, 40.0), false));
-        let _ = writeln!(out, "<text class=\"tick\" x=\"{}\" y=\"44\">{}</text>", left + 15.0, quoted(text));
+        let _ = writeln!(
+            out,
+            "<text class=\"tick\" x=\"{}\" y=\"44\">{}</text>",
+            left + 15.0,
+            quoted(text)
+        );
         left += 34.0 + labels::width(text);
     }
     if let Some(line) = plot.line {
         let _ = writeln!(out, "<path class=\"front\" d=\"M{left} 40h24\"/>");
-        let _ = writeln!(out, "<text class=\"tick\" x=\"{}\" y=\"44\">{}</text>", left + 31.0, quoted(line));
+        let _ = writeln!(
+            out,
+            "<text class=\"tick\" x=\"{}\" y=\"44\">{}</text>",
+            left + 31.0,
+            quoted(line)
+        );
     }
     out
 }
@@ -227,7 +285,8 @@ fn stairs(front: &[(f64, f64)]) -> String {
 
 fn mark(point: &Point, at: (f64, f64), spread: [f64; 2]) -> String {
     format!(
-        "<g><title>{}</title><line class=\"spread\" x1=\"{:.1}\" y1=\"{y:.1}\" x2=\"{:.1}\" y2=\"{y:.1}\"/>{}</g>\n",
+        "<g><title>{}</title><line class=\"spread\" x1=\"{:.1}\" y1=\"{y:.1}\" x2=\"{:.1}\" \
+            y2=\"{y:.1}\"/>{}</g>\n",
         quoted(&point.hover),
         spread[0],
         spread[1],
@@ -240,19 +299,29 @@ fn outline(shape: Shape, is_hollow: bool, (x, y): (f64, f64), is_large: bool) ->
     let r = if is_large { 6.0 } else { 4.5 };
     let class = if is_hollow { "hollow" } else { "solid" };
     match shape {
-        Shape::Circle => format!("<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{r}\"/>"),
+        Shape::Circle => {
+            format!("<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{r}\"/>")
+        }
         Shape::Square => {
             let (left, top, side) = (x - 0.9 * r, y - 0.9 * r, 1.8 * r);
-            format!("<rect class=\"{class}\" x=\"{left:.1}\" y=\"{top:.1}\" width=\"{side:.1}\" height=\"{side:.1}\"/>")
+            format!(
+                "<rect class=\"{class}\" x=\"{left:.1}\" y=\"{top:.1}\" width=\"{side:.1}\" \
+                    height=\"{side:.1}\"/>"
+            )
         }
         Shape::Triangle => {
             let (up, half, down) = (y - 1.2 * r, 1.1 * r, y + 0.8 * r);
-            format!("<path class=\"{class}\" d=\"M{x:.1} {up:.1}L{:.1} {down:.1}H{:.1}Z\"/>", x + half, x - half)
+            format!(
+                "<path class=\"{class}\" d=\"M{x:.1} {up:.1}L{:.1} {down:.1}H{:.1}Z\"/>",
+                x + half,
+                x - half
+            )
         }
         Shape::Diamond => {
             let d = 1.25 * r;
             format!(
-                "<path class=\"{class}\" d=\"M{x:.1} {:.1}l{d:.1} {d:.1}l-{d:.1} {d:.1}l-{d:.1} -{d:.1}Z\"/>",
+                "<path class=\"{class}\" d=\"M{x:.1} {:.1}l{d:.1} {d:.1}l-{d:.1} {d:.1}l-{d:.1} \
+                    -{d:.1}Z\"/>",
                 y - d
             )
         }
@@ -286,52 +355,4 @@ fn quoted(text: &str) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn point(x: f64, y: f64, is_on_front: bool) -> Point {
-        let text = format!("<{x} & {y}>");
-        let spread = (0.9 * x, 1.1 * x);
-        Point { x, spread, y, shape: Shape::Circle, is_hollow: false, is_on_front, label: text.clone(), hover: text }
-    }
-
-    fn plot(points: Vec<Point>) -> String {
-        let text = || "a".to_owned();
-        svg(&Plot { title: text(), x: text(), y: text(), line: Some("best"), key: vec![], points }, Place::File)
-    }
-
-    #[test]
-    fn a_scale_takes_powers_of_ten_to_equal_steps() {
-        let scale = Scale { from: (0.0, 2.0), to: (100.0, 300.0) };
-        for (value, at) in [(1.0, 100.0), (10.0, 200.0), (100.0, 300.0)] {
-            assert!((scale.at(value) - at).abs() < 1e-9, "{value}");
-        }
-        assert_eq!(scale.ticks().into_iter().map(number).collect::<Vec<_>>(), ["1", "2", "5", "10", "20", "50", "100"]);
-        let long = Scale { from: (-12.5, 3.5), to: (0.0, 1.0) };
-        assert_eq!(
-            long.ticks().into_iter().map(number).collect::<Vec<_>>(),
-            ["1e-12", "1e-9", "1e-6", "0.001", "1", "1000"]
-        );
-    }
-
-    #[test]
-    fn no_error_stands_below_the_axis_and_what_cannot_be_drawn_is_left_out() {
-        let with_zero = plot(vec![point(1.0, 10.0, true), point(2.0, 0.0, true), point(3.0, f64::NAN, false)]);
-        assert_eq!(with_zero.matches("<circle").count(), 2);
-        assert!(
-            with_zero.contains(">none</text>") && with_zero.contains(&format!("cy=\"{:.1}\"", BOTTOM - BAND / 2.0))
-        );
-        assert!(with_zero.contains("<title>&lt;1 &amp; 10&gt;</title>"), "{with_zero}");
-        let without = plot(vec![point(1.0, 10.0, false), point(0.0, 1.0, false), point(f64::INFINITY, 1.0, false)]);
-        assert_eq!((without.matches("<circle").count(), without.contains(">none<")), (1, false));
-        assert!(plot(Vec::new()).ends_with("</svg>\n"), "nothing to draw is no fault");
-    }
-
-    #[test]
-    fn the_front_goes_down_in_stairs_and_bears_names() {
-        let drawn = plot(vec![point(2.0, 1.0, true), point(1.0, 10.0, true), point(4.0, 5.0, false)]);
-        let path = drawn.split("class=\"front\" d=\"").nth(2).unwrap().split('"').next().unwrap();
-        assert!(path.starts_with('M') && path.matches('H').count() == 1 && path.matches('V').count() == 1, "{path}");
-        assert_eq!(drawn.matches("class=\"label\"").count(), 2);
-    }
-}
+mod tests;

@@ -15,13 +15,15 @@ pub struct Machine {
     pub processor: String,
     /// Threads that rendered.
     pub threads: usize,
-    /// What times are of: `processor time` of one thread, which other programs hardly disturb, or else `wall clock`.
+    /// What times are of: `processor time` of one thread, which other programs hardly disturb, or
+    /// else `wall clock`.
     pub clock: &'static str,
     /// Whether the program was compiled with optimisation; if not, times say little.
     pub is_optimised: bool,
 }
 
-/// The price of a scene's accuracy. Times are of rendering alone: loading the scene and writing the picture are not in it.
+/// The price of a scene's accuracy. Times are of rendering alone: loading the scene and writing the
+/// picture are not in it.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
     /// Version of this form.
@@ -64,15 +66,19 @@ pub struct Row {
     pub rays: Counts,
     /// The scene made ready for rays, and the picture in the scalars it is computed with.
     pub bytes: usize,
-    /// Proven: rays that were left out for depth or threshold darken no pixel by more than this, in linear light; none where nothing bounds it.
+    /// Proven: rays that were left out for depth or threshold darken no pixel by more than this, in
+    /// linear light; none where nothing bounds it.
     pub left_out_at_most: Option<f64>,
     /// Against the truth.
     pub error: Error,
-    /// Against the most accurate setting with as many rays a pixel: what precision, formulas, depth and threshold do, without what samples do.
+    /// Against the most accurate setting with as many rays a pixel: what precision, formulas, depth
+    /// and threshold do, without what samples do.
     pub same_rays: Error,
-    /// What precision and formulas alone do: against f64 and the robust formulas, all else the same.
+    /// What precision and formulas alone do: against f64 and the robust formulas, all else the
+    /// same.
     pub rounding: Option<Error>,
-    /// Whether no other setting is as fast and as near to the truth (root mean square, in levels, to three digits) and better in one of both.
+    /// Whether no other setting is as fast and as near to the truth (root mean square, in levels,
+    /// to three digits) and better in one of both.
     pub is_on_front: bool,
     /// The same among the settings with one ray a pixel, by `same_rays`.
     pub is_on_same_rays_front: bool,

@@ -4,7 +4,8 @@ use cases::glam::{DAffine3, DVec3};
 use cases::scene::Attenuation;
 use cases::{Light, Object, Scene};
 
-/// `scene` with every length times `factor`, a power of ten or two say; lights weaken as much over the longer way.
+/// `scene` with every length times `factor`, a power of ten or two say; lights weaken as much over
+/// the longer way.
 pub fn scaled(scene: &Scene, factor: f64) -> Scene {
     let mut scene = scene.clone();
     scene.camera.eye *= factor;

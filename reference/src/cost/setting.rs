@@ -5,7 +5,9 @@ use std::fmt;
 use cases::{Effect, Effects, Scene};
 use serde::Serialize;
 
-use crate::rules::{PlaneFormula, Quadratic, Robustness, Rules, Snell, Start, Style, TriangleFormula};
+use crate::rules::{
+    PlaneFormula, Quadratic, Robustness, Rules, Snell, Start, Style, TriangleFormula,
+};
 use crate::variations::Precision;
 
 /// Which formulas, from the cheapest to the surest.
@@ -16,7 +18,8 @@ pub enum Formula {
     Plain,
     /// Formulas that do not cancel, without a bound on their error; RAY_EPSILON.
     Stable,
-    /// The reference's own: with a proven bound, and more digits where the bound does not settle it.
+    /// The reference's own: with a proven bound, and more digits where the bound does not settle
+    /// it.
     Robust,
 }
 
@@ -35,7 +38,8 @@ impl Formula {
 
     /// What it leaves to rounding.
     pub const fn style(self) -> Style {
-        let stable = Style { robustness: Robustness::Plain, start: Start::Interval, ..Style::REFERENCE };
+        let stable =
+            Style { robustness: Robustness::Plain, start: Start::Interval, ..Style::REFERENCE };
         match self {
             Self::Plain => Style {
                 quadratic: Quadratic::Textbook,
@@ -68,7 +72,8 @@ pub struct Setting {
     pub max_depth: u32,
     /// Weight below which they spawn no more; 0 for never. [rule 13]
     pub threshold: f64,
-    /// The effects that are simulated, but for `adaptive_depth`: `threshold` alone says whether paths end by their weight.
+    /// The effects that are simulated, but for `adaptive_depth`: `threshold` alone says whether
+    /// paths end by their weight.
     #[serde(skip)]
     pub effects: Effects,
 }
@@ -81,7 +86,11 @@ impl Setting {
             formula: Formula::Robust,
             samples: 1,
             max_depth: scene.render.max_depth,
-            threshold: if scene.effects.has(Effect::AdaptiveDepth) { scene.render.threshold } else { 0.0 },
+            threshold: if scene.effects.has(Effect::AdaptiveDepth) {
+                scene.render.threshold
+            } else {
+                0.0
+            },
             effects: scene.effects.without(Effect::AdaptiveDepth),
         }
     }
@@ -101,7 +110,12 @@ impl Setting {
 impl fmt::Display for Setting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { samples, max_depth, .. } = self;
-        write!(f, "{} {}, {samples}×{samples}, depth {max_depth}", self.precision.says(), self.formula.name())?;
+        write!(
+            f,
+            "{} {}, {samples}×{samples}, depth {max_depth}",
+            self.precision.says(),
+            self.formula.name()
+        )?;
         if self.threshold > 0.0 {
             write!(f, ", threshold {:.4}", self.threshold)?;
         }

@@ -43,14 +43,19 @@ impl Report {
 
 /// Returns a row for each setting, the fronts marked.
 fn rows(sweep: &Sweep, measured: &[Measured], limits: &Limits) -> Vec<Row> {
-    let mut rows: Vec<Row> =
-        measured.iter().filter(|one| one.about == About::Accuracy).map(|one| row(one, limits)).collect();
+    let mut rows: Vec<Row> = measured
+        .iter()
+        .filter(|one| one.about == About::Accuracy)
+        .map(|one| row(one, limits))
+        .collect();
     let all: Vec<(f64, f64)> =
         rows.iter().map(|row| (row.time_ms.median, three_digits(row.error.rms_levels))).collect();
     let outside = (f64::NAN, f64::NAN);
     let same = |row: &Row| (row.time_ms.median, three_digits(row.same_rays.rms_levels));
-    let same: Vec<_> =
-        rows.iter().map(|row| if row.setting.samples == sweep.own.samples { same(row) } else { outside }).collect();
+    let same: Vec<_> = rows
+        .iter()
+        .map(|row| if row.setting.samples == sweep.own.samples { same(row) } else { outside })
+        .collect();
     for ((row, is_on), is_on_same) in rows.iter_mut().zip(front(&all)).zip(front(&same)) {
         (row.is_on_front, row.is_on_same_rays_front) = (is_on, is_on_same);
     }
@@ -107,5 +112,7 @@ fn shown(name: &str) -> String {
         c.is_control()
             || matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fffe}'..='\u{ffff}')
     };
-    name.chars().map(|c| if is_hidden(c) { c.escape_unicode().to_string() } else { c.to_string() }).collect()
+    name.chars()
+        .map(|c| if is_hidden(c) { c.escape_unicode().to_string() } else { c.to_string() })
+        .collect()
 }

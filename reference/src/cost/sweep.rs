@@ -27,7 +27,8 @@ pub struct Axes {
 }
 
 impl Axes {
-    /// What makes sense for a scene: where nothing spawns rays, depth and threshold have nothing to change.
+    /// What makes sense for a scene: where nothing spawns rays, depth and threshold have nothing to
+    /// change.
     pub fn of(scene: &Scene) -> Self {
         let own = Setting::of(scene);
         let (depths, thresholds) = if spawns(scene.effects) {
@@ -49,7 +50,8 @@ impl Axes {
     }
 }
 
-/// Samples of a truth that is finer than all of these, so that none of them is compared with itself.
+/// Samples of a truth that is finer than all of these, so that none of them is compared with
+/// itself.
 pub fn finer(samples: &[u32]) -> u32 {
     2 * samples.iter().copied().max().unwrap_or(1)
 }
@@ -58,18 +60,24 @@ fn spawns(effects: Effects) -> bool {
     effects.has(Effect::Reflection) || effects.has(Effect::Refraction)
 }
 
-/// All up to `own`, beyond 8 only powers of two, and three beyond: the next two, and twice as deep, but no more than 4.
+/// All up to `own`, beyond 8 only powers of two, and three beyond: the next two, and twice as deep,
+/// but no more than 4.
 fn depths(own: u32) -> Vec<u32> {
     let below = (0..own).filter(|depth| *depth <= 8 || depth.is_power_of_two());
     let beyond = own.saturating_add(own.clamp(2, 4));
-    sorted(below.chain([own, own.saturating_add(1), own.saturating_add(2), beyond]), |a, b| a.cmp(b))
+    sorted(below.chain([own, own.saturating_add(1), own.saturating_add(2), beyond]), |a, b| {
+        a.cmp(b)
+    })
 }
 
 fn thresholds(own: f64) -> Vec<f64> {
     sorted([0.0, own, 1e-3, 1.0 / 256.0, 1.0 / 64.0, 1.0 / 16.0], f64::total_cmp)
 }
 
-fn sorted<T: PartialEq>(values: impl IntoIterator<Item = T>, by: impl Fn(&T, &T) -> std::cmp::Ordering) -> Vec<T> {
+fn sorted<T: PartialEq>(
+    values: impl IntoIterator<Item = T>,
+    by: impl Fn(&T, &T) -> std::cmp::Ordering,
+) -> Vec<T> {
     let mut values: Vec<T> = values.into_iter().collect();
     values.sort_by(by);
     values.dedup();
@@ -99,8 +107,9 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// The settings around the scene's own: precision × formula × samples in full, precision × formula at the greatest depth without a
-    /// threshold, each other axis alone, and for each number of samples the most accurate setting. With `full`, all axes in full.
+    /// The settings around the scene's own: precision × formula × samples in full, precision ×
+    /// formula at the greatest depth without a threshold, each other axis alone, and for each
+    /// number of samples the most accurate setting. With `full`, all axes in full.
     pub fn of(scene: &Scene, axes: &Axes) -> Self {
         let own = Setting::of(scene);
         let deepest = axes.depths.iter().copied().max().unwrap_or(own.max_depth);
@@ -112,9 +121,11 @@ impl Sweep {
             }
         };
         let only_own = (vec![own.max_depth], vec![own.threshold]);
-        let (depths, thresholds) = if axes.full { (axes.depths.clone(), axes.thresholds.clone()) } else { only_own };
+        let (depths, thresholds) =
+            if axes.full { (axes.depths.clone(), axes.thresholds.clone()) } else { only_own };
         let mut numbers = pairs(&axes.precisions, &axes.formulas);
-        numbers.sort_by_key(|one| *one != (Precision::F64, Formula::Robust)); // the exact one before those that are compared with it
+        // the exact one before those that are compared with it
+        numbers.sort_by_key(|one| *one != (Precision::F64, Formula::Robust));
         let mut cross = |base: Setting| {
             numbers.iter().for_each(|(precision, formula)| {
                 add(Setting { precision: *precision, formula: *formula, ..base });
@@ -128,7 +139,10 @@ impl Sweep {
         cross(exact(own.samples));
         axes.depths.iter().for_each(|max_depth| add(Setting { max_depth: *max_depth, ..own }));
         axes.thresholds.iter().for_each(|threshold| add(Setting { threshold: *threshold, ..own }));
-        axes.samples.iter().chain([&own.samples, &axes.truth_samples]).for_each(|samples| add(exact(*samples)));
+        axes.samples
+            .iter()
+            .chain([&own.samples, &axes.truth_samples])
+            .for_each(|samples| add(exact(*samples)));
         let truth = exact(axes.truth_samples);
         let accuracy = settings.into_iter().map(|setting| (setting, About::Accuracy));
         let effects = if axes.effects { switches(own) } else { Vec::new() };

@@ -9,7 +9,8 @@ const BOLD: &str = "\x1b[1m";
 const SOFT: &str = "\x1b[2m";
 const PLAIN: &str = "\x1b[0m";
 
-/// The tables and the advice. Escape codes are for a stream that takes them out where there is no terminal.
+/// The tables and the advice. Escape codes are for a stream that takes them out where there is no
+/// terminal.
 pub fn text(report: &Report) -> String {
     let mut out = head(report);
     out += &accuracy(report);
@@ -21,10 +22,15 @@ pub fn text(report: &Report) -> String {
         let _ = writeln!(out, "{sentence}");
     }
     if report.is_cut_short {
-        let _ = writeln!(out, "Stopped before all rounds were done: what stands here is of {} of them.", report.rounds);
+        let _ = writeln!(
+            out,
+            "Stopped before all rounds were done: what stands here is of {} of them.",
+            report.rounds
+        );
     }
     if !report.machine.is_optimised {
-        out += "This program was compiled without optimisation: measure with `cargo run --release`.\n";
+        out +=
+            "This program was compiled without optimisation: measure with `cargo run --release`.\n";
     }
     out
 }
@@ -32,7 +38,8 @@ pub fn text(report: &Report) -> String {
 fn head(report: &Report) -> String {
     let Report { scene, width, height, machine, rounds, .. } = report;
     format!(
-        "{BOLD}{scene}{PLAIN}, {width}×{height}; medians of {rounds} interleaved rounds, {} of {} thread{}, {}\n",
+        "{BOLD}{scene}{PLAIN}, {width}×{height}; medians of {rounds} interleaved rounds, {} of {} \
+            thread{}, {}\n",
         machine.clock,
         machine.threads,
         if machine.threads == 1 { "" } else { "s" },
@@ -46,7 +53,17 @@ fn accuracy(report: &Report) -> String {
     let width = rows.iter().map(|row| row.name.chars().count()).max().unwrap_or_default();
     let mut out = format!(
         "\n  {:<width$}  {:>8} {:>15}  {:>9} {:>8}  {:>8} {:>8} {:>7}  {:>8} {:>8}  {:>8}\n",
-        "setting", "ms", "least–most", "rays", "KiB", "RMS", "greatest", ">1/255", "changed", "greatest", "rounding"
+        "setting",
+        "ms",
+        "least–most",
+        "rays",
+        "KiB",
+        "RMS",
+        "greatest",
+        ">1/255",
+        "changed",
+        "greatest",
+        "rounding"
     );
     for row in rows {
         let mark = if row.is_on_front { "*" } else { " " };
@@ -54,7 +71,8 @@ fn accuracy(report: &Report) -> String {
         let (on, off) = if row.is_on_front { (BOLD, PLAIN) } else { ("", "") };
         let _ = writeln!(
             out,
-            "{mark} {on}{:<width$}{off}  {:>8} {:>15}  {:>9} {:>8}  {:>8} {:>8} {:>7}  {:>8} {:>8}  {:>8} {same}",
+            "{mark} {on}{:<width$}{off}  {:>8} {:>15}  {:>9} {:>8}  {:>8} {:>8} {:>7}  {:>8} \
+                {:>8}  {:>8} {same}",
             row.name,
             figure(row.time_ms.median),
             format!("{}–{}", figure(row.time_ms.least), figure(row.time_ms.greatest)),
@@ -71,9 +89,12 @@ fn accuracy(report: &Report) -> String {
     let n = report.own.samples;
     let _ = writeln!(
         out,
-        "{SOFT}RMS, greatest, >1/255: against {}, in 8-bit levels. * no setting is faster and nearer to it.\n\
-         changed, greatest: 8-bit pixels that differ from the most accurate picture with as many rays a pixel; + the front by that, of {n}×{n}.\n\
-         rounding: greatest difference from f64 robust, all else the same: what precision and formulas alone do.{PLAIN}",
+        "{SOFT}RMS, greatest, >1/255: against {}, in 8-bit levels. * no setting is faster and \
+            nearer to it.\n\
+         changed, greatest: 8-bit pixels that differ from the most accurate picture with as many \
+         rays a pixel; + the front by that, of {n}×{n}.\n\
+         rounding: greatest difference from f64 robust, all else the same: what precision and \
+         formulas alone do.{PLAIN}",
         report.truth
     );
     out
@@ -83,7 +104,16 @@ fn effects(report: &Report) -> String {
     let width = report.effects.iter().map(|row| row.name.chars().count()).max().unwrap_or_default();
     let mut out = format!(
         "\n  {:<width$}  {:>8} {:>15}  {:>8}  {:>9} {:>9} {:>9} {:>9}  {:>8} {:>8}\n",
-        "effects", "ms", "least–most", "more ms", "eye", "shadow", "reflected", "refracted", "changed", "greatest"
+        "effects",
+        "ms",
+        "least–most",
+        "more ms",
+        "eye",
+        "shadow",
+        "reflected",
+        "refracted",
+        "changed",
+        "greatest"
     );
     for EffectRow { name, time_ms, more_ms, rays, error, .. } in &report.effects {
         let _ = writeln!(

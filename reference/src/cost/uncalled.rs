@@ -1,5 +1,5 @@
-//! What an effect costs a scene that does not call for it: the kernel that is chosen for the scene, and the one that can do everything, against one
-//! from which the effect is deleted.
+//! What an effect costs a scene that does not call for it: the kernel that is chosen for the scene,
+//! and the one that can do everything, against one from which the effect is deleted.
 
 use std::path::Path;
 
@@ -15,10 +15,12 @@ use crate::simulated::Within;
 use crate::watch::Notes;
 use crate::world::World;
 
-/// What one effect costs a scene that does not call for it. Times are of rendering alone, in seconds; ratios are of medians.
+/// What one effect costs a scene that does not call for it. Times are of rendering alone, in
+/// seconds; ratios are of medians.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Row {
-    /// The effects that the scene does not call for and that are deleted from the kernel it is compared with.
+    /// The effects that the scene does not call for and that are deleted from the kernel it is
+    /// compared with.
     pub deleted: Vec<Effect>,
     /// What the scene shows.
     pub scene: &'static str,
@@ -46,8 +48,9 @@ struct Subject {
     deleted: &'static [Effect],
 }
 
-/// The price of each effect where it is not called for, from `n_rounds` rounds that take each kernel once; `None` where it was stopped before
-/// the first round was done. Runs in the current `rayon` pool.
+/// The price of each effect where it is not called for, from `n_rounds` rounds that take each
+/// kernel once; `None` where it was stopped before the first round was done. Runs in the current
+/// `rayon` pool.
 ///
 /// Kernels that no picture is rendered by otherwise are compiled where this is called.
 pub fn price<O: Outside>(n_rounds: usize, outside: &mut O) -> Option<Vec<Row>> {
@@ -60,7 +63,8 @@ pub fn price<O: Outside>(n_rounds: usize, outside: &mut O) -> Option<Vec<Row>> {
         exactly::<{ GLASS.bits() }>,
         exactly::<{ SHADOWS.bits() }>,
     ];
-    let worlds: Vec<World<f64>> = subjects.iter().map(|subject| World::new(&subject.scene)).collect();
+    let worlds: Vec<World<f64>> =
+        subjects.iter().map(|subject| World::new(&subject.scene)).collect();
     let mut times = vec![[const { Vec::new() }; 3]; subjects.len()];
     'rounds: for round in 0..n_rounds {
         for ((exactly, world), times) in exactly.iter().zip(&worlds).zip(&mut times) {
@@ -113,7 +117,8 @@ fn able(world: &World<f64>) {
 
 /// By the kernel from which all but these effects are deleted.
 fn exactly<const MOST: u16>(world: &World<f64>) {
-    let effects = Within::<MOST>::new(world.effects, 0.0).expect("the subjects name the effects of their scenes");
+    let effects = Within::<MOST>::new(world.effects, 0.0)
+        .expect("the subjects name the effects of their scenes");
     let options = Options::of(world);
     std::hint::black_box(render_under::<_, _, _, Notes>(world, Lecture, effects, &options, |_| {}));
 }
@@ -132,28 +137,49 @@ fn subjects() -> [Subject; SCENES] {
             scene: without_shadows(balls("chalk")),
             deleted: &[Shadows, Reflection, Refraction],
         },
-        Subject { shows: "balls on a floor", scene: balls("chalk"), deleted: &[TintedShadows, Reflection, Refraction] },
-        Subject { shows: "mirroring balls on a floor", scene: balls("mirror"), deleted: &[TintedShadows, Refraction] },
-        Subject { shows: "balls of glass on a floor", scene: balls("glass"), deleted: &[Reflection] },
+        Subject {
+            shows: "balls on a floor",
+            scene: balls("chalk"),
+            deleted: &[TintedShadows, Reflection, Refraction],
+        },
+        Subject {
+            shows: "mirroring balls on a floor",
+            scene: balls("mirror"),
+            deleted: &[TintedShadows, Refraction],
+        },
+        Subject {
+            shows: "balls of glass on a floor",
+            scene: balls("glass"),
+            deleted: &[Reflection],
+        },
         Subject { shows: "hills, each triangle flat", scene: hills(), deleted: &[SmoothNormals] },
     ]
 }
 
-const HEAD: &str = "[render]\nsize = [160, 120]\nmax_depth = 4\n[scene]\nbackground = [0.1, 0.2, 0.4]\n\
+const HEAD: &str = "[render]\nsize = [160, 120]\nmax_depth = 4\n[scene]\n\
+    background = [0.1, 0.2, 0.4]\n\
     camera = { eye = [0, 1.5, 5], look_at = [0, 0.2, 0], up = [0, 1, 0], fov_y_deg = 40 }\n\
-    lights = [{ point = { position = [3, 4, 3], colour = [0.7, 0.7, 0.7] } }, { directional = { direction = [1, -2, -1], colour = [0.3, 0.3, 0.3] } }]\n\
-    [scene.materials]\nchalk = { kd = [0.6, 0.5, 0.4], ks = [0.3, 0.3, 0.3], kr = [0, 0, 0], ns = 20 }\n\
-    mirror = { kd = [0.1, 0.1, 0.1], kr = [0.7, 0.7, 0.7] }\nglass = { kd = [0.1, 0.1, 0.1], kt = [0.8, 0.9, 0.8], kr = [0, 0, 0], index = 1.5 }\n";
+    lights = [{ point = { position = [3, 4, 3], colour = [0.7, 0.7, 0.7] } }, { directional = { \
+    direction = [1, -2, -1], colour = [0.3, 0.3, 0.3] } }]\n\
+    [scene.materials]\nchalk = { kd = [0.6, 0.5, 0.4], ks = [0.3, 0.3, 0.3], kr = [0, 0, 0], ns = \
+    20 }\n\
+    mirror = { kd = [0.1, 0.1, 0.1], kr = [0.7, 0.7, 0.7] }\n\
+    glass = { kd = [0.1, 0.1, 0.1], kt = [0.8, 0.9, 0.8], kr = [0, 0, 0], index = 1.5 }\n";
 
 /// Five balls of that material on a floor of chalk.
 fn balls(material: &str) -> Scene {
     let mut text = String::from(HEAD);
     for (x, z) in [(-1.6, 0.0), (-0.8, 0.6), (0.0, -0.6), (0.8, 0.6), (1.6, 0.0)] {
         text += &format!(
-            "[[scene.objects]]\nsphere = {{ center = [{x}, 0, {z}], radius = 0.5 }}\nmaterial = \"{material}\"\n"
+            "[[scene.objects]]\nsphere = {{ center = [{x}, 0, {z}], radius = 0.5 }}\n\
+                material = \"{material}\"\n"
         );
     }
-    parsed(&(text + "[[scene.objects]]\nplane = { normal = [0, 1, 0], k = -0.5 }\nmaterial = \"chalk\"\n"))
+    parsed(
+        &(text
+            + "[[scene.objects]]\nplane = { normal = [0, 1, 0], k = -0.5 }\n\
+                material = \"chalk\"\n"),
+    )
 }
 
 fn parsed(text: &str) -> Scene {
@@ -176,7 +202,8 @@ fn hills() -> Scene {
     let places = (0..=SIDE).flat_map(|j| (0..=SIDE).map(move |i| (i, j)));
     let vertices = places.map(|(i, j)| DVec3::new(at(i), height(at(i), at(j)), at(j))).collect();
     let cells = (0..SIDE).flat_map(|j| (0..SIDE).map(move |i| j * (SIDE + 1) + i));
-    let halves = cells.flat_map(|n| [[n, n + SIDE + 1, n + 1], [n + 1, n + SIDE + 1, n + SIDE + 2]]);
+    let halves =
+        cells.flat_map(|n| [[n, n + SIDE + 1, n + 1], [n + 1, n + SIDE + 1, n + SIDE + 2]]);
     scene.meshes.push(Mesh { vertices, triangles: halves.collect(), normals: None });
     scene.objects[0].shape = Shape::Mesh { mesh: 0 };
     scene
@@ -209,10 +236,16 @@ mod tests {
         assert_eq!(clock.0, 2.0 * work(1) as f64);
         for Row { deleted, simulated, chosen_ratio, able_ratio, scene, .. } in &rows {
             assert!(deleted.iter().all(|effect| !simulated.has(*effect)), "{scene}");
-            assert_eq!((*chosen_ratio, *able_ratio), (1.0, 1.0), "each takes a second by that clock");
+            assert_eq!(
+                (*chosen_ratio, *able_ratio),
+                (1.0, 1.0),
+                "each takes a second by that clock"
+            );
         }
         let is_priced = |effect: &Effect| rows.iter().any(|row| row.deleted.contains(effect));
         use Effect::{Reflection, Refraction, Shadows, SmoothNormals, TintedShadows};
-        assert!([Shadows, TintedShadows, Reflection, Refraction, SmoothNormals].iter().all(is_priced));
+        assert!(
+            [Shadows, TintedShadows, Reflection, Refraction, SmoothNormals].iter().all(is_priced)
+        );
     }
 }

@@ -1,13 +1,16 @@
-//! How far a right answer may be from the exact one: from the conditioning of the question, for single precision.
+//! How far a right answer may be from the exact one: from the conditioning of the question, for
+//! single precision.
 //!
-//! Every number x of the question is moved by a relative u = 2⁻²³, one at a time. If the answer f moves by Δ, then a program in single
-//! precision, which cannot even store x closer than that, may be off by as much. A well-made formula rounds a handful of times:
+//! Every number x of the question is moved by a relative u = 2⁻²³, one at a time. If the answer f
+//! moves by Δ, then a program in single precision, which cannot even store x closer than that, may
+//! be off by as much. A well-made formula rounds a handful of times:
 //!
 //! ```text
 //! allowed = 8 (u ‖f‖ + Σ_x max |Δ|)
 //! ```
 //!
-//! where u ‖f‖ is the rounding of the answer itself. Integers (pixels, indices, depths) are exact and stay.
+//! where u ‖f‖ is the rounding of the answer itself. Integers (pixels, indices, depths) are exact
+//! and stay.
 
 use cases::probe::{Answer, Ask};
 use serde_json::Value;
@@ -43,13 +46,15 @@ impl Allowance {
 /// The allowance of a question and its answer.
 ///
 /// # Errors
-/// The place of a number in the question at which the answer jumps without a change of decision, say from one object's colour to
-/// another's: no error bound describes that, and the author must choose other numbers.
+/// The place of a number in the question at which the answer jumps without a change of decision,
+/// say from one object's colour to another's: no error bound describes that, and the author must
+/// choose other numbers.
 pub fn allowance(rules: &Rules, ask: &Ask, exact: &Answer) -> Result<Allowance, String> {
     let question = serde_json::to_value(ask).map_err(|why| why.to_string())?;
     let mut places = Vec::new();
     collect(&question, String::new(), &mut places);
-    let size = numbers(exact).into_iter().filter(|n| n.is_finite()).fold(0.0, |most, n| n.abs().max(most));
+    let size =
+        numbers(exact).into_iter().filter(|n| n.is_finite()).fold(0.0, |most, n| n.abs().max(most));
     let mut allowed = SINGLE * size;
     let mut either = false;
     for place in places {
@@ -61,9 +66,14 @@ pub fn allowance(rules: &Rules, ask: &Ask, exact: &Answer) -> Result<Allowance, 
                 either = true;
                 continue;
             };
-            let nearer = moved(sign * SINGLE / 16.0).and_then(|nearer| self::distance(exact, &nearer));
-            if distance > 1e-4 * size.max(1e-3) && nearer.is_some_and(|nearer| nearer > distance / 2.0) {
-                return Err(format!("the answer jumps where {place} is rounded to single precision"));
+            let nearer =
+                moved(sign * SINGLE / 16.0).and_then(|nearer| self::distance(exact, &nearer));
+            if distance > 1e-4 * size.max(1e-3)
+                && nearer.is_some_and(|nearer| nearer > distance / 2.0)
+            {
+                return Err(format!(
+                    "the answer jumps where {place} is rounded to single precision"
+                ));
             }
             most = most.max(distance);
         }
@@ -72,14 +82,20 @@ pub fn allowance(rules: &Rules, ask: &Ask, exact: &Answer) -> Result<Allowance, 
     Ok(Allowance { allowed: ROUNDINGS * allowed, either })
 }
 
-/// The greatest difference of two answers' numbers, as far as it is finite; `None` where they decide
-/// differently.
+/// The greatest difference of two answers' numbers, as far as it is finite; `None` where they
+/// decide differently.
 fn distance(one: &Answer, other: &Answer) -> Option<f64> {
     if decision(one) != decision(other) {
         return None;
     }
     let pairs = numbers(one).into_iter().zip(numbers(other));
-    Some(pairs.filter(|(a, b)| a != b).map(|(a, b)| (a - b).abs()).filter(|d| d.is_finite()).fold(0.0, f64::max))
+    Some(
+        pairs
+            .filter(|(a, b)| a != b)
+            .map(|(a, b)| (a - b).abs())
+            .filter(|d| d.is_finite())
+            .fold(0.0, f64::max),
+    )
 }
 
 /// What an answer decides: its kind, its object, its yes or no.
@@ -116,19 +132,27 @@ pub fn numbers(answer: &Answer) -> Vec<f64> {
     }
 }
 
-/// The JSON pointers of all numbers of `value` that are no integers by type and not 0, which no relative error moves.
+/// The JSON pointers of all numbers of `value` that are no integers by type and not 0, which no
+/// relative error moves.
 fn collect(value: &Value, place: String, places: &mut Vec<String>) {
     match value {
-        Value::Number(number) if number.is_f64() && number.as_f64() != Some(0.0) => places.push(place),
-        Value::Array(list) => {
-            list.iter().enumerate().for_each(|(n, item)| collect(item, format!("{place}/{n}"), places));
+        Value::Number(number) if number.is_f64() && number.as_f64() != Some(0.0) => {
+            places.push(place)
         }
-        Value::Object(map) => map.iter().for_each(|(key, item)| collect(item, format!("{place}/{key}"), places)),
+        Value::Array(list) => {
+            list.iter()
+                .enumerate()
+                .for_each(|(n, item)| collect(item, format!("{place}/{n}"), places));
+        }
+        Value::Object(map) => {
+            map.iter().for_each(|(key, item)| collect(item, format!("{place}/{key}"), places))
+        }
         _ => {}
     }
 }
 
-/// The question with one number moved; `None` where that is no question, as for the last row of a matrix.
+/// The question with one number moved; `None` where that is no question, as for the last row of a
+/// matrix.
 fn nudged(question: &Value, place: &str, relative: f64) -> Option<Ask> {
     let mut moved = question.clone();
     let number = moved.pointer_mut(place)?;
@@ -153,7 +177,8 @@ mod tests {
 
     #[test]
     fn a_plain_question_is_allowed_a_few_roundings() {
-        // t = (2 − 0.5) / 1: origin, direction and radius move it by 2u, 1.5u, 0.5u; t itself rounds by 1.5u. t_min moves nothing.
+        // t = (2 − 0.5) / 1: origin, direction and radius move it by 2u, 1.5u, 0.5u; t itself
+        // rounds by 1.5u. t_min moves nothing.
         let allowance = check(&sphere(0.0)).unwrap();
         assert!(!allowance.either);
         assert!((allowance.allowed / (8.0 * 5.5 * SINGLE) - 1.0).abs() < 1e-3, "{allowance:?}");
@@ -183,8 +208,10 @@ mod tests {
             material = "chalk"
             "#,
         );
-        // The shadow of the corner (0.5, 0.5) of the box's top, 1.5 below the lamp, ends at 0.5 · 3 / 1.5 on the floor.
-        let ask = Ask::Shadow { scene: Box::new(scene), light: 0, point: DVec3::new(1.0, -1.0, 0.0) };
+        // The shadow of the corner (0.5, 0.5) of the box's top, 1.5 below the lamp, ends at 0.5 · 3
+        // / 1.5 on the floor.
+        let ask =
+            Ask::Shadow { scene: Box::new(scene), light: 0, point: DVec3::new(1.0, -1.0, 0.0) };
         let error = check(&ask).unwrap_err();
         assert!(error.contains("jumps"), "{error}");
     }

@@ -1,4 +1,5 @@
-//! The answers to the unit checks: the right one, how far from it a right one may be, and what known mistakes say.
+//! The answers to the unit checks: the right one, how far from it a right one may be, and what
+//! known mistakes say.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -17,12 +18,16 @@ use crate::rules::Rules;
 /// Relative error of an answer on paper against the reference in double precision.
 const PAPER: f64 = 1e-12;
 
-/// Returns the answers to the unit checks of a stage that was loaded for `course`; `None` where it has
-/// no checks.
+/// Returns the answers to the unit checks of a stage that was loaded for `course`; `None` where it
+/// has no checks.
 ///
 /// # Errors
 /// A sentence for every check that is ill posed, or whose answer on paper is not the reference's.
-pub fn of_checks(stages: &Path, stage: &Stage, course: &Course) -> Result<Option<Expected>, Vec<String>> {
+pub fn of_checks(
+    stages: &Path,
+    stage: &Stage,
+    course: &Course,
+) -> Result<Option<Expected>, Vec<String>> {
     if stage.checks.is_empty() {
         return Ok(None);
     }
@@ -37,10 +42,14 @@ pub fn of_checks(stages: &Path, stage: &Stage, course: &Course) -> Result<Option
         return Err(wrong);
     }
     let text = answer::check_answers_to_string(&answers).map_err(|why| vec![why.to_string()])?;
-    Ok(Some(Expected { path: answer::check_answers_path(stages, &stage.id), bytes: text.into_bytes() }))
+    Ok(Some(Expected {
+        path: answer::check_answers_path(stages, &stage.id),
+        bytes: text.into_bytes(),
+    }))
 }
 
-/// Returns the answer to one check of a stage that was loaded for `course`, with what known mistakes say.
+/// Returns the answer to one check of a stage that was loaded for `course`, with what known
+/// mistakes say.
 ///
 /// # Errors
 /// Why the check cannot stand as it is.
@@ -53,8 +62,8 @@ pub fn of_check(check: &Check, course: &Course) -> Result<CheckAnswer, String> {
     Ok(CheckAnswer { id: check.id.clone(), made_from, answer, allowed, either, wrong })
 }
 
-/// Returns the answer to one check by these rules, and how far from it a right one may be: the author's
-/// answer where there is one and it is right, otherwise the reference's.
+/// Returns the answer to one check by these rules, and how far from it a right one may be: the
+/// author's answer where there is one and it is right, otherwise the reference's.
 ///
 /// # Errors
 /// Why the check cannot stand as it is.
@@ -66,13 +75,17 @@ pub fn right_answer(check: &Check, rules: &Rules) -> Result<(Answer, Allowance),
     let allowance = allowed::allowance(rules, &check.ask, &ours)
         .map_err(|why| format!("{}: {why}; choose numbers farther from the edge", check.id))?;
     if let Some(paper) = &check.paper {
-        let scale =
-            allowed::numbers(paper).into_iter().filter(|n| n.is_finite()).fold(1.0, |most, n| n.abs().max(most));
-        let double = allowance.allowed * f64::from(f32::EPSILON); // the same roundings, of 2⁻⁵³ instead of 2⁻²⁴, with room
+        let scale = allowed::numbers(paper)
+            .into_iter()
+            .filter(|n| n.is_finite())
+            .fold(1.0, |most, n| n.abs().max(most));
+        // the same roundings, of 2⁻⁵³ instead of 2⁻²⁴, with room
+        let double = allowance.allowed * f64::from(f32::EPSILON);
         let rounding = Allowance { allowed: PAPER * scale + double, either: false };
         if !rounding.takes(&ours, paper) {
             return Err(format!(
-                "{}: on paper the answer is {}, the reference has {}; say in `under` in which courses it holds",
+                "{}: on paper the answer is {}, the reference has {}; say in `under` in which \
+                    courses it holds",
                 check.id,
                 json(paper),
                 json(&ours)
@@ -83,7 +96,12 @@ pub fn right_answer(check: &Check, rules: &Rules) -> Result<(Answer, Allowance),
 }
 
 /// What each known mistake says, where that is not right.
-fn wrong(rules: &Rules, ask: &Ask, right: &Answer, allowance: &Allowance) -> BTreeMap<String, Answer> {
+fn wrong(
+    rules: &Rules,
+    ask: &Ask,
+    right: &Answer,
+    allowance: &Allowance,
+) -> BTreeMap<String, Answer> {
     let known = misconceptions::of(rules).into_iter();
     let answers = known.map(|wrong| (wrong.id.to_owned(), answers::answer(&wrong.on(rules), ask)));
     answers.filter(|(_, answer)| !allowance.takes(right, answer)).collect()

@@ -1,16 +1,19 @@
-//! The envelope: what right tracers give, pixel by pixel, and how far one of them strays from all the others.
+//! The envelope: what right tracers give, pixel by pixel, and how far one of them strays from all
+//! the others.
 
 use cases::answer::{ImageAnswer, Levels, Limits, largest_cluster};
 use cases::film::{Image, byte, level};
 
-/// A channel may be off by this many 8-bit levels beyond the envelope, so that any quantiser is legal.
+/// A channel may be off by this many 8-bit levels beyond the envelope, so that any quantiser is
+/// legal.
 const SLACK: f64 = 1.0;
 /// Clusters up to this size are no sign of a mistake: mistakes leave larger ones.
 const MIN_CLUSTER: u32 = 3;
 /// Nor is this share of all pixels, as long as they lie apart.
 const MIN_SHARE: f64 = 0.001;
 
-/// The two least and the two greatest levels of a channel among the members, so that any one member can be left out.
+/// The two least and the two greatest levels of a channel among the members, so that any one member
+/// can be left out.
 #[derive(Clone, Copy, Debug)]
 struct Span {
     least: [f64; 2],
@@ -34,11 +37,14 @@ impl Span {
     }
 }
 
-/// The answer whose envelope spans `centre` and `members`, pictures of one size; every pixel weighs alike, and nothing is unearned.
+/// The answer whose envelope spans `centre` and `members`, pictures of one size; every pixel weighs
+/// alike, and nothing is unearned.
 ///
-/// Where they agree on a level or on two neighbours, the envelope is the centre's level alone: the slack takes in the rest.
+/// Where they agree on a level or on two neighbours, the envelope is the centre's level alone: the
+/// slack takes in the rest.
 ///
-/// The limits are those of a right picture anywhere, or twice what a member leaves outside the envelope of the others, where that is more.
+/// The limits are those of a right picture anywhere, or twice what a member leaves outside the
+/// envelope of the others, where that is more.
 pub(super) fn envelope(centre: Image, members: &[Image]) -> ImageAnswer {
     let mut spans = vec![[Span::EMPTY; 3]; centre.pixels().len()];
     for image in std::iter::once(&centre).chain(members) {
@@ -48,7 +54,8 @@ pub(super) fn envelope(centre: Image, members: &[Image]) -> ImageAnswer {
     }
     let mut answer = ImageAnswer::exact(centre, SLACK, 0);
     (answer.lo, answer.hi) = bounds(&spans, &answer.expected, None);
-    let left: Vec<(u32, u32)> = members.iter().map(|member| left_out(&answer, &spans, member)).collect();
+    let left: Vec<(u32, u32)> =
+        members.iter().map(|member| left_out(&answer, &spans, member)).collect();
     let legal_cluster = left.iter().map(|(cluster, _)| *cluster).max().unwrap_or(0);
     let legal_count = left.iter().map(|(_, count)| *count).max().unwrap_or(0);
     let n_pixels = spans.len() as f64;
@@ -70,7 +77,8 @@ fn bounds(spans: &[[Span; 3]], centre: &Image, but: Option<&Image>) -> (Vec<Leve
         let (lo, hi) = (least.floor() as u8, greatest.ceil() as u8);
         if hi - lo <= 1 { [byte(centre.pixels()[n][at]); 2] } else { [lo, hi] }
     };
-    let end = |which: usize| (0..spans.len()).map(|n| [0, 1, 2].map(|at| ends(n, at)[which])).collect();
+    let end =
+        |which: usize| (0..spans.len()).map(|n| [0, 1, 2].map(|at| ends(n, at)[which])).collect();
     (end(0), end(1))
 }
 

@@ -19,6 +19,7 @@ impl Expected {
 
     /// Returns whether a file with exactly these bytes is stored at the path.
     pub fn is_stored(&self) -> bool {
-        cases::files::read(&self.path, self.bytes.len() as u64).is_ok_and(|stored| stored == self.bytes)
+        cases::files::read(&self.path, self.bytes.len() as u64)
+            .is_ok_and(|stored| stored == self.bytes)
     }
 }

@@ -14,12 +14,18 @@ use crate::rules::Rules;
 /// # Errors
 /// What the encoder says.
 pub fn mistakes(stages: &Path, course: &Course) -> Result<Expected, serde_json::Error> {
-    let list: Vec<Mistake> = misconceptions::of(&Rules::of(course)).into_iter().map(mistake).collect();
+    let list: Vec<Mistake> =
+        misconceptions::of(&Rules::of(course)).into_iter().map(mistake).collect();
     let text = answer::mistakes_to_string(&Digest::of_mistakes(course), &list)?;
     Ok(Expected { path: answer::mistakes_path(stages), bytes: text.into_bytes() })
 }
 
 fn mistake(misconception: &Misconception) -> Mistake {
     let Misconception { id, rule, says, look_at, .. } = misconception;
-    Mistake { id: (*id).to_owned(), rule: *rule, says: (*says).to_owned(), look_at: (*look_at).to_owned() }
+    Mistake {
+        id: (*id).to_owned(),
+        rule: *rule,
+        says: (*says).to_owned(),
+        look_at: (*look_at).to_owned(),
+    }
 }

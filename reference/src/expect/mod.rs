@@ -83,15 +83,16 @@ pub trait Progress: Sync {
 /// Returns the number of steps of [`of_set`] for the same part: image cases and stages with checks.
 pub fn n_steps(set: &Set, is_wanted: impl Fn(&str) -> bool) -> usize {
     let steps = set.stages.iter().map(|stage| {
-        let n_cases = stage.cases.iter().filter(|case| is_wanted(&stage.id) || is_wanted(&case.id)).count();
+        let n_cases =
+            stage.cases.iter().filter(|case| is_wanted(&stage.id) || is_wanted(&case.id)).count();
         n_cases + usize::from(is_wanted(&stage.id) && !stage.checks.is_empty())
     });
     steps.sum()
 }
 
-/// Returns the answers to the cases and stages of `set` whose ids `is_wanted` selects, to be stored below
-/// `stages`, with the list of known mistakes. A stage is selected as a whole, or case by case without its
-/// unit checks.
+/// Returns the answers to the cases and stages of `set` whose ids `is_wanted` selects, to be stored
+/// below `stages`, with the list of known mistakes. A stage is selected as a whole, or case by case
+/// without its unit checks.
 ///
 /// # Errors
 /// [`ExpectError`]; the sentences of all checks of all stages at once.
@@ -101,7 +102,8 @@ pub fn of_set(
     is_wanted: impl Fn(&str) -> bool + Sync,
     progress: &impl Progress,
 ) -> Result<Answers, ExpectError> {
-    let wanted_stages = || set.stages.iter().filter(|stage| is_wanted(&stage.id) && !stage.checks.is_empty());
+    let wanted_stages =
+        || set.stages.iter().filter(|stage| is_wanted(&stage.id) && !stage.checks.is_empty());
     let (mut lists, mut wrong) = (vec![], vec![]);
     // Checks come first: their problems are then reported before minutes of rendering.
     for stage in wanted_stages() {
@@ -132,11 +134,17 @@ pub fn of_set(
     Ok(Answers { cases: cases.collect::<Result<_, _>>()?, lists })
 }
 
-/// Returns the answer to a case of the stage with index `n` of the set, to be stored below `stages`.
+/// Returns the answer to a case of the stage with index `n` of the set, to be stored below
+/// `stages`.
 ///
 /// # Errors
 /// What the encoders say.
-pub fn of_case(stages: &Path, set: &Set, n: usize, case: &Case) -> Result<CaseAnswer, film::PictureError> {
+pub fn of_case(
+    stages: &Path,
+    set: &Set,
+    n: usize,
+    case: &Case,
+) -> Result<CaseAnswer, film::PictureError> {
     let right = set.picture(case);
     let png = film::encode_by(set.rules.quantiser, film::Kind::Png, &right)?;
     let answer = set.answer(n, case, right);

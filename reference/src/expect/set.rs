@@ -36,8 +36,9 @@ impl Set {
         picture(&case.scene, &self.rules, case.scene.effects)
     }
 
-    /// Returns the answer to a case of the stage with index `n`, whose right picture is `right`: envelope,
-    /// limits, weights. It depends on the case and the base of its stage alone, not on other cases.
+    /// Returns the answer to a case of the stage with index `n`, whose right picture is `right`:
+    /// envelope, limits, weights. It depends on the case and the base of its stage alone, not on
+    /// other cases.
     pub fn answer(&self, n: usize, case: &Case, right: Image) -> ImageAnswer {
         let mut answer = self.envelope(case, right);
         let without = self.without(n, case);
@@ -46,16 +47,18 @@ impl Set {
         answer
     }
 
-    /// Returns what right tracers give of a case, by the rules of this set, around its right picture. Every
-    /// pixel weighs alike.
+    /// Returns what right tracers give of a case, by the rules of this set, around its right
+    /// picture. Every pixel weighs alike.
     pub fn envelope(&self, case: &Case, right: Image) -> ImageAnswer {
         let variations = variations(&self.rules);
-        let members = variations.par_iter().map(|variation| variation.picture(&case.scene, case.scene.effects));
+        let members = variations
+            .par_iter()
+            .map(|variation| variation.picture(&case.scene, case.scene.effects));
         envelope::envelope(right, &members.collect::<Vec<Image>>())
     }
 
-    /// Returns the picture of a case of the stage with index `n` by a tracer that lacks everything that
-    /// the stage adds; in the first stage, the background alone.
+    /// Returns the picture of a case of the stage with index `n` by a tracer that lacks everything
+    /// that the stage adds; in the first stage, the background alone.
     pub fn without(&self, n: usize, case: &Case) -> Image {
         let Base::Without(added) = self.stages[n].base else { return background(&case.scene) };
         let effects = case.scene.effects.difference(added);
@@ -67,9 +70,16 @@ impl Set {
     /// Returns what each known mistake changes that `answer` would not let pass.
     pub fn mistakes(&self, case: &Case, answer: &ImageAnswer) -> Vec<Wrong> {
         let render = |wrong: &&Misconception| {
-            // A student's loop tests every object, even where a wrong intersection lies outside the bounds of a tree.
+            // A student's loop tests every object, even where a wrong intersection lies outside the
+            // bounds of a tree.
             let world = World::<f64>::with_search(&case.scene, Search::Scan);
-            let image = render::render_by(&world, &wrong.in_student_style(&self.rules), &Options::of(&world), |_| {}).0;
+            let image = render::render_by(
+                &world,
+                &wrong.in_student_style(&self.rules),
+                &Options::of(&world),
+                |_| {},
+            )
+            .0;
             let out = answer.out(&image);
             let count = out.iter().filter(|out| **out).count() as u32;
             let fails = !answer.allows(largest_cluster(&out, image.width()), count);

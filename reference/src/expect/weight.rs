@@ -15,7 +15,8 @@ const FULL: f64 = u8::MAX as f64;
 /// So many of the most frequent colours are tried as pictures of one colour.
 const COLOURS: usize = 16;
 
-/// The weight of each pixel, from the picture with the effect and the one without: as the two differ, and at least a small part everywhere.
+/// The weight of each pixel, from the picture with the effect and the one without: as the two
+/// differ, and at least a small part everywhere.
 ///
 /// Where they do not differ at all, every pixel weighs alike.
 pub(super) fn weights(with: &Image, without: &Image) -> Vec<u8> {
@@ -29,13 +30,19 @@ pub(super) fn weights(with: &Image, without: &Image) -> Vec<u8> {
     changes.iter().map(|change| (FULL * change).round().max(least) as u8).collect()
 }
 
-/// The greatest share that a picture earns that has nothing of the case in it: one of `blanks`, or one colour all over.
-pub(super) fn unearned<'a>(answer: &ImageAnswer, blanks: impl IntoIterator<Item = &'a Image>) -> f64 {
+/// The greatest share that a picture earns that has nothing of the case in it: one of `blanks`, or
+/// one colour all over.
+pub(super) fn unearned<'a>(
+    answer: &ImageAnswer,
+    blanks: impl IntoIterator<Item = &'a Image>,
+) -> f64 {
     let size = (answer.expected.width(), answer.expected.height());
     let fits = |blank: &&Image| (blank.width(), blank.height()) == size;
     let share = |blank: &Image| answer.share(&answer.out(blank));
     let blank = blanks.into_iter().filter(fits).map(share).fold(0.0, f64::max);
-    let uniform = colours(answer).into_iter().map(|colour| share(&Image::from_fn(size.0, size.1, |_, _| colour)));
+    let uniform = colours(answer)
+        .into_iter()
+        .map(|colour| share(&Image::from_fn(size.0, size.1, |_, _| colour)));
     uniform.fold(blank, f64::max)
 }
 
@@ -47,7 +54,11 @@ fn colours(answer: &ImageAnswer) -> Vec<DVec3> {
     }
     let mut by_weight: Vec<([u8; 3], u64)> = weights.into_iter().collect();
     by_weight.sort_by_key(|(_, weight)| std::cmp::Reverse(*weight));
-    by_weight.into_iter().take(COLOURS).map(|(bytes, _)| DVec3::from(bytes.map(f64::from)) / 255.0).collect()
+    by_weight
+        .into_iter()
+        .take(COLOURS)
+        .map(|(bytes, _)| DVec3::from(bytes.map(f64::from)) / 255.0)
+        .collect()
 }
 
 #[cfg(test)]
@@ -56,7 +67,9 @@ mod tests {
 
     /// Black, but for the first `n` of 100 pixels.
     fn lit(n: u32, level: f64) -> Image {
-        Image::from_fn(10, 10, |i, j| if j * 10 + i < n { DVec3::splat(level / 255.0) } else { DVec3::ZERO })
+        Image::from_fn(10, 10, |i, j| {
+            if j * 10 + i < n { DVec3::splat(level / 255.0) } else { DVec3::ZERO }
+        })
     }
 
     #[test]
@@ -72,7 +85,8 @@ mod tests {
         let mut answer = ImageAnswer::exact(lit(20, 200.0), 1.0, 0);
         answer.weight = weights(&answer.expected, &lit(0, 0.0));
         let total = 20.0 * 255.0 + 80.0 * 17.0;
-        assert_eq!(unearned(&answer, []), 20.0 * 255.0 / total); // white all over: the lit part is right
+        // white all over: the lit part is right
+        assert_eq!(unearned(&answer, []), 20.0 * 255.0 / total);
         assert_eq!(unearned(&answer, [&lit(10, 200.0)]), 20.0 * 255.0 / total);
         assert_eq!(unearned(&answer, [&lit(19, 200.0)]), (19.0 * 255.0 + 80.0 * 17.0) / total);
     }

@@ -8,7 +8,8 @@ use crate::stream::Stream;
 #[derive(Debug)]
 pub struct Draws {
     stream: Stream,
-    /// Greatest power of ten, either way, by which a scene is scaled: what the precision holds, with room for a few lengths.
+    /// Greatest power of ten, either way, by which a scene is scaled: what the precision holds,
+    /// with room for a few lengths.
     pub decades: f64,
 }
 

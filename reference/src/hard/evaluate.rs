@@ -16,7 +16,8 @@ use crate::world::Frame;
 pub struct Found<S> {
     /// Along the line as given.
     pub t: Option<S>,
-    /// The unit normal, or the direction that was asked for. A plane and a square have theirs from the question.
+    /// The unit normal, or the direction that was asked for. A plane and a square have theirs from
+    /// the question.
     pub vector: Option<[S; 3]>,
     /// (α, β, γ) on a triangle.
     pub weights: Option<[S; 3]>,
@@ -61,8 +62,8 @@ impl<T: Real> Prepared<T> {
     }
 }
 
-/// The answer of the function that the question is for, computed in the precision `T`. Numbers of the question that `T` does not have are
-/// rounded.
+/// The answer of the function that the question is for, computed in the precision `T`. Numbers of
+/// the question that `T` does not have are rounded.
 pub fn evaluate<T: Real, R: RuleSource>(rules: R, question: &Question) -> Reply {
     answer(rules, &Prepared::<T>::new(question))
 }
@@ -72,9 +73,11 @@ pub fn evaluate<T: Real, R: RuleSource>(rules: R, question: &Question) -> Reply 
 pub fn answer<T: Real, R: RuleSource>(rules: R, prepared: &Prepared<T>) -> Reply {
     let frame = prepared.frame.as_ref();
     match prepared.question {
-        Question::Sphere { line, center, radius } => {
-            solid(rules, &line, Solid::<T>::Sphere(Sphere { center: v(center), radius: T::of(radius) }))
-        }
+        Question::Sphere { line, center, radius } => solid(
+            rules,
+            &line,
+            Solid::<T>::Sphere(Sphere { center: v(center), radius: T::of(radius) }),
+        ),
         Question::Plane { line, normal, k } => {
             bare(rules, &line, Solid::<T>::Plane(Plane { normal: v(normal), k: T::of(k) }))
         }
@@ -83,10 +86,17 @@ pub fn answer<T: Real, R: RuleSource>(rules: R, prepared: &Prepared<T>) -> Reply
             solid(rules, &line, Solid::<T>::Cuboid(Cuboid { min: v(min), max: v(max) }))
         }
         Question::Round { line, radii, ends, is_capped } => {
-            let [[bottom_radius, top_radius], [z_min, z_max]] = [radii, ends].map(|pair| pair.map(T::of));
-            solid(rules, &line, Solid::Round(Round { bottom_radius, top_radius, z_min, z_max, is_capped }))
+            let [[bottom_radius, top_radius], [z_min, z_max]] =
+                [radii, ends].map(|pair| pair.map(T::of));
+            solid(
+                rules,
+                &line,
+                Solid::Round(Round { bottom_radius, top_radius, z_min, z_max, is_capped }),
+            )
         }
-        Question::Triangle { line, corners } => triangle(rules, &line, Triangle { corners: corners.map(v::<T>) }),
+        Question::Triangle { line, corners } => {
+            triangle(rules, &line, Triangle { corners: corners.map(v::<T>) })
+        }
         Question::TransformedSphere { line, .. } => transformed_sphere(rules, &line, frame?),
         Question::Reflect { direction, normal } => {
             Some(Found::direction(out(optics::reflect(rules, v::<T>(direction), v(normal)))))
@@ -124,7 +134,10 @@ fn triangle<T: Real, R: RuleSource>(rules: R, line: &Line, triangle: Triangle<T>
     }
     let ray = ray(line);
     let met = triangle.meet(rules, &ray, &Shear::of(&ray), 0)?;
-    Some(Found { weights: Some(out(met.weights)), ..Found::hit(met.t.f64(), out(triangle.normal(rules))) })
+    Some(Found {
+        weights: Some(out(met.weights)),
+        ..Found::hit(met.t.f64(), out(triangle.normal(rules)))
+    })
 }
 
 fn transformed_sphere<T: Real, R: RuleSource>(rules: R, line: &Line, frame: &Frame<T>) -> Reply {
@@ -135,10 +148,12 @@ fn transformed_sphere<T: Real, R: RuleSource>(rules: R, line: &Line, frame: &Fra
     Some(Found::hit(met.t.f64(), out(normal)))
 }
 
-/// The frame as a scene brings it: the inverse is worked out in double precision, then both are rounded.
+/// The frame as a scene brings it: the inverse is worked out in double precision, then both are
+/// rounded.
 fn frame<T: Real>(rows: [[f64; 3]; 3], translation: [f64; 3]) -> Frame<T> {
     let matrix = DMat3::from_cols_array_2d(&rows).transpose();
-    let world_from_object = DAffine3 { matrix3: matrix, translation: DVec3::from_array(translation) };
+    let world_from_object =
+        DAffine3 { matrix3: matrix, translation: DVec3::from_array(translation) };
     Frame::of(&world_from_object, &world_from_object.inverse())
 }
 

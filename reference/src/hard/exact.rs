@@ -1,7 +1,8 @@
-//! Numbers m · 2^e with m and e as large as need be: sums and products of floats without any rounding.
+//! Numbers m · 2^e with m and e as large as need be: sums and products of floats without any
+//! rounding.
 //!
-//! What decides a hit is the sign of a polynomial in the numbers of the question, so it is known exactly. Quotients and roots, of
-//! which no decision is made, are given to [`WIDE`] bits.
+//! What decides a hit is the sign of a polynomial in the numbers of the question, so it is known
+//! exactly. Quotients and roots, of which no decision is made, are given to [`WIDE`] bits.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -87,7 +88,8 @@ impl Exact {
         crate::real::scaled(mantissa, exponent.clamp(-10_000, 10_000) as i32)
     }
 
-    /// self / other to one part in 2⁵⁰, also where both are far out of the range of f64; ±∞ or NaN where `other` is 0.
+    /// self / other to one part in 2⁵⁰, also where both are far out of the range of f64; ±∞ or NaN
+    /// where `other` is 0.
     pub fn ratio(&self, other: &Self) -> f64 {
         let ((a, a_exponent), (b, b_exponent)) = (self.leading(), other.leading());
         crate::real::scaled(a / b, (a_exponent - b_exponent).clamp(-10_000, 10_000) as i32)
@@ -115,7 +117,8 @@ impl Add for &Exact {
     type Output = Exact;
 
     fn add(self, other: Self) -> Exact {
-        let (low, high) = if self.exponent <= other.exponent { (self, other) } else { (other, self) };
+        let (low, high) =
+            if self.exponent <= other.exponent { (self, other) } else { (other, self) };
         if high.mantissa.is_zero() {
             return low.clone();
         }
@@ -147,7 +150,10 @@ impl Mul for &Exact {
     type Output = Exact;
 
     fn mul(self, other: Self) -> Exact {
-        Exact { mantissa: &self.mantissa * &other.mantissa, exponent: self.exponent + other.exponent }
+        Exact {
+            mantissa: &self.mantissa * &other.mantissa,
+            exponent: self.exponent + other.exponent,
+        }
     }
 }
 
@@ -278,8 +284,16 @@ mod tests {
     fn signs_beside_a_root_are_exact() {
         // 3 − 2 √d changes its sign at d = 9/4
         for (d, sign) in [(2.25, 0), (2.25f64.next_up(), -1), (2.25f64.next_down(), 1), (0.0, 1)] {
-            assert_eq!(sign_with_root(&Exact::of(3.0), &Exact::of(-2.0), &Exact::of(d)), sign, "{d}");
-            assert_eq!(sign_with_root(&Exact::of(-3.0), &Exact::of(2.0), &Exact::of(d)), -sign, "{d}");
+            assert_eq!(
+                sign_with_root(&Exact::of(3.0), &Exact::of(-2.0), &Exact::of(d)),
+                sign,
+                "{d}"
+            );
+            assert_eq!(
+                sign_with_root(&Exact::of(-3.0), &Exact::of(2.0), &Exact::of(d)),
+                -sign,
+                "{d}"
+            );
         }
         assert_eq!(sign_with_root(&Exact::ZERO, &Exact::of(-2.0), &Exact::of(2.0)), -1);
     }

@@ -1,4 +1,5 @@
-//! Questions that are hard for floats, an oracle that answers them exactly, and the reference against it.
+//! Questions that are hard for floats, an oracle that answers them exactly, and the reference
+//! against it.
 //!
 //! | module | holds |
 //! |---|---|

@@ -1,15 +1,17 @@
-//! The right answer to a question: decisions by exact arithmetic on its numbers as they stand, values to some 190 bits.
+//! The right answer to a question: decisions by exact arithmetic on its numbers as they stand,
+//! values to some 190 bits.
 //!
-//! Borders belong to the shapes (D3); a touching line meets a sphere once; exactly at the critical angle a ray is transmitted (D14). What is
-//! never met: a plane along the line, a triangle without area or edge on, the side of a cone by a line within it.
+//! Borders belong to the shapes (D3); a touching line meets a sphere once; exactly at the critical
+//! angle a ray is transmitted (D14). What is never met: a plane along the line, a triangle without
+//! area or edge on, the side of a cone by a line within it.
 
 use super::evaluate::Found;
 use super::exact::{Exact, Exact3, ExactLine, cross, dot, exact3, minus, plus, times, unit};
 use super::oracle_round;
 use super::question::Question;
 
-/// The right answer; a miss, total internal reflection and a matrix without inverse are `None`. The normal at the centre of a sphere without
-/// radius is left open.
+/// The right answer; a miss, total internal reflection and a matrix without inverse are `None`. The
+/// normal at the centre of a sphere without radius is left open.
 pub fn right(question: &Question) -> Option<Found<Exact>> {
     match *question {
         Question::Sphere { line, center, radius } => {
@@ -26,15 +28,24 @@ pub fn right(question: &Question) -> Option<Found<Exact>> {
             plane(&ExactLine::of(&line), &exact3(normal), &Exact::of(k)).map(Found::at)
         }
         Question::Square { line } => square(&ExactLine::of(&line)),
-        Question::Cuboid { line, min, max } => cuboid(&ExactLine::of(&line), &exact3(min), &exact3(max)),
-        Question::Round { line, radii, ends, is_capped } => {
-            oracle_round::round(&ExactLine::of(&line), &radii.map(Exact::of), &ends.map(Exact::of), is_capped)
+        Question::Cuboid { line, min, max } => {
+            cuboid(&ExactLine::of(&line), &exact3(min), &exact3(max))
         }
-        Question::Triangle { line, corners } => triangle(&ExactLine::of(&line), &corners.map(exact3)),
+        Question::Round { line, radii, ends, is_capped } => oracle_round::round(
+            &ExactLine::of(&line),
+            &radii.map(Exact::of),
+            &ends.map(Exact::of),
+            is_capped,
+        ),
+        Question::Triangle { line, corners } => {
+            triangle(&ExactLine::of(&line), &corners.map(exact3))
+        }
         Question::TransformedSphere { line, rows, translation } => {
             transformed_sphere(&ExactLine::of(&line), &rows.map(exact3), &exact3(translation))
         }
-        Question::Reflect { direction, normal } => Some(reflect(&exact3(direction), &exact3(normal))),
+        Question::Reflect { direction, normal } => {
+            Some(reflect(&exact3(direction), &exact3(normal)))
+        }
         Question::Refract { direction, normal, eta_i, eta_t } => {
             refract(&exact3(direction), &exact3(normal), &Exact::of(eta_i), &Exact::of(eta_t))
         }
@@ -163,8 +174,13 @@ fn turned(cofactors: &[Exact3; 3], normal: &Exact3, sign: i32) -> Exact3 {
     })
 }
 
-/// With f = A⁻¹(O − t) and d′ = A⁻¹ d all is multiplied by det A, which changes no root: a sphere of radius |det A|/2.
-fn transformed_sphere(line: &ExactLine, rows: &[Exact3; 3], translation: &Exact3) -> Option<Found<Exact>> {
+/// With f = A⁻¹(O − t) and d′ = A⁻¹ d all is multiplied by det A, which changes no root: a sphere
+/// of radius |det A|/2.
+fn transformed_sphere(
+    line: &ExactLine,
+    rows: &[Exact3; 3],
+    translation: &Exact3,
+) -> Option<Found<Exact>> {
     let cofactors = cofactors(rows);
     let det = dot(&rows[0], &cofactors[0]);
     if det.sign() == 0 {
@@ -172,10 +188,12 @@ fn transformed_sphere(line: &ExactLine, rows: &[Exact3; 3], translation: &Exact3
     }
     let adjugate = |v: &Exact3| -> Exact3 {
         std::array::from_fn(|n| {
-            &(&(&cofactors[0][n] * &v[0]) + &(&cofactors[1][n] * &v[1])) + &(&cofactors[2][n] * &v[2])
+            &(&(&cofactors[0][n] * &v[0]) + &(&cofactors[1][n] * &v[1]))
+                + &(&cofactors[2][n] * &v[2])
         })
     };
-    let (from, direction) = (adjugate(&minus(&line.origin, translation)), adjugate(&line.direction));
+    let (from, direction) =
+        (adjugate(&minus(&line.origin, translation)), adjugate(&line.direction));
     let t = sphere(&from, &direction, &det.clone().scaled(-1))?;
     let normal = plus(&from, &times(&direction, &t)); // times det A, as the cofactors are
     Some(Found::hit(t, unit(&turned(&cofactors, &normal, 1))))
@@ -187,11 +205,17 @@ fn reflect(direction: &Exact3, normal: &Exact3) -> Found<Exact> {
 }
 
 /// For the unit vectors along `direction` and `normal`: all lengths are multiplied by w = ‖d‖ ‖N‖.
-fn refract(direction: &Exact3, normal: &Exact3, eta_i: &Exact, eta_t: &Exact) -> Option<Found<Exact>> {
+fn refract(
+    direction: &Exact3,
+    normal: &Exact3,
+    eta_i: &Exact,
+    eta_t: &Exact,
+) -> Option<Found<Exact>> {
     let (d_squared, n_squared) = (dot(direction, direction), dot(normal, normal));
     let w_squared = &d_squared * &n_squared;
     let cos_i = -&dot(direction, normal); // times w
-    let square = &(&(&eta_t.squared() - &eta_i.squared()) * &w_squared) + &(eta_i * &cos_i).squared();
+    let square =
+        &(&(&eta_t.squared() - &eta_i.squared()) * &w_squared) + &(eta_i * &cos_i).squared();
     if square.sign() < 0 {
         return None;
     }
@@ -224,7 +248,8 @@ mod tests {
         };
         check(sphere(1.0), Some(5.0));
         check(sphere(1.0f64.next_up()), None);
-        check(sphere(0.6), right(&sphere(0.6)).and_then(|f| f.t).map(|t| t.f64())); // 0.6 is not 3/5: near 4.2
+        // 0.6 is not 3/5: near 4.2
+        check(sphere(0.6), right(&sphere(0.6)).and_then(|f| f.t).map(|t| t.f64()));
         let within = line([0.0, 0.0, 0.5], [0.0, 0.0, -2.0]);
         check(Question::Sphere { line: within, center: [0.0; 3], radius: 1.0 }, Some(0.75));
         let on_it = line([0.0, 0.0, 1.0], [0.0, 0.0, -1.0]);
@@ -236,13 +261,35 @@ mod tests {
     #[test]
     fn flat_shapes_have_closed_borders() {
         check(Question::Square { line: line([0.5, -0.5, 2.0], [0.0, 0.0, -1.0]) }, Some(2.0));
-        check(Question::Square { line: line([0.5f64.next_up(), -0.5, 2.0], [0.0, 0.0, -1.0]) }, None);
+        check(
+            Question::Square { line: line([0.5f64.next_up(), -0.5, 2.0], [0.0, 0.0, -1.0]) },
+            None,
+        );
         check(Question::Square { line: line([0.0, 0.0, 0.0], [1.0, 0.0, 0.0]) }, None);
         let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-        check(Question::Triangle { line: line([0.5, 0.5, 1.0], [0.0, 0.0, -1.0]), corners }, Some(1.0));
-        check(Question::Triangle { line: line([0.5, 0.5f64.next_up(), 1.0], [0.0, 0.0, -1.0]), corners }, None);
-        check(Question::Triangle { line: line([0.0, 0.0, -1.0], [0.0, 0.0, 0.5]), corners }, Some(2.0));
-        check(Question::Plane { line: line([0.0; 3], [0.0, 1.0, 0.0]), normal: [0.6, 0.8, 0.0], k: 2.0 }, Some(2.5));
+        check(
+            Question::Triangle { line: line([0.5, 0.5, 1.0], [0.0, 0.0, -1.0]), corners },
+            Some(1.0),
+        );
+        check(
+            Question::Triangle {
+                line: line([0.5, 0.5f64.next_up(), 1.0], [0.0, 0.0, -1.0]),
+                corners,
+            },
+            None,
+        );
+        check(
+            Question::Triangle { line: line([0.0, 0.0, -1.0], [0.0, 0.0, 0.5]), corners },
+            Some(2.0),
+        );
+        check(
+            Question::Plane {
+                line: line([0.0; 3], [0.0, 1.0, 0.0]),
+                normal: [0.6, 0.8, 0.0],
+                k: 2.0,
+            },
+            Some(2.5),
+        );
     }
 
     #[test]
@@ -252,25 +299,46 @@ mod tests {
         check(edge, Some(1.0));
         let normal = right(&edge).and_then(|found| found.vector).map(|n| n.map(|x| x.f64()));
         assert_eq!(normal, Some([-1.0, 0.0, 0.0]));
-        check(Question::Cuboid { line: line([-1.0, 2.0, 1.0], [1.0, -0.0, 0.0]), min, max }, Some(1.0));
-        check(Question::Cuboid { line: line([0.5, 1.0, 1.0], [0.0, -2.0, 0.0]), min, max }, Some(0.5));
+        check(
+            Question::Cuboid { line: line([-1.0, 2.0, 1.0], [1.0, -0.0, 0.0]), min, max },
+            Some(1.0),
+        );
+        check(
+            Question::Cuboid { line: line([0.5, 1.0, 1.0], [0.0, -2.0, 0.0]), min, max },
+            Some(0.5),
+        );
     }
 
     #[test]
     fn directions_are_those_of_the_paper() {
-        let found = |question| right(&question).and_then(|found| found.vector).map(|v| v.map(|x| x.f64()));
+        let found =
+            |question| right(&question).and_then(|found| found.vector).map(|v| v.map(|x| x.f64()));
         let direction = [3.0, -4.0, 0.0];
-        assert_eq!(found(Question::Reflect { direction, normal: [0.0, 2.0, 0.0] }), Some([3.0, 4.0, 0.0]));
+        assert_eq!(
+            found(Question::Reflect { direction, normal: [0.0, 2.0, 0.0] }),
+            Some([3.0, 4.0, 0.0])
+        );
         // sin 3/5 becomes sin 4/5 · 3/4 … η = 4/3: sin θ_t = 4/5
-        let bent = found(Question::Refract { direction, normal: [0.0, 2.0, 0.0], eta_i: 4.0, eta_t: 3.0 }).expect("T");
+        let bent =
+            found(Question::Refract { direction, normal: [0.0, 2.0, 0.0], eta_i: 4.0, eta_t: 3.0 })
+                .expect("T");
         assert!((bent[0] - 0.8).abs() < 1e-16 && (bent[1] + 0.6).abs() < 1e-16, "{bent:?}");
-        let steep = Question::Refract { direction: [4.0, -3.0, 0.0], normal: [0.0, 1.0, 0.0], eta_i: 5.0, eta_t: 4.0 };
+        let steep = Question::Refract {
+            direction: [4.0, -3.0, 0.0],
+            normal: [0.0, 1.0, 0.0],
+            eta_i: 5.0,
+            eta_t: 4.0,
+        };
         assert_eq!(found(steep), Some([1.0, 0.0, 0.0]), "exactly critical");
-        let mirrored =
-            Question::Normal { rows: [[-2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], normal: [1.0, 0.0, 0.0] };
+        let mirrored = Question::Normal {
+            rows: [[-2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            normal: [1.0, 0.0, 0.0],
+        };
         assert_eq!(found(mirrored), Some([-1.0, 0.0, 0.0]));
-        let flat =
-            Question::Normal { rows: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]], normal: [1.0, 0.0, 0.0] };
+        let flat = Question::Normal {
+            rows: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]],
+            normal: [1.0, 0.0, 0.0],
+        };
         assert_eq!(found(flat), None);
     }
 

@@ -1,4 +1,5 @@
-//! Where a line meets a cylinder or a cone, exactly: the ends are compared with roots that are never worked out.
+//! Where a line meets a cylinder or a cone, exactly: the ends are compared with roots that are
+//! never worked out.
 
 use super::evaluate::Found;
 use super::exact::{Exact, Exact3, ExactLine, sign_with_root, unit};
@@ -35,12 +36,21 @@ impl Surd {
 }
 
 /// The surface with these radii at these values of z; the side wins on a rim.
-pub(super) fn round(line: &ExactLine, radii: &[Exact; 2], ends: &[Exact; 2], is_capped: bool) -> Option<Found<Exact>> {
+pub(super) fn round(
+    line: &ExactLine,
+    radii: &[Exact; 2],
+    ends: &[Exact; 2],
+    is_capped: bool,
+) -> Option<Found<Exact>> {
     let side = side(line, radii, ends);
-    let caps = (0..2).filter(|_| is_capped).filter_map(|n| Some((n, cap(line, &radii[n], &ends[n])?)));
-    let cap = caps.reduce(|one, other| if &other.1.0 * &one.1.1 < &one.1.0 * &other.1.1 { other } else { one });
+    let caps =
+        (0..2).filter(|_| is_capped).filter_map(|n| Some((n, cap(line, &radii[n], &ends[n])?)));
+    let cap = caps.reduce(
+        |one, other| if &other.1.0 * &one.1.1 < &one.1.0 * &other.1.1 { other } else { one },
+    );
     let cap_first = match (&side, &cap) {
-        (Some(side), Some((_, (rest, along)))) => side.sign_of(&-rest, along) > 0, // t − rest/along, the divisor positive
+        // t − rest/along, the divisor positive
+        (Some(side), Some((_, (rest, along)))) => side.sign_of(&-rest, along) > 0,
         (None, Some(_)) => true,
         _ => false,
     };
@@ -49,8 +59,9 @@ pub(super) fn round(line: &ExactLine, radii: &[Exact; 2], ends: &[Exact; 2], is_
         return Some(Found::hit(rest.over(&along), [Exact::ZERO, Exact::ZERO, up]));
     }
     let root = side?;
-    let is_tip =
-        (0..2).any(|n| radii[n].sign() == 0 && root.sign_of(&(&line.origin[2] - &ends[n]), &line.direction[2]) == 0);
+    let is_tip = (0..2).any(|n| {
+        radii[n].sign() == 0 && root.sign_of(&(&line.origin[2] - &ends[n]), &line.direction[2]) == 0
+    });
     let t = root.value();
     let normal = if is_tip { tip(radii) } else { normal(&line.at(&t), radii, ends) };
     Some(Found::hit(t, normal))
@@ -88,13 +99,16 @@ fn side(line: &ExactLine, radii: &[Exact; 2], ends: &[Exact; 2]) -> Option<Surd>
     let surd = |sign: f64| Surd::of(b.clone(), Exact::of(sign), disc.clone(), a.clone());
     let roots = match (a.sign(), b.sign(), disc.sign()) {
         (0, 0, _) | (_, _, -1) => vec![],
-        (0, ..) => vec![Surd::of(c, Exact::ZERO, Exact::ZERO, b.scaled(1))], // a line along the side meets it once
+        // a line along the side meets it once
+        (0, ..) => vec![Surd::of(c, Exact::ZERO, Exact::ZERO, b.scaled(1))],
         (1, ..) => vec![surd(-1.0), surd(1.0)],
         _ => vec![surd(1.0), surd(-1.0)],
     };
     let is_on = |t: &Surd| {
         let is_ahead = t.sign_of(&Exact::ZERO, &one) > 0;
-        is_ahead && t.sign_of(&(&o[2] - &ends[0]), &d[2]) >= 0 && t.sign_of(&(&o[2] - &ends[1]), &d[2]) <= 0
+        is_ahead
+            && t.sign_of(&(&o[2] - &ends[0]), &d[2]) >= 0
+            && t.sign_of(&(&o[2] - &ends[1]), &d[2]) <= 0
     };
     roots.into_iter().find(is_on)
 }
@@ -117,8 +131,18 @@ mod tests {
     use super::super::oracle::right;
     use super::super::question::{Line, Question};
 
-    fn check(radii: [f64; 2], is_capped: bool, [origin, direction]: [[f64; 3]; 2], expected: Option<(f64, [f64; 3])>) {
-        let question = Question::Round { line: Line { origin, direction }, radii, ends: [0.0, 1.0], is_capped };
+    fn check(
+        radii: [f64; 2],
+        is_capped: bool,
+        [origin, direction]: [[f64; 3]; 2],
+        expected: Option<(f64, [f64; 3])>,
+    ) {
+        let question = Question::Round {
+            line: Line { origin, direction },
+            radii,
+            ends: [0.0, 1.0],
+            is_capped,
+        };
         let found = right(&question).map(|found| {
             let normal = found.vector.expect("a normal");
             (found.t.expect("a parameter").f64(), normal.map(|x| x.f64()))
@@ -132,14 +156,25 @@ mod tests {
         check([1.0, 1.0], false, along_x, Some((4.0, [-1.0, 0.0, 0.0])));
         check([1.0, 1.0], false, [[-5.0, 1.0, 0.5], [1.0, 0.0, 0.0]], Some((5.0, [0.0, 1.0, 0.0])));
         check([1.0, 1.0], false, [[-5.0, 1.0f64.next_up(), 0.5], [1.0, 0.0, 0.0]], None);
-        check([1.0, 1.0], false, [[-5.0, 0.0, 1.0], [1.0, 0.0, 0.0]], Some((4.0, [-1.0, 0.0, 0.0])));
+        check(
+            [1.0, 1.0],
+            false,
+            [[-5.0, 0.0, 1.0], [1.0, 0.0, 0.0]],
+            Some((4.0, [-1.0, 0.0, 0.0])),
+        );
         check([1.0, 1.0], false, [[-5.0, 0.0, 1.0f64.next_up()], [1.0, 0.0, 0.0]], None);
         check([1.0, 1.0], true, [[0.5, 0.0, 3.0], [0.0, 0.0, -1.0]], Some((2.0, [0.0, 0.0, 1.0])));
         check([1.0, 1.0], true, [[1.0, 0.0, -1.0], [0.0, 0.0, 1.0]], Some((1.0, [0.0, 0.0, -1.0])));
-        check([1.0, 1.0], true, [[2.0, 0.0, 2.0], [-1.0, 0.0, -1.0]], Some((1.0, [1.0, 0.0, 0.0]))); // the rim is the side's
+        // the rim is the side's
+        check([1.0, 1.0], true, [[2.0, 0.0, 2.0], [-1.0, 0.0, -1.0]], Some((1.0, [1.0, 0.0, 0.0])));
         // a cone, its tip down at the origin
         check([0.0, 1.0], false, [[0.5, 0.0, 0.0], [1.0, 0.0, 1.0]], None);
-        check([0.0, 1.0], false, [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]], Some((1.0, [0.0, 0.0, -1.0])));
+        check(
+            [0.0, 1.0],
+            false,
+            [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]],
+            Some((1.0, [0.0, 0.0, -1.0])),
+        );
         check([0.0, 1.0], false, [[1.0, 0.0, 0.0], [-1.0, 0.0, 1.0]], {
             let half = std::f64::consts::FRAC_1_SQRT_2;
             Some((0.5, [half, 0.0, -half]))

@@ -10,7 +10,8 @@ pub struct Line {
     pub direction: [f64; 3],
 }
 
-/// What is asked. The numbers are exact: the answer is theirs, not that of the decimals they came from.
+/// What is asked. The numbers are exact: the answer is theirs, not that of the decimals they came
+/// from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(missing_docs, reason = "fields are named as in the rules of light")]
 pub enum Question {
@@ -26,7 +27,8 @@ pub enum Question {
     Round { line: Line, radii: [f64; 2], ends: [f64; 2], is_capped: bool },
     /// Where it meets a triangle, with N and (α, β, γ). [rule 16] [rule 17]
     Triangle { line: Line, corners: [[f64; 3]; 3] },
-    /// Where it meets the sphere of radius ½ about the origin, moved by A X + t; rows are those of A. [rule 20]
+    /// Where it meets the sphere of radius ½ about the origin, moved by A X + t; rows are those of
+    /// A. [rule 20]
     TransformedSphere { line: Line, rows: [[f64; 3]; 3], translation: [f64; 3] },
     /// The mirrored direction. [rule 7]
     Reflect { direction: [f64; 3], normal: [f64; 3] },
@@ -39,19 +41,27 @@ pub enum Question {
 impl Question {
     /// The same question with `f` of each number, in order.
     pub fn map(self, f: &mut impl FnMut(f64) -> f64) -> Self {
-        let line = |line: Line, f: &mut _| Line { origin: three(line.origin, f), direction: three(line.direction, f) };
+        let line = |line: Line, f: &mut _| Line {
+            origin: three(line.origin, f),
+            direction: three(line.direction, f),
+        };
         match self {
             Self::Sphere { line: l, center, radius } => {
                 Self::Sphere { line: line(l, f), center: three(center, f), radius: f(radius) }
             }
-            Self::Plane { line: l, normal, k } => Self::Plane { line: line(l, f), normal: three(normal, f), k: f(k) },
+            Self::Plane { line: l, normal, k } => {
+                Self::Plane { line: line(l, f), normal: three(normal, f), k: f(k) }
+            }
             Self::Square { line: l } => Self::Square { line: line(l, f) },
             Self::Cuboid { line: l, min, max } => {
                 Self::Cuboid { line: line(l, f), min: three(min, f), max: three(max, f) }
             }
-            Self::Round { line: l, radii, ends, is_capped } => {
-                Self::Round { line: line(l, f), radii: radii.map(&mut *f), ends: ends.map(&mut *f), is_capped }
-            }
+            Self::Round { line: l, radii, ends, is_capped } => Self::Round {
+                line: line(l, f),
+                radii: radii.map(&mut *f),
+                ends: ends.map(&mut *f),
+                is_capped,
+            },
             Self::Triangle { line: l, corners } => {
                 Self::Triangle { line: line(l, f), corners: corners.map(|c| three(c, f)) }
             }
@@ -77,7 +87,8 @@ impl Question {
         self.map(&mut |x| T::of(x).f64())
     }
 
-    /// The questions with one number moved to the next one that `T` has, each number in turn, both ways; zeros stay.
+    /// The questions with one number moved to the next one that `T` has, each number in turn, both
+    /// ways; zeros stay.
     pub fn moved<T: Real>(self) -> impl Iterator<Item = Self> {
         let mut n_numbers = 0;
         self.map(&mut |x| {
@@ -134,7 +145,8 @@ mod tests {
     #[test]
     fn rounding_is_that_of_single_precision() {
         let question = Question::Reflect { direction: [0.1, 1.0, 0.0], normal: [0.0, 0.0, 1.0] };
-        let rounded = Question::Reflect { direction: [f64::from(0.1f32), 1.0, 0.0], normal: [0.0, 0.0, 1.0] };
+        let rounded =
+            Question::Reflect { direction: [f64::from(0.1f32), 1.0, 0.0], normal: [0.0, 0.0, 1.0] };
         assert_eq!(question.rounded::<f32>(), rounded);
         assert_eq!(question.rounded::<f64>(), question);
     }

@@ -19,7 +19,8 @@ const CHUNK: u64 = 1000;
 /// How an answer compares with the right one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Comparison {
-    /// The same decision: the relative errors of t, and of the direction or the weights. 0 where there is none.
+    /// The same decision: the relative errors of t, and of the direction or the weights. 0 where
+    /// there is none.
     Same {
         /// Of t.
         t: f64,
@@ -51,7 +52,8 @@ pub struct Tally {
     pub elsewhere: u64,
     /// Answers with NaN.
     pub not_a_number: u64,
-    /// Wrong decisions that are right for a question with one number moved to its neighbour: no formula is to blame.
+    /// Wrong decisions that are right for a question with one number moved to its neighbour: no
+    /// formula is to blame.
     pub doubtful: u64,
     /// The greatest relative error of t among right decisions.
     pub max_t: f64,
@@ -123,7 +125,8 @@ impl Tally {
     }
 }
 
-/// `n` questions of the family, rounded to the precision `T`, put to the reference by these rules. The same tally on every machine.
+/// `n` questions of the family, rounded to the precision `T`, put to the reference by these rules.
+/// The same tally on every machine.
 pub fn survey<T: Real, R: RuleSource>(family: &Family, rules: R, n: u64, seed: u64) -> Tally {
     let chunks: Vec<Tally> = (0..n.div_ceil(CHUNK))
         .into_par_iter()
@@ -138,14 +141,20 @@ pub fn survey<T: Real, R: RuleSource>(family: &Family, rules: R, n: u64, seed: u
 }
 
 /// The first `n` questions of a chunk of the family, rounded to the precision `T`.
-pub fn questions<T: Real>(family: &Family, chunk: u64, n: u64, seed: u64) -> impl Iterator<Item = Question> {
+pub fn questions<T: Real>(
+    family: &Family,
+    chunk: u64,
+    n: u64,
+    seed: u64,
+) -> impl Iterator<Item = Question> {
     let decades = if T::ULP.f64() == f64::EPSILON { 150.0 } else { 30.0 };
     let mut draws = Draws::new(seed.wrapping_add(chunk << 32), family.name, decades);
     let draw = family.draw;
     (0..n).map(move |_| draw(&mut draws).rounded::<T>())
 }
 
-/// The reply against the right answer, for numbers of the precision `T`: a t that is too great for it may be infinite, or a miss.
+/// The reply against the right answer, for numbers of the precision `T`: a t that is too great for
+/// it may be infinite, or a miss.
 pub fn compare<T: Real>(right: &Option<Found<Exact>>, reply: &Reply) -> Comparison {
     let numbers = |found: &Found<f64>| {
         found.t.into_iter().chain(found.vector.into_iter().chain(found.weights).flatten()).collect()
@@ -154,7 +163,8 @@ pub fn compare<T: Real>(right: &Option<Found<Exact>>, reply: &Reply) -> Comparis
     if given.iter().any(|x| x.is_nan()) {
         return Comparison::NotANumber;
     }
-    let is_beyond = |right: &Found<Exact>| right.t.as_ref().is_some_and(|t| !T::of(t.f64()).is_finite());
+    let is_beyond =
+        |right: &Found<Exact>| right.t.as_ref().is_some_and(|t| !T::of(t.f64()).is_finite());
     let (right, reply) = match (right, reply) {
         (None, None) => return Comparison::Same { t: 0.0, vector: 0.0 },
         (Some(right), None) if is_beyond(right) => return Comparison::Same { t: 0.0, vector: 0.0 },
@@ -169,8 +179,16 @@ pub fn compare<T: Real>(right: &Option<Found<Exact>>, reply: &Reply) -> Comparis
     if t > ELSEWHERE {
         return Comparison::Elsewhere;
     }
-    let vector = right.vector.as_ref().zip(reply.vector).map_or(0.0, |(right, given)| distance(right, given, true));
-    let weights = right.weights.as_ref().zip(reply.weights).map_or(0.0, |(right, given)| distance(right, given, false));
+    let vector = right
+        .vector
+        .as_ref()
+        .zip(reply.vector)
+        .map_or(0.0, |(right, given)| distance(right, given, true));
+    let weights = right
+        .weights
+        .as_ref()
+        .zip(reply.weights)
+        .map_or(0.0, |(right, given)| distance(right, given, false));
     Comparison::Same { t, vector: vector.max(weights) }
 }
 
@@ -191,7 +209,10 @@ fn distance(right: &[Exact; 3], given: [f64; 3], is_relative: bool) -> f64 {
     if is_relative { off / squares(std::array::from_fn(|n| right[n].f64())) } else { off }
 }
 
-/// Whether the reply is right for the question with one number moved to its neighbour in the precision `T`.
+/// Whether the reply is right for the question with one number moved to its neighbour in the
+/// precision `T`.
 pub fn is_excused<T: Real>(question: &Question, reply: &Reply) -> bool {
-    question.moved::<T>().any(|moved| matches!(compare::<T>(&right(&moved), reply), Comparison::Same { .. }))
+    question
+        .moved::<T>()
+        .any(|moved| matches!(compare::<T>(&right(&moved), reply), Comparison::Same { .. }))
 }

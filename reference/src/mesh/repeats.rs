@@ -20,7 +20,10 @@ use crate::shapes::Triangle;
 ///
 /// It is [`Bvh::build_in_fours`] without the triangles that repeat an earlier one. These have equal
 /// boxes, so only a mesh in which many boxes are equal is searched for them.
-pub(super) fn plant<T: Real>(bounds: &[Bounds<T>], triangle: impl Fn(u32) -> Triangle<T>) -> (Bvh, Vec<u32>) {
+pub(super) fn plant<T: Real>(
+    bounds: &[Bounds<T>],
+    triangle: impl Fn(u32) -> Triangle<T>,
+) -> (Bvh, Vec<u32>) {
     let (tree, order, crowd) = Bvh::build_in_fours(bounds);
     let repeats = repeats(crowd, triangle);
     if repeats.is_empty() {

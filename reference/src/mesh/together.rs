@@ -12,7 +12,8 @@ use crate::shapes::{Look, Meeting, Shear};
 use crate::triangles::Slopes;
 use crate::vec3::Vec3;
 
-/// Bounds of slopes grow by this share of themselves and of 1: four roundings to f32, where two are lost.
+/// Bounds of slopes grow by this share of themselves and of 1: four roundings to f32, where two are
+/// lost.
 const ROOM: f64 = 1.0 / 4_194_304.0;
 /// Fewer rays than this are asked one by one.
 const FEW: u32 = 3;
@@ -20,8 +21,9 @@ const FEW: u32 = 3;
 const AHEAD: f64 = 1e-100;
 
 impl<T: Real> Mesh<T> {
-    /// What [`Mesh::meet`] gives for each of some rays, [`MOST`] at most, by the rules of the lecture: told to `found` by the ray's place among them. They
-    /// are searched for together where they have one origin and nearly one direction, else one by one.
+    /// What [`Mesh::meet`] gives for each of some rays, [`MOST`] at most, by the rules of the
+    /// lecture: told to `found` by the ray's place among them. They are searched for together where
+    /// they have one origin and nearly one direction, else one by one.
     #[inline]
     pub(crate) fn meet_together<Y: Tally>(
         &self,
@@ -44,7 +46,12 @@ impl<T: Real> Mesh<T> {
 
     /// Whether the rays can be searched for together.
     #[inline(always)]
-    fn is_met_by<Y: Tally>(&self, rays: &[Ray<T>], tally: &mut Y, best: &mut [Option<Meeting<T>>; MOST]) -> bool {
+    fn is_met_by<Y: Tally>(
+        &self,
+        rays: &[Ray<T>],
+        tally: &mut Y,
+        best: &mut [Option<Meeting<T>>; MOST],
+    ) -> bool {
         let (Some(tree), Some(packet)) = (&self.tree, Packet::of(rays)) else { return false };
         let shear = packet.shear.within(&rays[0], self.bounds);
         if !shear.is_bounded() {
@@ -53,7 +60,16 @@ impl<T: Real> Mesh<T> {
         let (left, limit) = (packet.all(), f64::INFINITY);
         let Vec3 { x, y, z } = packet.origin();
         let origin = [x.f64(), y.f64(), z.f64()];
-        let first = FirstOfEach { mesh: self, packet: &packet, origin, shear, best, depths: [0.0; MOST], left, limit };
+        let first = FirstOfEach {
+            mesh: self,
+            packet: &packet,
+            origin,
+            shear,
+            best,
+            depths: [0.0; MOST],
+            left,
+            limit,
+        };
         tree.walk_together(&packet, tally, first)
     }
 }
@@ -89,7 +105,10 @@ impl<T: Real, Y: Tally> VisitTogether<Y> for FirstOfEach<'_, T> {
             };
         }
         if is_nearer && self.left == 0 {
-            self.limit = self.depths.iter().fold(0.0, |most, depth| if *depth > most { *depth } else { most });
+            self.limit = self
+                .depths
+                .iter()
+                .fold(0.0, |most, depth| if *depth > most { *depth } else { most });
         }
         self.limit
     }
@@ -119,7 +138,10 @@ impl<T: Real> FirstOfEach<'_, T> {
     }
 
     /// The same for many: one look along all rays at once leaves few to be asked alone.
-    #[allow(clippy::needless_range_loop, reason = "many lists side by side, which the compiler takes lane by lane")]
+    #[allow(
+        clippy::needless_range_loop,
+        reason = "many lists side by side, which the compiler takes lane by lane"
+    )]
     #[inline(always)]
     fn ask_all(&mut self, n: u32, near: u32) -> bool {
         let (packet, origin, [x, y, z]) = (self.packet, self.packet.origin(), self.packet.axes);
@@ -129,7 +151,11 @@ impl<T: Real> FirstOfEach<'_, T> {
         let mut found = [[T::ZERO; MOST]; 4];
         let (mut sure, mut missed) = (0_u64, 0_u64);
         for lane in 0..MOST {
-            let look = Look::along([packet.across[0][lane], packet.across[1][lane]], packet.scale[lane], corners);
+            let look = Look::along(
+                [packet.across[0][lane], packet.across[1][lane]],
+                packet.scale[lane],
+                corners,
+            );
             sure |= if look.is_sure { 1 << lane } else { 0 };
             missed |= if look.is_missed { 1 << lane } else { 0 };
             found[0][lane] = look.t;
@@ -156,7 +182,8 @@ impl<T: Real> FirstOfEach<'_, T> {
     #[inline(always)]
     fn take(&mut self, lane: usize, met: Meeting<T>) -> bool {
         let best = &mut self.best[lane];
-        let is_first = best.is_none_or(|b| met.t < b.t || (met.t == b.t && self.mesh.is_earlier(met, b)));
+        let is_first =
+            best.is_none_or(|b| met.t < b.t || (met.t == b.t && self.mesh.is_earlier(met, b)));
         if is_first {
             *best = Some(met);
             self.depths[lane] = self.packet.depth(lane, met.t);
@@ -165,7 +192,8 @@ impl<T: Real> FirstOfEach<'_, T> {
         is_first
     }
 
-    /// A bit for each ray that may meet one of four triangles: whose slopes lie between those of the corners.
+    /// A bit for each ray that may meet one of four triangles: whose slopes lie between those of
+    /// the corners.
     #[inline(always)]
     fn near<P: Test>(&self, slopes: &Slopes, lane: usize) -> u32 {
         let [least, most] = &slopes.depth;
@@ -176,7 +204,8 @@ impl<T: Real> FirstOfEach<'_, T> {
         let below = |slope: f64| (slope - (slope.abs() + 1.0) * ROOM) as f32;
         let above = |slope: f64| (slope + (slope.abs() + 1.0) * ROOM) as f32;
         let [[x0, x1], [y0, y1]] = &slopes.span;
-        let (least, most) = ([below(x0[lane]), below(y0[lane])], [above(x1[lane]), above(y1[lane])]);
+        let (least, most) =
+            ([below(x0[lane]), below(y0[lane])], [above(x1[lane]), above(y1[lane])]);
         let [x, y] = &self.packet.slopes;
         let mut near = 0;
         // a loop, as closures would not be made of the same instructions

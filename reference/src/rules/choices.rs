@@ -1,4 +1,5 @@
-//! The decisions of the rules of light, each with its alternatives: the lecture's first, then what else people write.
+//! The decisions of the rules of light, each with its alternatives: the lecture's first, then what
+//! else people write.
 
 macro_rules! choices {
     ($($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident,)* })*) => {

@@ -2,20 +2,24 @@
 
 use cases::Course;
 use cases::course::{
-    Air, AmbientInside, Bytes, CutoffTest, DepthTest, FovAxis, InsideNormal, Lobe, Near, Pixel, ReflectNormal,
-    RefractNormal, Row0, ShadowTint, TwoSided,
+    Air, AmbientInside, Bytes, CutoffTest, DepthTest, FovAxis, InsideNormal, Lobe, Near, Pixel,
+    ReflectNormal, RefractNormal, Row0, ShadowTint, TwoSided,
 };
 use cases::film::Quantiser;
 
-use super::{Attenuation, Cutoff, Depth, Epsilon, Facing, Fov, Highlight, InsideBy, ReflectBy, RefractBy, Rules, Tint};
+use super::{
+    Attenuation, Cutoff, Depth, Epsilon, Facing, Fov, Highlight, InsideBy, ReflectBy, RefractBy,
+    Rules, Tint,
+};
 
 impl Rules {
     /// The rules by which a course renders; for the default course exactly [`Rules::LECTURE`].
     ///
-    /// An epsilon of 1e-6 is the lecture's: in single precision it is then 1e-4. Any other holds in both precisions. [rule 21]
+    /// An epsilon of 1e-6 is the lecture's: in single precision it is then 1e-4. Any other holds in
+    /// both precisions. [rule 21]
     pub fn of(course: &Course) -> Self {
-        // The pattern names every field, so that a new key cannot be forgotten here. Which effects programs
-        // always simulate is no rule of light: it decides the effects of a scene.
+        // The pattern names every field, so that a new key cannot be forgotten here. Which effects
+        // programs always simulate is no rule of light: it decides the effects of a scene.
         let Course {
             pixel,
             row_0,
@@ -93,7 +97,11 @@ impl Rules {
                 Bytes::Rounded => Quantiser::Rounding,
                 Bytes::Truncated => Quantiser::Truncating,
             },
-            epsilon: if epsilon == cases::RAY_EPSILON { Epsilon::RayEpsilon } else { Epsilon::Fixed(epsilon) },
+            epsilon: if epsilon == cases::RAY_EPSILON {
+                Epsilon::RayEpsilon
+            } else {
+                Epsilon::Fixed(epsilon)
+            },
             ..Self::LECTURE
         }
     }

@@ -1,7 +1,9 @@
-//! The rules of light as a value: one field for every decision, the lecture's first, then what else people write.
+//! The rules of light as a value: one field for every decision, the lecture's first, then what else
+//! people write.
 //!
-//! The kernel is generic over a [`RuleSource`]. [`Lecture`] has no size and its rules are a constant, so that the compiler
-//! removes every alternative: they cost nothing. A `&Rules` is looked up as the picture is rendered.
+//! The kernel is generic over a [`RuleSource`]. [`Lecture`] has no size and its rules are a
+//! constant, so that the compiler removes every alternative: they cost nothing. A `&Rules` is
+//! looked up as the picture is rendered.
 
 mod choices;
 mod course;
@@ -93,7 +95,8 @@ pub struct Rules {
     pub ambient_inside: bool,
     pub depth: Depth,
     pub cutoff: Cutoff,
-    /// Whether a ray of too small a weight is cast nevertheless, to bring back its own light. [rule 13]
+    /// Whether a ray of too small a weight is cast nevertheless, to bring back its own light. [rule
+    /// 13]
     pub casts_faint_rays: bool,
     pub sphere_roots: SphereRoots,
     pub sphere_normal: SphereNormal,
@@ -172,8 +175,9 @@ impl Rules {
         Self { style: Style::PLAIN, ..self }
     }
 
-    /// Whether hits are put back on their surfaces, with a bound of what is left: not where a mistake takes t or the surface elsewhere, and the
-    /// point that a student computes is the one along the ray.
+    /// Whether hits are put back on their surfaces, with a bound of what is left: not where a
+    /// mistake takes t or the surface elsewhere, and the point that a student computes is the one
+    /// along the ray.
     #[inline(always)]
     pub fn places_hits(&self) -> bool {
         self.style.robustness == Robustness::Certified

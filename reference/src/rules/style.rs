@@ -1,7 +1,10 @@
-//! What the rules leave free: the same picture on paper, other roundings. The reference's own way first, then those of students.
+//! What the rules leave free: the same picture on paper, other roundings. The reference's own way
+//! first, then those of students.
 
 macro_rules! freedoms {
-    ($($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident = $says:literal,)* })*) => {
+    ($($(#[$doc:meta])* $name:ident {
+        $($(#[$variant_doc:meta])* $variant:ident = $says:literal,)*
+    })*) => {
         $(
             $(#[$doc])*
             #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +26,8 @@ macro_rules! freedoms {
 freedoms! {
     /// What is done where rounding could decide. [rule 21]
     Robustness {
-        /// The plain formula where its error bound settles the matter, two words a number where it does not.
+        /// The plain formula where its error bound settles the matter, two words a number where it
+        /// does not.
         Certified = "certified",
         /// The plain formula, whatever it loses.
         Plain = "plain",
@@ -36,7 +40,8 @@ freedoms! {
         Textbook = "textbook quadratic",
         /// b² − 4ac, the roots as c/q and q/a.
         Stable = "stable quadratic",
-        /// The centre projected on the ray, then half the chord to either side. Cylinder and cone as in the reference.
+        /// The centre projected on the ray, then half the chord to either side. Cylinder and cone
+        /// as in the reference.
         Geometric = "geometric sphere",
     }
     /// t of a plane. [rule 15]
@@ -54,12 +59,14 @@ freedoms! {
         Edges = "three edge tests",
         /// Möller and Trumbore: β, γ, t by Cramer's rule.
         MollerTrumbore = "Möller–Trumbore",
-        /// The plane's Q, then ratios of areas without the axis along which N is longest; α = 1 − β − γ.
+        /// The plane's Q, then ratios of areas without the axis along which N is longest; α = 1 − β
+        /// − γ.
         Areas = "barycentric areas",
     }
     /// How a ray gets away from the surface that it leaves. [rule 21]
     Start {
-        /// From Q, moved off the surface by the proven bound of its error, to the side where the ray goes, over t > 0.
+        /// From Q, moved off the surface by the proven bound of its error, to the side where the
+        /// ray goes, over t > 0.
         OffBound = "offset by the error bound",
         /// From Q, over t > ε, the rules' epsilon.
         Interval = "t >",
@@ -121,7 +128,8 @@ pub struct Style {
     pub snell: Snell,
     pub power: Power,
     pub lights: LightOrder,
-    /// By how much eye rays miss the centres of their pixels, in pixels to the right and down. [rule 1]
+    /// By how much eye rays miss the centres of their pixels, in pixels to the right and down.
+    /// [rule 1]
     pub nudge: [f64; 2],
 }
 
@@ -141,6 +149,8 @@ impl Style {
         nudge: [0.0; 2],
     };
 
-    /// The reference's formulas, as a student writes them: plain, and rays leave surfaces by RAY_EPSILON.
-    pub const PLAIN: Self = Self { robustness: Robustness::Plain, start: Start::Interval, ..Self::REFERENCE };
+    /// The reference's formulas, as a student writes them: plain, and rays leave surfaces by
+    /// RAY_EPSILON.
+    pub const PLAIN: Self =
+        Self { robustness: Robustness::Plain, start: Start::Interval, ..Self::REFERENCE };
 }

@@ -17,10 +17,12 @@ pub struct Cuboid<T> {
 }
 
 impl<T: Real> Cuboid<T> {
-    /// The first meeting in the ray's interval: where the ray enters, or where it leaves if the entry does not count.
+    /// The first meeting in the ray's interval: where the ray enters, or where it leaves if the
+    /// entry does not count.
     ///
-    /// The slabs of the three axes are cut with one another. A ray that runs along a slab is inside or outside of it all
-    /// along; to run within a face is to be inside. On an edge the face of the lower axis is met.
+    /// The slabs of the three axes are cut with one another. A ray that runs along a slab is inside
+    /// or outside of it all along; to run within a face is to be inside. On an edge the face of the
+    /// lower axis is met.
     #[inline(always)]
     pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
         let ends = self.cut(ray, rules.get().style.robustness == Robustness::Certified)?;
@@ -29,7 +31,12 @@ impl<T: Real> Cuboid<T> {
 
     /// Which of the places where the ray enters and leaves is met in its interval.
     #[inline(always)]
-    pub(super) fn first<R: RuleSource>(&self, rules: R, ray: &Ray<T>, ends: [(T, u32); 2]) -> Option<Meeting<T>> {
+    pub(super) fn first<R: RuleSource>(
+        &self,
+        rules: R,
+        ray: &Ray<T>,
+        ends: [(T, u32); 2],
+    ) -> Option<Meeting<T>> {
         let [enter, leave] = ends;
         if ray.contains(enter.0) {
             return Some(Meeting::with(enter.0, enter.1));
@@ -38,15 +45,18 @@ impl<T: Real> Cuboid<T> {
             .then(|| Meeting::with(leave.0, leave.1))
     }
 
-    /// Where the ray's line enters and where it leaves: t and the face; `None` where it does neither, or the box lies behind the ray.
+    /// Where the ray's line enters and where it leaves: t and the face; `None` where it does
+    /// neither, or the box lies behind the ray.
     ///
-    /// A t is off by a difference and a quotient, 2u of itself, u half a ulp: which of two is the greater is certain where they differ by more than
-    /// 4u of either. 8u is asked for, and where that leaves an order open, the second step is taken. The sign of a difference is certain.
+    /// A t is off by a difference and a quotient, 2u of itself, u half a ulp: which of two is the
+    /// greater is certain where they differ by more than 4u of either. 8u is asked for, and where
+    /// that leaves an order open, the second step is taken. The sign of a difference is certain.
     #[inline(always)]
     pub(super) fn cut(&self, ray: &Ray<T>, is_certified: bool) -> Option<[(T, u32); 2]> {
         let (to_min, to_max, along) = (self.min - ray.origin, self.max - ray.origin, ray.direction);
         let leaves = |axis: usize| {
-            (to_min[axis] > T::ZERO) & (along[axis] <= T::ZERO) | (to_max[axis] < T::ZERO) & (along[axis] >= T::ZERO)
+            (to_min[axis] > T::ZERO) & (along[axis] <= T::ZERO)
+                | (to_max[axis] < T::ZERO) & (along[axis] >= T::ZERO)
         };
         if (leaves(0) | leaves(1) | leaves(2)) && ray.is_before(T::ZERO) {
             return None;
@@ -80,15 +90,22 @@ impl<T: Real> Cuboid<T> {
         let (first, last) = (axis(0, enter), axis(1, leave));
         let is_certain = || {
             let is_begun = x[0].is_finite() & x[1].is_finite();
-            let is_clear = |n: usize, so_far: [T; 2]| apart(y[n], so_far[0]) & apart(z[n], so_far[1]);
-            is_begun & is_clear(0, enters) & is_clear(1, leaves) & ((first == last) | apart(enter, leave))
+            let is_clear =
+                |n: usize, so_far: [T; 2]| apart(y[n], so_far[0]) & apart(z[n], so_far[1]);
+            is_begun
+                & is_clear(0, enters)
+                & is_clear(1, leaves)
+                & ((first == last) | apart(enter, leave))
         };
         if is_certified && !is_certain() {
             // taken apart, so that what is certain stays in registers
             let [(enter, first), (leave, last)] = settle::cuboid(&self.min, &self.max, ray)?;
             return Some([(enter, first), (leave, last)]);
         }
-        Some([(enter, face(first, along[first] < T::ZERO)), (leave, face(last, along[last] > T::ZERO))])
+        Some([
+            (enter, face(first, along[first] < T::ZERO)),
+            (leave, face(last, along[last] > T::ZERO)),
+        ])
     }
 
     /// The same slab by slab, for a ray that runs along one.
@@ -147,7 +164,11 @@ mod tests {
         let cuboid = Cuboid { min: vec([0.0; 3]), max: vec([1.0, 2.0, 3.0]) };
         let met = cuboid.meet(Lecture, &Ray::leaving(Lecture, vec(origin), vec(direction)));
         let found = met.map(|m| (m.t, Cuboid::normal(m.part)));
-        assert_eq!(found, expected.map(|(t, n)| (t, vec(n))), "from {origin:?} along {direction:?}");
+        assert_eq!(
+            found,
+            expected.map(|(t, n)| (t, vec(n))),
+            "from {origin:?} along {direction:?}"
+        );
     }
 
     #[test]
@@ -158,9 +179,11 @@ mod tests {
         check([0.5, 1.0, -4.0], [0.0, 0.0, 1.0], Some((4.0, [0.0, 0.0, -1.0])));
         check([-1.0, 3.0, 1.0], [1.0, 0.0, 0.0], None);
         check([2.0, 1.0, 1.0], [1.0, 0.0, 0.0], None); // behind
-        check([-1.0, 2.0, 1.0], [1.0, 0.0, 0.0], Some((1.0, [-1.0, 0.0, 0.0]))); // within the face y = 2
+        // within the face y = 2
+        check([-1.0, 2.0, 1.0], [1.0, 0.0, 0.0], Some((1.0, [-1.0, 0.0, 0.0])));
         check([-1.0, 2.0, 1.0], [1.0, -0.0, 0.0], Some((1.0, [-1.0, 0.0, 0.0])));
-        check([-1.0, -1.0, 1.0], [1.0, 1.0, 0.0], Some((1.0, [-1.0, 0.0, 0.0]))); // an edge: the lower axis
+        // an edge: the lower axis
+        check([-1.0, -1.0, 1.0], [1.0, 1.0, 0.0], Some((1.0, [-1.0, 0.0, 0.0])));
         check([-1.0, -1.0, -1.0], [1.0, 1.0, 1.0], Some((1.0, [-1.0, 0.0, 0.0]))); // a corner
         check([-1.0, -1.0, -0.5], [1.0, 1.0, 1.0], Some((1.0, [-1.0, 0.0, 0.0])));
         check([2.0, 3.0, 4.0], [-1.0, -1.0, -1.0], Some((1.0, [1.0, 0.0, 0.0])));

@@ -1,4 +1,5 @@
-//! Bare shapes in object space: where a ray meets them, and the outward normal there. They know no materials.
+//! Bare shapes in object space: where a ray meets them, and the outward normal there. They know no
+//! materials.
 
 mod cuboid;
 mod meeting;
@@ -55,10 +56,17 @@ impl<T: Real> Solid<T> {
         }
     }
 
-    /// Every crossing of the ray with it, told to `found` in order of t: `ray` in the space of the shape, its interval that of the ray as it was
-    /// cast, from which beginnings behind a crossing are counted. [rule 6]
+    /// Every crossing of the ray with it, told to `found` in order of t: `ray` in the space of the
+    /// shape, its interval that of the ray as it was cast, from which beginnings behind a crossing
+    /// are counted. [rule 6]
     #[inline(always)]
-    pub fn crossings<R: RuleSource>(&self, rules: R, ray: &Ray<T>, cast: &Ray<T>, mut found: impl FnMut(T)) {
+    pub fn crossings<R: RuleSource>(
+        &self,
+        rules: R,
+        ray: &Ray<T>,
+        cast: &Ray<T>,
+        mut found: impl FnMut(T),
+    ) {
         match self {
             Self::Sphere(sphere) => {
                 if let Some(roots) = sphere.roots(rules, ray) {
@@ -66,8 +74,14 @@ impl<T: Real> Solid<T> {
                 }
             }
             Self::Cuboid(cuboid) => {
-                if let Some(ends) = cuboid.cut(ray, rules.get().style.robustness == Robustness::Certified) {
-                    cast.cross(rules, |rest| cuboid.first(rules, rest, ends).map(|met| met.t), found);
+                if let Some(ends) =
+                    cuboid.cut(ray, rules.get().style.robustness == Robustness::Certified)
+                {
+                    cast.cross(
+                        rules,
+                        |rest| cuboid.first(rules, rest, ends).map(|met| met.t),
+                        found,
+                    );
                 }
             }
             Self::Plane(_) | Self::Square(_) => {

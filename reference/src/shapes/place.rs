@@ -1,7 +1,8 @@
 //! The place of a hit: a point put back on the surface, and a bound of how far off it still is.
 //!
-//! O + t d is off by what t and the sum lose, which grows with the distance that the ray has come. The point put back on the surface is off by
-//! what the formula of the surface loses, which does not. u is half of `ULP`; γ(n) = n u / (1 − n u), and n `ULP` is twice that.
+//! O + t d is off by what t and the sum lose, which grows with the distance that the ray has come.
+//! The point put back on the surface is off by what the formula of the surface loses, which does
+//! not. u is half of `ULP`; γ(n) = n u / (1 − n u), and n `ULP` is twice that.
 
 use super::{Cuboid, Meeting, Plane, Round, Solid, Sphere};
 use crate::ray::{Ray, Spot};
@@ -10,7 +11,8 @@ use crate::rules::{RuleSource, SphereNormal};
 use crate::vec3::Vec3;
 
 impl<T: Real> Solid<T> {
-    /// The place where `ray` meets it, in object space: the point, its error, the outward unit normal there. [rule 11]
+    /// The place where `ray` meets it, in object space: the point, its error, the outward unit
+    /// normal there. [rule 11]
     #[inline(always)]
     pub fn place<R: RuleSource>(&self, rules: R, ray: &Ray<T>, met: &Meeting<T>) -> Spot<T> {
         let at = ray.at(met.t);
@@ -18,7 +20,11 @@ impl<T: Real> Solid<T> {
             Self::Sphere(sphere) => sphere.place(rules, ray, met.t),
             Self::Plane(plane) => plane.place(at),
             // z = 0 exactly, and the rest of it lies within the plane
-            Self::Square(_) => Spot { point: Vec3::new(at.x, at.y, T::ZERO), error: Vec3::ZERO, n_geom: Vec3::axis(2) },
+            Self::Square(_) => Spot {
+                point: Vec3::new(at.x, at.y, T::ZERO),
+                error: Vec3::ZERO,
+                n_geom: Vec3::axis(2),
+            },
             Self::Cuboid(cuboid) => cuboid.place(at, met.part),
             Self::Round(round) => round.place(at, met.part),
         }
@@ -26,7 +32,8 @@ impl<T: Real> Solid<T> {
 }
 
 impl<T: Real> Solid<T> {
-    /// The outward unit normal where `ray` meets it: at its place, or at the point along the ray by rules that know no place.
+    /// The outward unit normal where `ray` meets it: at its place, or at the point along the ray by
+    /// rules that know no place.
     #[inline(always)]
     pub fn normal_where<R: RuleSource>(&self, rules: R, ray: &Ray<T>, met: &Meeting<T>) -> Vec3<T> {
         match rules.get().places_hits() {
@@ -39,8 +46,8 @@ impl<T: Real> Solid<T> {
 impl<T: Real> Sphere<T> {
     /// C + r q for a vector q of unit length, whichever it is.
     ///
-    /// q takes γ(3) for the square of its length, half of that and one u for the root, one each for the quotient, q itself and r: γ(6) of r q.
-    /// The last sum takes u of its result.
+    /// q takes γ(3) for the square of its length, half of that and one u for the root, one each for
+    /// the quotient, q itself and r: γ(6) of r q. The last sum takes u of its result.
     #[inline(always)]
     fn place<R: RuleSource>(&self, rules: R, ray: &Ray<T>, t: T) -> Spot<T> {
         let out = self.outwards(ray, t);
@@ -55,8 +62,8 @@ impl<T: Real> Sphere<T> {
 }
 
 impl<T: Real> Plane<T> {
-    /// X + (k − N·X)/(N·N) N, where N·X = k but for the roundings of the sums: γ(8) (|k| + Σ |N_i X_i|) along N, X the point along the ray. N need
-    /// not be of unit length.
+    /// X + (k − N·X)/(N·N) N, where N·X = k but for the roundings of the sums: γ(8) (|k| + Σ |N_i
+    /// X_i|) along N, X the point along the ray. N need not be of unit length.
     #[inline(always)]
     fn place(&self, at: Vec3<T>) -> Spot<T> {
         let n = self.normal;
@@ -79,29 +86,40 @@ impl<T: Real> Cuboid<T> {
 }
 
 impl<T: Real> Round<T> {
-    /// A cap's z is exact. On the side (x, y) comes to length r(z): γ(6) of it as on the sphere, and what r(z) itself loses, three roundings of
-    /// the slope and three more of the terms of r(z).
+    /// A cap's z is exact. On the side (x, y) comes to length r(z): γ(6) of it as on the sphere,
+    /// and what r(z) itself loses, three roundings of the slope and three more of the terms of
+    /// r(z).
     #[inline(always)]
     fn place(&self, at: Vec3<T>, part: u32) -> Spot<T> {
         if let Some(z) = self.cap_height(part) {
             let point = Vec3::new(at.x, at.y, z);
             return Spot { point, error: Vec3::ZERO, n_geom: self.normal(point, part) };
         }
-        let (out, z) = (Vec3::new(at.x, at.y, T::ZERO), at.z.greatest(self.z_min).least(self.z_max));
+        let (out, z) =
+            (Vec3::new(at.x, at.y, T::ZERO), at.z.greatest(self.z_min).least(self.z_max));
         let radius = self.radius(z);
         let out = if out == Vec3::ZERO { out } else { out.normalised() * radius };
         let point = Vec3::new(out.x, out.y, z);
         let of_radius = self.bottom_radius.abs() + (radius - self.bottom_radius).abs();
         let loss = T::of(if self.bottom_radius == self.top_radius { 0.0 } else { 6.0 });
         let across = (out.abs() * T::of(6.0) + Vec3::ONE * (of_radius * loss)) * T::ULP;
-        Spot { point, error: Vec3::new(across.x, across.y, T::ZERO), n_geom: self.normal(point, part) }
+        Spot {
+            point,
+            error: Vec3::new(across.x, across.y, T::ZERO),
+            n_geom: self.normal(point, part),
+        }
     }
 }
 
-/// α A + β B + γ C, off its plane by at most γ(4) for weights whose sum is not quite 1 and γ(5) for their products and sums, of the greatest of
-/// the sums of amounts: where a ray meets a triangle its coordinates mix.
+/// α A + β B + γ C, off its plane by at most γ(4) for weights whose sum is not quite 1 and γ(5) for
+/// their products and sums, of the greatest of the sums of amounts: where a ray meets a triangle
+/// its coordinates mix.
 #[inline(always)]
-pub(crate) fn on_triangle<T: Real>(corners: &[Vec3<T>; 3], weights: Vec3<T>, n_geom: Vec3<T>) -> Spot<T> {
+pub(crate) fn on_triangle<T: Real>(
+    corners: &[Vec3<T>; 3],
+    weights: Vec3<T>,
+    n_geom: Vec3<T>,
+) -> Spot<T> {
     let [a, b, c] = corners;
     let (a, b, c) = (*a * weights.x, *b * weights.y, *c * weights.z);
     let terms = (a.abs() + b.abs() + c.abs()).max_element();
@@ -118,11 +136,16 @@ mod tests {
         let normal = Vec3::new(0.0, 1.0 + 1e-7, 0.0);
         let plane = Plane { normal, k: 0.0 };
         for n in 1..1000 {
-            let at = Vec3::new(f64::from(n), f64::from(n) * 1e-19, 1.0); // off the plane by what rounding leaves of some units
+            // off the plane by what rounding leaves of some units
+            let at = Vec3::new(f64::from(n), f64::from(n) * 1e-19, 1.0);
             let spot = plane.place(at);
             assert!(spot.point.y.abs() <= spot.error.y, "{spot:?} is off by more than it says");
             let leaving = Ray::spawned(Lecture, &spot, Vec3::new(0.8, 0.6, 0.0));
-            assert_eq!(plane.meet(Lecture, &leaving), None, "{leaving:?} meets the plane that it leaves");
+            assert_eq!(
+                plane.meet(Lecture, &leaving),
+                None,
+                "{leaving:?} meets the plane that it leaves"
+            );
         }
     }
 }

@@ -35,8 +35,9 @@ impl<T: Real> Plane<T> {
 
     /// t = (k − N·P) / N·d; `None` for a parallel ray, and where t certainly does not count.
     ///
-    /// With u half a ulp, N·d is off by 3u Σ|N_i d_i| at most and k − N·P by 4u (|k| + Σ|N_i P_i|); 8u is twice that. Where that leaves a sign open, or
-    /// most digits of t cancel, the second step is taken.
+    /// With u half a ulp, N·d is off by 3u Σ|N_i d_i| at most and k − N·P by 4u (|k| + Σ|N_i P_i|);
+    /// 8u is twice that. Where that leaves a sign open, or most digits of t cancel, the second step
+    /// is taken.
     #[inline(always)]
     fn certified(&self, k: T, ray: &Ray<T>) -> Option<T> {
         let n = self.normal;
@@ -44,7 +45,10 @@ impl<T: Real> Plane<T> {
         let (height, terms) = (k - n.dot(ray.origin), k.abs() + n.abs().dot(ray.origin.abs()));
         if slopes.is_safe() && terms.is_safe() {
             let exceeds = |share: T| slope.abs() > slopes * share && height.abs() > terms * share;
-            if exceeds(T::of(4.0) * T::ULP) && (slope < T::ZERO) != (height < T::ZERO) && ray.is_before(T::ZERO) {
+            if exceeds(T::of(4.0) * T::ULP)
+                && (slope < T::ZERO) != (height < T::ZERO)
+                && ray.is_before(T::ZERO)
+            {
                 return None;
             }
             if exceeds(T::of(1.0 / 32.0)) {
@@ -75,9 +79,12 @@ mod tests {
     fn check(origin: [f64; 3], direction: [f64; 3], expected: Option<f64>) {
         let vec = |v: [f64; 3]| Vec3::new(v[0], v[1], v[2]);
         let plane = Plane { normal: vec([0.6, 0.8, 0.0]), k: 2.0 };
-        let t = plane.meet(Lecture, &Ray::leaving(Lecture, vec(origin), vec(direction))).map(|m| m.t);
+        let t =
+            plane.meet(Lecture, &Ray::leaving(Lecture, vec(origin), vec(direction))).map(|m| m.t);
         match (t, expected) {
-            (Some(t), Some(wanted)) => assert!((t - wanted).abs() < 1e-15, "from {origin:?}: {t} is not {wanted}"),
+            (Some(t), Some(wanted)) => {
+                assert!((t - wanted).abs() < 1e-15, "from {origin:?}: {t} is not {wanted}")
+            }
             _ => assert_eq!(t, expected, "from {origin:?} along {direction:?}"),
         }
     }

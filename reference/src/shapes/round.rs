@@ -62,7 +62,8 @@ impl<T: Real> Round<T> {
     #[inline(never)]
     fn first<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<(T, u32)> {
         let style = &rules.get().style;
-        let is_own = style.quadratic == Quadratic::NearestPoint || style.quadratic == Quadratic::Geometric;
+        let is_own =
+            style.quadratic == Quadratic::NearestPoint || style.quadratic == Quadratic::Geometric;
         if style.robustness == Robustness::Certified && is_own {
             return self.certified(ray).unwrap_or_else(|Doubt| self.settled(ray));
         }
@@ -92,20 +93,26 @@ impl<T: Real> Round<T> {
     fn certified(&self, ray: &Ray<T>) -> Result<Option<(T, u32)>, Doubt> {
         let side = self.certified_side(ray)?;
         let [bottom, top] = self.caps();
-        let cap = |(part, z, radius)| Ok((part, if self.is_capped { certified_cap(ray, z, radius)? } else { None }));
+        let cap = |(part, z, radius)| {
+            Ok((part, if self.is_capped { certified_cap(ray, z, radius)? } else { None }))
+        };
         Ok(self.nearest(side, [cap(bottom)?, cap(top)?]))
     }
 
-    /// The first meeting in two words: on a rim, where both are met as far as can be told, the side.
+    /// The first meeting in two words: on a rim, where both are met as far as can be told, the
+    /// side.
     #[cold]
     #[inline(never)]
     fn settled(&self, ray: &Ray<T>) -> Option<(T, u32)> {
-        let coil = Coil::new(&[self.bottom_radius, self.top_radius], &[self.z_min, self.z_max], ray)?;
+        let coil =
+            Coil::new(&[self.bottom_radius, self.top_radius], &[self.z_min, self.z_max], ray)?;
         let counts = |t: &Two| ray.contains(coil.t(*t));
         let mut first = coil.side().into_iter().find(counts).map(|t| (t, SIDE));
         for (end, part) in [(0, BOTTOM), (1, TOP)].into_iter().filter(|_| self.is_capped) {
             let Some(t) = coil.cap(end).filter(counts) else { continue };
-            let is_nearer = |(best, _): (Two, u32)| (best - t).certain(best.f64().abs() + t.f64().abs()) > Two::ZERO;
+            let is_nearer = |(best, _): (Two, u32)| {
+                (best - t).certain(best.f64().abs() + t.f64().abs()) > Two::ZERO
+            };
             first = if first.is_none_or(is_nearer) { Some((t, part)) } else { first };
         }
         first.map(|(t, part)| (coil.t(t), part))
@@ -113,9 +120,11 @@ impl<T: Real> Round<T> {
 
     /// t of the first meeting with the side.
     ///
-    /// Let h = ‖(x, y)‖² + R², with R the amounts of the terms of r at the origin, and l the length of (d_x, d_y) and of the growth of r, squared. With u
-    /// half a ulp, r is off by 6u R and its growth by 4u of itself, so the discriminant by 38u h l at most, c by 14u h and a by 10u l. Twice that is
-    /// asked for and more where few digits would be left, else the second step is taken; likewise where z is as near to an end as it may be off.
+    /// Let h = ‖(x, y)‖² + R², with R the amounts of the terms of r at the origin, and l the length
+    /// of (d_x, d_y) and of the growth of r, squared. With u half a ulp, r is off by 6u R and its
+    /// growth by 4u of itself, so the discriminant by 38u h l at most, c by 14u h and a by 10u l.
+    /// Twice that is asked for and more where few digits would be left, else the second step is
+    /// taken; likewise where z is as near to an end as it may be off.
     #[inline(always)]
     fn certified_side(&self, ray: &Ray<T>) -> Result<Option<T>, Doubt> {
         let (o, d) = (ray.origin, ray.direction);
@@ -190,7 +199,8 @@ impl<T: Real> Round<T> {
         roots.into_iter().find(is_on)
     }
 
-    /// The outward unit normal at `point`. At the tip of a cone, where there is none, that along the axis.
+    /// The outward unit normal at `point`. At the tip of a cone, where there is none, that along
+    /// the axis.
     pub fn normal(&self, point: Vec3<T>, part: u32) -> Vec3<T> {
         let up = Vec3::axis(2);
         match part {
@@ -210,7 +220,10 @@ impl<T: Real> Round<T> {
     /// The least box around it.
     pub fn bounds(&self) -> Bounds<T> {
         let radius = self.bottom_radius.greatest(self.top_radius);
-        Bounds { min: Vec3::new(-radius, -radius, self.z_min), max: Vec3::new(radius, radius, self.z_max) }
+        Bounds {
+            min: Vec3::new(-radius, -radius, self.z_min),
+            max: Vec3::new(radius, radius, self.z_max),
+        }
     }
 }
 
@@ -225,7 +238,8 @@ fn cap<T: Real>(ray: &Ray<T>, z: T, radius: T) -> Option<T> {
 
 /// t on an end, if no rounding can decide whether it is within the rim.
 ///
-/// With u half a ulp, a coordinate there is off by 4u of the amounts of its terms, so the comparison by 12u of their squares and the radius's.
+/// With u half a ulp, a coordinate there is off by 4u of the amounts of its terms, so the
+/// comparison by 12u of their squares and the radius's.
 fn certified_cap<T: Real>(ray: &Ray<T>, z: T, radius: T) -> Result<Option<T>, Doubt> {
     let (o, d) = (ray.origin, ray.direction);
     let t = (z - o.z) / d.z;
@@ -247,36 +261,53 @@ mod tests {
     use super::*;
     use crate::rules::Lecture;
 
-    fn check(round: Round<f64>, origin: [f64; 3], direction: [f64; 3], expected: Option<(f64, [f64; 3])>) {
+    fn check(
+        round: Round<f64>,
+        origin: [f64; 3],
+        direction: [f64; 3],
+        expected: Option<(f64, [f64; 3])>,
+    ) {
         let vec = |v: [f64; 3]| Vec3::new(v[0], v[1], v[2]);
         let ray = Ray::leaving(Lecture, vec(origin), vec(direction));
         let found = round.meet(Lecture, &ray).map(|m| (m.t, round.normal(ray.at(m.t), m.part)));
         let (Some((t, n)), Some((wanted_t, wanted_n))) = (found, expected) else {
-            assert_eq!(found.is_some(), expected.is_some(), "from {origin:?} along {direction:?}: {found:?}");
+            assert_eq!(
+                found.is_some(),
+                expected.is_some(),
+                "from {origin:?} along {direction:?}: {found:?}"
+            );
             return;
         };
         let error = (t - wanted_t).abs() + (n - vec(wanted_n)).length();
-        assert!(error < 1e-15, "from {origin:?} along {direction:?}: {t} {n:?} is not {wanted_t} {wanted_n:?}");
+        assert!(
+            error < 1e-15,
+            "from {origin:?} along {direction:?}: {t} {n:?} is not {wanted_t} {wanted_n:?}"
+        );
     }
 
     #[test]
     fn a_cylinder_worked_out_on_paper() {
-        let open = Round { bottom_radius: 1.0, top_radius: 1.0, z_min: 0.0, z_max: 2.0, is_capped: false };
+        let open =
+            Round { bottom_radius: 1.0, top_radius: 1.0, z_min: 0.0, z_max: 2.0, is_capped: false };
         let capped = Round { is_capped: true, ..open };
         check(open, [-3.0, 0.0, 1.0], [1.0, 0.0, 0.0], Some((2.0, [-1.0, 0.0, 0.0])));
         check(open, [-3.0, 0.6, 1.0], [1.0, 0.0, 0.0], Some((2.2, [-0.8, 0.6, 0.0])));
-        check(open, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], Some((1.0, [1.0, 0.0, 0.0]))); // from inside, still outwards
+        // from inside, still outwards
+        check(open, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], Some((1.0, [1.0, 0.0, 0.0])));
         check(open, [-3.0, 0.0, 2.5], [1.0, 0.0, 0.0], None);
         check(open, [0.0, 0.0, 5.0], [0.0, 0.0, -1.0], None); // through both open ends
-        check(open, [-2.0, 0.0, 3.0], [1.0, 0.0, -1.0], Some((1.0, [-1.0, 0.0, 0.0]))); // the rim belongs to it
-        check(open, [-1.5, 0.0, 3.0], [1.0, 0.0, -1.0], Some((2.5, [1.0, 0.0, 0.0]))); // in by the end, out by the side
+        // the rim belongs to it
+        check(open, [-2.0, 0.0, 3.0], [1.0, 0.0, -1.0], Some((1.0, [-1.0, 0.0, 0.0])));
+        // in by the end, out by the side
+        check(open, [-1.5, 0.0, 3.0], [1.0, 0.0, -1.0], Some((2.5, [1.0, 0.0, 0.0])));
         check(capped, [0.5, 0.0, 5.0], [0.0, 0.0, -1.0], Some((3.0, [0.0, 0.0, 1.0])));
         check(capped, [0.5, 0.0, 1.0], [0.0, 0.0, -1.0], Some((1.0, [0.0, 0.0, -1.0])));
     }
 
     #[test]
     fn a_cone_worked_out_on_paper() {
-        let cone = Round { bottom_radius: 1.0, top_radius: 0.0, z_min: 0.0, z_max: 1.0, is_capped: true };
+        let cone =
+            Round { bottom_radius: 1.0, top_radius: 0.0, z_min: 0.0, z_max: 1.0, is_capped: true };
         let h = 0.5f64.sqrt();
         check(cone, [-2.0, 0.0, 0.5], [1.0, 0.0, 0.0], Some((1.5, [-h, 0.0, h])));
         check(cone, [0.0, 0.0, -1.0], [0.0, 0.0, 1.0], Some((1.0, [0.0, 0.0, -1.0])));
@@ -284,6 +315,7 @@ mod tests {
         check(cone, [-2.0, 0.0, 1.5], [1.0, 0.0, 0.0], None); // the other nappe is no part of it
         check(cone, [-0.5, 0.0, -1.0], [1.0, 0.0, 1.0], Some((1.0, [0.0, 0.0, -1.0])));
         let open = Round { is_capped: false, ..cone };
-        check(open, [-1.0, 0.0, -0.5], [1.0, 0.0, 1.0], Some((1.25, [h, 0.0, h]))); // along the near side's slant: a = 0
+        // along the near side's slant: a = 0
+        check(open, [-1.0, 0.0, -0.5], [1.0, 0.0, 1.0], Some((1.25, [h, 0.0, h])));
     }
 }

@@ -19,7 +19,8 @@ pub struct Sphere<T> {
 }
 
 impl<T: Real> Sphere<T> {
-    /// The first meeting in the ray's interval: the near root, or the far one where the near one does not count. [rule 14]
+    /// The first meeting in the ray's interval: the near root, or the far one where the near one
+    /// does not count. [rule 14]
     ///
     /// A touching ray meets it once. A sphere without radius is met by the rays through its centre.
     #[inline(always)]
@@ -28,7 +29,8 @@ impl<T: Real> Sphere<T> {
         self.first(rules, ray, roots).map(|t| Meeting::with(t, 0))
     }
 
-    /// Where the ray's line meets it, in ascending order; `None` where it does not, or neither counts.
+    /// Where the ray's line meets it, in ascending order; `None` where it does not, or neither
+    /// counts.
     #[inline(always)]
     pub(super) fn roots<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<[T; 2]> {
         let style = &rules.get().style;
@@ -48,15 +50,19 @@ impl<T: Real> Sphere<T> {
         }
     }
 
-    /// Both roots, by the point n of the ray's line that is nearest to the centre (Haines et al., Ray Tracing Gems, chapter 7), whose
-    /// gap r² − ‖n‖² does not cancel where the sphere is small and far away; `None` where there are none, or neither counts.
+    /// Both roots, by the point n of the ray's line that is nearest to the centre (Haines et al.,
+    /// Ray Tracing Gems, chapter 7), whose gap r² − ‖n‖² does not cancel where the sphere is small
+    /// and far away; `None` where there are none, or neither counts.
     ///
-    /// With u half a ulp, rounding moves n by 2u‖f‖ + u‖n‖ across the ray, f from the centre to the origin. (What it moves it by along the ray
-    /// changes ‖n‖² only in second order.) So the gap is off by 4u‖f‖‖n‖ + 6u‖n‖² + 2u r² + u‖f‖² at most; as ‖n‖ ≤ ‖f‖, twice that is below
-    /// 24u (‖f‖² + r²). c = ‖f‖² − r² is off by 6u‖f‖² + 2u r² at most. Where that leaves a sign open, or few digits of a root that may count,
-    /// the second step is taken. A ray from outside that turns its back on the centre is done at once: where rounding hides that b = −f·d
-    /// is above 0, by 4u‖f‖‖d‖ at most, b² is too small against (d·d) c for a root. So is one that passes the sphere widely: b² is off by
-    /// 10u‖f‖²(d·d), (d·d) c by 12u (d·d)(‖f‖² + r²) at most, and their difference shows it without a division.
+    /// With u half a ulp, rounding moves n by 2u‖f‖ + u‖n‖ across the ray, f from the centre to the
+    /// origin. (What it moves it by along the ray changes ‖n‖² only in second order.) So the gap is
+    /// off by 4u‖f‖‖n‖ + 6u‖n‖² + 2u r² + u‖f‖² at most; as ‖n‖ ≤ ‖f‖, twice that is below 24u
+    /// (‖f‖² + r²). c = ‖f‖² − r² is off by 6u‖f‖² + 2u r² at most. Where that leaves a sign open,
+    /// or few digits of a root that may count, the second step is taken. A ray from outside that
+    /// turns its back on the centre is done at once: where rounding hides that b = −f·d is above 0,
+    /// by 4u‖f‖‖d‖ at most, b² is too small against (d·d) c for a root. So is one that passes the
+    /// sphere widely: b² is off by 10u‖f‖²(d·d), (d·d) c by 12u (d·d)(‖f‖² + r²) at most, and their
+    /// difference shows it without a division.
     #[inline(always)]
     fn certified(&self, ray: &Ray<T>) -> Option<[T; 2]> {
         let d = ray.direction;
@@ -121,8 +127,9 @@ impl<T: Real> Sphere<T> {
 
     /// The outward unit normal where the ray meets it at `t`, however far it comes from.
     ///
-    /// Where the origin is 64 radii away or more, the digits of the point that t alone gives would be too few: it is worked out in two words.
-    /// At a sphere without radius the direction against the ray stands in for it.
+    /// Where the origin is 64 radii away or more, the digits of the point that t alone gives would
+    /// be too few: it is worked out in two words. At a sphere without radius the direction against
+    /// the ray stands in for it.
     #[inline(always)]
     pub fn outwards(&self, ray: &Ray<T>, t: T) -> Vec3<T> {
         let from_center = ray.origin - self.center;
@@ -185,7 +192,8 @@ mod tests {
         check([1.0, 0.0, 0.0], [0.0, 0.0, -1.0], Some(5.0)); // touching
         check([1.0000001, 0.0, 0.0], [0.0, 0.0, -1.0], None);
         check([0.0, 0.0, -5.0], [0.0, 0.0, -1.0], Some(1.0)); // from the centre, the far root
-        check([0.0, 0.0, -4.0], [0.0, 0.0, -1.0], Some(2.0)); // from the surface, never itself again
+        // from the surface, never itself again
+        check([0.0, 0.0, -4.0], [0.0, 0.0, -1.0], Some(2.0));
         check([0.6, 0.0, 0.0], [0.0, 0.0, -1.0], Some(4.2)); // 3-4-5: half chord 0.8
     }
 

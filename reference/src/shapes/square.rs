@@ -13,13 +13,15 @@ use crate::vec3::Vec3;
 pub struct Square;
 
 impl Square {
-    /// The meeting in the ray's interval; a ray within the plane of the square never meets it. [rule 15]
+    /// The meeting in the ray's interval; a ray within the plane of the square never meets it.
+    /// [rule 15]
     #[inline(always)]
     pub fn meet<T: Real, R: RuleSource>(self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
         self.first(rules, ray).map(|t| Meeting::with(t, 0))
     }
 
-    /// t of the meeting. All of it is the ray's alone: were it part of a search, it would be worked out for every ray, whether or not there is a square.
+    /// t of the meeting. All of it is the ray's alone: were it part of a search, it would be worked
+    /// out for every ray, whether or not there is a square.
     #[inline(never)]
     fn first<T: Real, R: RuleSource>(self, rules: R, ray: &Ray<T>) -> Option<T> {
         if ray.direction.z == T::ZERO {
@@ -41,13 +43,14 @@ impl Square {
 
     /// Whether the ray's line passes within `half` of both axes, `at` for `t`.
     ///
-    /// t, a product and a sum: with u half a ulp, a coordinate is off by 3u of the amounts of its terms at most. Where that leaves it open, the
-    /// second step is taken.
+    /// t, a product and a sum: with u half a ulp, a coordinate is off by 3u of the amounts of its
+    /// terms at most. Where that leaves it open, the second step is taken.
     #[inline(always)]
     fn certified<T: Real>(self, half: T, ray: &Ray<T>, t: T, at: Vec3<T>) -> bool {
         let doubt = |o: T, d: T| (o.abs() + (d * t).abs()) * (T::of(4.0) * T::ULP);
         let (beyond_x, beyond_y) = (at.x.abs() - half, at.y.abs() - half);
-        let (doubt_x, doubt_y) = (doubt(ray.origin.x, ray.direction.x), doubt(ray.origin.y, ray.direction.y));
+        let (doubt_x, doubt_y) =
+            (doubt(ray.origin.x, ray.direction.x), doubt(ray.origin.y, ray.direction.y));
         if beyond_x > doubt_x || beyond_y > doubt_y {
             return false;
         }
@@ -69,7 +72,11 @@ mod tests {
     fn check(origin: [f64; 3], direction: [f64; 3], expected: Option<f64>) {
         let vec = |v: [f64; 3]| Vec3::new(v[0], v[1], v[2]);
         let ray = Ray::leaving(Lecture, vec(origin), vec(direction));
-        assert_eq!(Square.meet(Lecture, &ray).map(|m| m.t), expected, "from {origin:?} along {direction:?}");
+        assert_eq!(
+            Square.meet(Lecture, &ray).map(|m| m.t),
+            expected,
+            "from {origin:?} along {direction:?}"
+        );
     }
 
     #[test]

@@ -18,9 +18,10 @@ pub struct Triangle<T> {
 
 /// What the test needs to know of a ray, worked out once for all triangles.
 ///
-/// Corners are moved so that the ray starts at the origin, then sheared so that it runs along one axis: there the three edge tests are
-/// signs of areas in a plane. Two triangles that share an edge compute the same area for it with opposite signs, so no ray
-/// slips between them (Woop, Benthin, Wald 2013).
+/// Corners are moved so that the ray starts at the origin, then sheared so that it runs along one
+/// axis: there the three edge tests are signs of areas in a plane. Two triangles that share an edge
+/// compute the same area for it with opposite signs, so no ray slips between them (Woop, Benthin,
+/// Wald 2013).
 #[derive(Clone, Copy, Debug)]
 pub struct Shear<T> {
     axes: [usize; 3],
@@ -38,9 +39,15 @@ impl<T: Real> Shear<T> {
     pub fn of(ray: &Ray<T>) -> Self {
         let d = ray.direction;
         let size = d.abs();
-        let z = if size.x > size.y && size.x > size.z { 0 } else { 1 + usize::from(size.z >= size.y) };
+        let z =
+            if size.x > size.y && size.x > size.z { 0 } else { 1 + usize::from(size.z >= size.y) };
         let (x, y) = ((z + 1) % 3, (z + 2) % 3);
-        Self { axes: [x, y, z], shear: [d[x] / d[z], d[y] / d[z]], scale: T::ONE / d[z], doubt: T::INFINITY }
+        Self {
+            axes: [x, y, z],
+            shear: [d[x] / d[z], d[y] / d[z]],
+            scale: T::ONE / d[z],
+            doubt: T::INFINITY,
+        }
     }
 
     /// Two axes across the ray, and the one along which its direction is longest.
@@ -61,7 +68,8 @@ impl<T: Real> Shear<T> {
         self.scale
     }
 
-    /// Whether one bound settles nearly everything: all coordinates in play, their products and quotients are far from leaving the range of numbers.
+    /// Whether one bound settles nearly everything: all coordinates in play, their products and
+    /// quotients are far from leaving the range of numbers.
     #[inline(always)]
     pub(crate) fn is_bounded(&self) -> bool {
         self.doubt.is_finite()
@@ -73,9 +81,11 @@ impl<T: Real> Shear<T> {
         Self { shear: slopes, scale, ..*self }
     }
 
-    /// The same for triangles within `all`: one bound for all of them settles nearly everything, see [`Triangle::meet`].
+    /// The same for triangles within `all`: one bound for all of them settles nearly everything,
+    /// see [`Triangle::meet`].
     ///
-    /// With f the greatest coordinate of a corner as seen from the origin, sheared ones are 2f at most and so their bound 48u 2f (2f + f).
+    /// With f the greatest coordinate of a corner as seen from the origin, sheared ones are 2f at
+    /// most and so their bound 48u 2f (2f + f).
     pub fn within(self, ray: &Ray<T>, all: Bounds<T>) -> Self {
         let far = (all.min - ray.origin).abs().greatest((all.max - ray.origin).abs()).max_element();
         let doubt = far * far * (T::of(144.0) * T::ULP);
@@ -90,21 +100,29 @@ impl<T: Real> Shear<T> {
     }
 }
 
-/// Whether by these rules a triangle is not met where all its areas, whatever they are off by, tell that it is missed.
+/// Whether by these rules a triangle is not met where all its areas, whatever they are off by, tell
+/// that it is missed.
 #[inline(always)]
 pub(crate) fn misses_certainly<R: RuleSource>(rules: R) -> bool {
     let style = &rules.get().style;
-    let is_certified = style.triangle == TriangleFormula::Sheared && style.robustness == Robustness::Certified;
+    let is_certified =
+        style.triangle == TriangleFormula::Sheared && style.robustness == Robustness::Certified;
     is_certified && rules.get().triangle != TriangleTest::TwoEdges
 }
 
 impl<T: Real> Triangle<T> {
     /// The meeting in the ray's interval, with (α, β, γ) there. [rule 16]
     ///
-    /// Both sides are seen. Edges and corners belong to it; of two triangles met at one t the caller takes the lower index. A
-    /// triangle without area, or one seen edge on, is never met.
+    /// Both sides are seen. Edges and corners belong to it; of two triangles met at one t the
+    /// caller takes the lower index. A triangle without area, or one seen edge on, is never met.
     #[inline(always)]
-    pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>, shear: &Shear<T>, index: u32) -> Option<Meeting<T>> {
+    pub fn meet<R: RuleSource>(
+        &self,
+        rules: R,
+        ray: &Ray<T>,
+        shear: &Shear<T>,
+        index: u32,
+    ) -> Option<Meeting<T>> {
         let tests_bc = rules.get().triangle != TriangleTest::TwoEdges;
         let (t, weights) = match rules.get().style.triangle {
             TriangleFormula::Sheared if rules.get().style.robustness == Robustness::Certified => {
@@ -115,13 +133,16 @@ impl<T: Real> Triangle<T> {
             TriangleFormula::MollerTrumbore => self.moller_trumbore(ray, tests_bc),
             TriangleFormula::Areas => self.areas(ray, tests_bc),
         }?;
-        if rules.get().triangle == TriangleTest::FrontOnly && self.outwards().dot(ray.direction) > T::ZERO {
+        if rules.get().triangle == TriangleTest::FrontOnly
+            && self.outwards().dot(ray.direction) > T::ZERO
+        {
             return None;
         }
         ray.contains(t).then_some(Meeting { t, part: index, weights })
     }
 
-    /// t and the weights where the ray's line meets the triangle; `None` also where t certainly does not count.
+    /// t and the weights where the ray's line meets the triangle; `None` also where t certainly
+    /// does not count.
     ///
     /// Most triangles are missed by far, as one bound for the whole ray can tell.
     #[inline(always)]
@@ -137,7 +158,8 @@ impl<T: Real> Triangle<T> {
 
     /// The same for a triangle that is not missed by far.
     ///
-    /// Where the first look leaves open whether it is met, or few digits of the weights or of t, the second step is taken.
+    /// Where the first look leaves open whether it is met, or few digits of the weights or of t,
+    /// the second step is taken.
     #[inline(never)]
     fn nearly_met(
         &self,
@@ -161,9 +183,11 @@ impl<T: Real> Triangle<T> {
         settle::triangle(&self.corners, ray, shear.axes, tests_bc)
     }
 
-    /// Whether the ray certainly starts on one side of the plane and goes away from it, as most do that start at the triangle.
+    /// Whether the ray certainly starts on one side of the plane and goes away from it, as most do
+    /// that start at the triangle.
     ///
-    /// With u half a ulp, a component of N is off by 4u of the amounts of its terms, so what it makes of corner and direction by 8u of theirs.
+    /// With u half a ulp, a component of N is off by 4u of the amounts of its terms, so what it
+    /// makes of corner and direction by 8u of theirs.
     fn is_left(&self, ray: &Ray<T>) -> bool {
         let (n, terms) = self.outwards_with_terms();
         let sign = |v: Vec3<T>| {
@@ -184,9 +208,14 @@ impl<T: Real> Triangle<T> {
         }
     }
 
-    /// The same with axes that are known when the program is compiled: one branch in the place of nine choices.
+    /// The same with axes that are known when the program is compiled: one branch in the place of
+    /// nine choices.
     #[inline(always)]
-    fn seen_by<const X: usize, const Y: usize, const Z: usize>(&self, ray: &Ray<T>, shear: &Shear<T>) -> [Seen<T>; 3] {
+    fn seen_by<const X: usize, const Y: usize, const Z: usize>(
+        &self,
+        ray: &Ray<T>,
+        shear: &Shear<T>,
+    ) -> [Seen<T>; 3] {
         let seen = |corner: Vec3<T>| {
             let from = corner - ray.origin;
             (from[X] - shear.shear[0] * from[Z], from[Y] - shear.shear[1] * from[Z], from[Z])
@@ -195,7 +224,8 @@ impl<T: Real> Triangle<T> {
         [seen(a), seen(b), seen(c)]
     }
 
-    /// t and the weights where the ray's line meets the triangle, whatever rounding makes of them; the edge BC need not be tested.
+    /// t and the weights where the ray's line meets the triangle, whatever rounding makes of them;
+    /// the edge BC need not be tested.
     #[inline(always)]
     fn sheared(&self, ray: &Ray<T>, shear: &Shear<T>, tests_bc: bool) -> Option<(T, Vec3<T>)> {
         let corners = self.seen_along(ray, shear);
@@ -206,7 +236,10 @@ impl<T: Real> Triangle<T> {
         if is_outside || sum == T::ZERO {
             return None;
         }
-        Some((shear.scale * (u * a.2 + v * b.2 + w * c.2) / sum, Vec3::new(u, v, w) * (T::ONE / sum)))
+        Some((
+            shear.scale * (u * a.2 + v * b.2 + w * c.2) / sum,
+            Vec3::new(u, v, w) * (T::ONE / sum),
+        ))
     }
 
     /// (B − A) × (C − A), not normalised.
@@ -220,11 +253,16 @@ impl<T: Real> Triangle<T> {
         let [a, b, c] = self.corners;
         let (p, q) = (b - a, c - a);
         let (p1, q1) = (p.abs(), q.abs());
-        let terms = Vec3::new(p1.y * q1.z + p1.z * q1.y, p1.z * q1.x + p1.x * q1.z, p1.x * q1.y + p1.y * q1.x);
+        let terms = Vec3::new(
+            p1.y * q1.z + p1.z * q1.y,
+            p1.z * q1.x + p1.x * q1.z,
+            p1.x * q1.y + p1.y * q1.x,
+        );
         (p.cross(q), terms)
     }
 
-    /// The outward direction, of some length and right to a few hundred last places at worst; `None` where no area is left.
+    /// The outward direction, of some length and right to a few hundred last places at worst;
+    /// `None` where no area is left.
     fn certified_outwards(&self) -> Option<Vec3<T>> {
         let (n, terms) = self.outwards_with_terms();
         let (square, of_terms) = (n.dot(n), terms.dot(terms));
@@ -268,10 +306,12 @@ pub(crate) struct Look<T> {
 }
 
 impl<T: Real> Look<T> {
-    /// A look at `corners`, as seen along a ray: without a branch, so that many rays can be looked along at once.
+    /// A look at `corners`, as seen along a ray: without a branch, so that many rays can be looked
+    /// along at once.
     ///
-    /// With u half a ulp, x the greatest of sheared coordinates and z that along the ray: a sheared coordinate is off by u (2x + 6z), so an area by
-    /// u x (12x + 24z) at most, twice that below 48u x (x + z); and Σ area·z by z times the three of them and 4u Σ|area|.
+    /// With u half a ulp, x the greatest of sheared coordinates and z that along the ray: a sheared
+    /// coordinate is off by u (2x + 6z), so an area by u x (12x + 24z) at most, twice that below
+    /// 48u x (x + z); and Σ area·z by z times the three of them and 4u Σ|area|.
     #[inline(always)]
     fn at([a, b, c]: [Seen<T>; 3], [u, v, w]: [T; 3], scale: T, tests_bc: bool) -> Self {
         let across = |p: Seen<T>| greater(p.0.abs(), p.1.abs());
@@ -285,14 +325,23 @@ impl<T: Real> Look<T> {
         let is_inside = is_inside & doubt.is_safe() & scale.is_safe();
         let along = u * a.2 + v * b.2 + w * c.2;
         let in_doubt = z * (T::of(4.0) * (doubt + T::ULP * sum.abs()));
-        let scaled = scale * along; // of five factors: it may leave the range where none of them does
+        // of five factors: it may leave the range where none of them does
+        let scaled = scale * along;
         let t = scaled / sum;
         let is_sure = is_inside & (along.abs() > in_doubt * T::MARGIN) & scaled.is_safe();
         let is_behind = (along.abs() > in_doubt) & (t < T::ZERO);
-        Self { is_missed, is_inside, is_sure, is_behind, t, weights: Vec3::new(u, v, w) * (T::ONE / sum) }
+        Self {
+            is_missed,
+            is_inside,
+            is_sure,
+            is_behind,
+            t,
+            weights: Vec3::new(u, v, w) * (T::ONE / sum),
+        }
     }
 
-    /// The same along a ray with that shear, for corners as they lie from its origin along the shear's axes.
+    /// The same along a ray with that shear, for corners as they lie from its origin along the
+    /// shear's axes.
     #[inline(always)]
     pub(crate) fn along([x, y]: [T; 2], scale: T, corners: [[T; 3]; 3]) -> Self {
         let seen = |from: [T; 3]| (from[0] - x * from[2], from[1] - y * from[2], from[2]);
@@ -301,7 +350,8 @@ impl<T: Real> Look<T> {
     }
 }
 
-/// Twice the signed areas of the triangles between the ray and the sides across from A, B and C, across the ray.
+/// Twice the signed areas of the triangles between the ray and the sides across from A, B and C,
+/// across the ray.
 #[inline(always)]
 fn areas<T: Real>([a, b, c]: [Seen<T>; 3]) -> [T; 3] {
     let area = |p: Seen<T>, q: Seen<T>| p.0 * q.1 - p.1 * q.0;
@@ -327,10 +377,15 @@ fn lesser<T: Real>(p: T, q: T) -> T {
     if p < q { p } else { q }
 }
 
-/// (α, β, γ) of a point Q in the plane of ABC: signed areas of QBC, AQC, ABQ, over that of ABC. [rule 17]
+/// (α, β, γ) of a point Q in the plane of ABC: signed areas of QBC, AQC, ABQ, over that of ABC.
+/// [rule 17]
 ///
 /// NaN where ABC has no area.
-pub fn barycentric<T: Real, R: RuleSource>(rules: R, [a, b, c]: [Vec3<T>; 3], q: Vec3<T>) -> Vec3<T> {
+pub fn barycentric<T: Real, R: RuleSource>(
+    rules: R,
+    [a, b, c]: [Vec3<T>; 3],
+    q: Vec3<T>,
+) -> Vec3<T> {
     if rules.get().style.robustness == Robustness::Certified {
         return settle::barycentric([a, b, c], q);
     }
@@ -340,56 +395,4 @@ pub fn barycentric<T: Real, R: RuleSource>(rules: R, [a, b, c]: [Vec3<T>; 3], q:
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::rules::Lecture;
-
-    fn vec(v: [f64; 3]) -> Vec3<f64> {
-        Vec3::new(v[0], v[1], v[2])
-    }
-
-    /// With (0,0,0) (4,0,0) (0,4,0).
-    fn check(origin: [f64; 3], direction: [f64; 3], expected: Option<(f64, [f64; 3])>) {
-        let triangle = Triangle { corners: [vec([0.0; 3]), vec([4.0, 0.0, 0.0]), vec([0.0, 4.0, 0.0])] };
-        let ray = Ray::leaving(Lecture, vec(origin), vec(direction));
-        let met = triangle.meet(Lecture, &ray, &Shear::of(&ray), 7);
-        let found = met.map(|m| (m.t, m.weights));
-        assert_eq!(found, expected.map(|(t, w)| (t, vec(w))), "from {origin:?} along {direction:?}");
-        if let Some(met) = met {
-            assert_eq!(barycentric(Lecture, triangle.corners, ray.at(met.t)), met.weights);
-        }
-    }
-
-    #[test]
-    fn meetings_worked_out_on_paper() {
-        check([1.0, 1.0, 3.0], [0.0, 0.0, -1.0], Some((3.0, [0.5, 0.25, 0.25])));
-        check([1.0, 1.0, -3.0], [0.0, 0.0, 2.0], Some((1.5, [0.5, 0.25, 0.25]))); // from behind, t in units of d
-        check([2.0, 2.0, 3.0], [0.0, 0.0, -1.0], Some((3.0, [0.0, 0.5, 0.5]))); // the edge BC
-        check([4.0, 0.0, 3.0], [0.0, 0.0, -1.0], Some((3.0, [0.0, 1.0, 0.0]))); // the corner B
-        check([2.1, 2.0, 3.0], [0.0, 0.0, -1.0], None);
-        check([1.0, 1.0, 3.0], [0.0, 0.0, 1.0], None); // behind
-        check([-3.0, 1.0, 0.0], [1.0, 0.0, 0.0], None); // edge on
-        check([-1.0, 1.0, 2.0], [1.0, 0.0, -1.0], Some((2.0, [0.5, 0.25, 0.25])));
-    }
-
-    #[test]
-    fn no_ray_slips_between_two_triangles_that_share_an_edge() {
-        let (a, b) = (vec([0.1, 0.7, -0.3]), vec([1.3, -0.2, 0.4]));
-        let sides = [vec([1.5, 1.1, 0.2]), vec([-0.4, -0.9, -0.6])];
-        let origin = vec([0.37, 0.21, 5.0]);
-        for step in 1..1000 {
-            let aim = a + (b - a) * (f64::from(step) / 1000.0);
-            let ray = Ray::leaving(Lecture, origin, (aim - origin).normalised());
-            let meets = |corners| Triangle { corners }.meet(Lecture, &ray, &Shear::of(&ray), 0).is_some();
-            assert!(meets([a, b, sides[0]]) || meets([b, a, sides[1]]), "lost at step {step}");
-        }
-    }
-
-    #[test]
-    fn a_triangle_without_area_is_never_met() {
-        let line = Triangle { corners: [vec([0.0; 3]), vec([1.0, 0.0, 0.0]), vec([2.0, 0.0, 0.0])] };
-        assert!(!line.has_area());
-        let ray = Ray::leaving(Lecture, vec([1.0, 0.0, 3.0]), vec([0.0, 0.0, -1.0]));
-        assert_eq!(line.meet(Lecture, &ray, &Shear::of(&ray), 0), None);
-    }
-}
+mod tests;

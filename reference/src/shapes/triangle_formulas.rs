@@ -1,7 +1,8 @@
-//! The triangle as students compute it: other formulas for what [`Triangle::meet`] does. [rule 16] [rule 17]
+//! The triangle as students compute it: other formulas for what [`Triangle::meet`] does. [rule 16]
+//! [rule 17]
 //!
-//! Each gives t and (α, β, γ) where the ray's line meets the triangle, or `None`: beside it, edge on, or without area. Without
-//! `tests_bc` the edge BC is not tested.
+//! Each gives t and (α, β, γ) where the ray's line meets the triangle, or `None`: beside it, edge
+//! on, or without area. Without `tests_bc` the edge BC is not tested.
 
 use super::Triangle;
 use crate::ray::Ray;
@@ -40,9 +41,12 @@ impl<T: Real> Triangle<T> {
     pub(super) fn areas(&self, ray: &Ray<T>, tests_bc: bool) -> Option<(T, Vec3<T>)> {
         let (t, q, n) = self.in_plane(ray)?;
         let size = n.abs();
-        let z = if size.x > size.y && size.x > size.z { 0 } else { 1 + usize::from(size.z >= size.y) };
+        let z =
+            if size.x > size.y && size.x > size.z { 0 } else { 1 + usize::from(size.z >= size.y) };
         let (x, y) = ((z + 1) % 3, (z + 2) % 3);
-        let area = |a: Vec3<T>, b: Vec3<T>, c: Vec3<T>| (b[x] - a[x]) * (c[y] - a[y]) - (b[y] - a[y]) * (c[x] - a[x]);
+        let area = |a: Vec3<T>, b: Vec3<T>, c: Vec3<T>| {
+            (b[x] - a[x]) * (c[y] - a[y]) - (b[y] - a[y]) * (c[x] - a[x])
+        };
         let [a, b, c] = self.corners;
         let all = area(a, b, c);
         let (beta, gamma) = (area(a, q, c) / all, area(a, b, q) / all);
@@ -50,7 +54,8 @@ impl<T: Real> Triangle<T> {
         is_inside(weights, tests_bc).then_some((t, weights))
     }
 
-    /// t, Q and N, not normalised, where the ray's line meets the plane of the triangle; `None` for a parallel ray.
+    /// t, Q and N, not normalised, where the ray's line meets the plane of the triangle; `None` for
+    /// a parallel ray.
     fn in_plane(&self, ray: &Ray<T>) -> Option<(T, Vec3<T>, Vec3<T>)> {
         let n = self.outwards();
         let slope = n.dot(ray.direction);

@@ -44,11 +44,13 @@ pub(super) struct Measured {
 pub(super) struct Shows {
     /// The index of its stage.
     stage: usize,
-    /// Pixels that differ where what the stage adds is left out; in the first stage, from the bare background.
+    /// Pixels that differ where what the stage adds is left out; in the first stage, from the bare
+    /// background.
     pub(super) effect: f64,
     /// For each rule that it names and can show broken: how, the most striking way first.
     broken: Vec<(u8, Vec<(&'static Misconception, f64)>)>,
-    /// What the picture does not show, such as a red ball behind another: a case that hides something is about that.
+    /// What the picture does not show, such as a red ball behind another: a case that hides
+    /// something is about that.
     hidden: Vec<Hidden>,
 }
 
@@ -87,11 +89,19 @@ impl fmt::Display for Refusal {
             Self::Effects => write!(f, "it calls for other effects than the case it is made from"),
             Self::Effect(share, wanted) => {
                 let (share, wanted) = (100.0 * share, 100.0 * wanted);
-                write!(f, "what the stage adds shows on {share:.1} % of the pixels, {wanted:.1} % are wanted")
+                write!(
+                    f,
+                    "what the stage adds shows on {share:.1} % of the pixels, {wanted:.1} % are \
+                        wanted"
+                )
             }
             Self::Rule(rule) => write!(f, "rule {rule} could be broken and nobody would see it"),
             Self::Bared(what, share) => {
-                write!(f, "{what}, which must not be seen, is, on {:.2} % of the pixels", 100.0 * share)
+                write!(
+                    f,
+                    "{what}, which must not be seen, is, on {:.2} % of the pixels",
+                    100.0 * share
+                )
             }
             Self::Unfair(who, share) => {
                 write!(
@@ -122,7 +132,8 @@ impl Refusal {
 }
 
 impl Shows {
-    /// What `case` of the stage with index `n` shows, rendered a few dozen times by the rules of `set`.
+    /// What `case` of the stage with index `n` shows, rendered a few dozen times by the rules of
+    /// `set`.
     pub(super) fn of(set: &Set, n: usize, case: &Case) -> Self {
         let (rules, right) = (&set.rules, picture(&case.scene, &set.rules, case.scene.effects));
         let of_rule = |rule: u8| {
@@ -134,18 +145,30 @@ impl Shows {
             seen.sort_by(|a, b| b.1.total_cmp(&a.1));
             (rule, seen)
         };
-        let broken = case.rules.iter().map(|rule| of_rule(*rule)).filter(|(_, seen)| !seen.is_empty()).collect();
+        let broken = case
+            .rules
+            .iter()
+            .map(|rule| of_rule(*rule))
+            .filter(|(_, seen)| !seen.is_empty())
+            .collect();
         let materials = (0..case.scene.materials.len()).map(Hidden::Material);
         let all = materials.chain((0..case.scene.lights.len()).map(Hidden::Light));
         let hidden = all.filter(|hidden| hidden.bared(&case.scene, rules, &right) == 0.0).collect();
         Self { stage: n, effect: differing(&right, &set.without(n, case)), broken, hidden }
     }
 
-    /// What `varied` is measured at, where it is as telling and as fair as `original`, whose shows these are.
+    /// What `varied` is measured at, where it is as telling and as fair as `original`, whose shows
+    /// these are.
     ///
     /// # Errors
     /// What does not hold.
-    pub(super) fn kept_by(&self, set: &Set, original: &Case, varied: &Case, care: Care) -> Result<Measured, Refusal> {
+    pub(super) fn kept_by(
+        &self,
+        set: &Set,
+        original: &Case,
+        varied: &Case,
+        care: Care,
+    ) -> Result<Measured, Refusal> {
         let rules = &set.rules;
         if varied.scene.effects != original.scene.effects {
             return Err(Refusal::Effects);
@@ -170,7 +193,8 @@ impl Shows {
             }
         }
         fair(varied, rules, &right)?;
-        let contested = (care == Care::Whole).then(|| set.envelope(varied, right).contested_share());
+        let contested =
+            (care == Care::Whole).then(|| set.envelope(varied, right).contested_share());
         match contested {
             Some(share) if share >= CONTESTED => Err(Refusal::Contested(share)),
             _ => Ok(Measured { effect, contested }),
@@ -189,7 +213,9 @@ impl Hidden {
                     (DVec3::ZERO, DVec3::ZERO, DVec3::ZERO, DVec3::ZERO);
             }
             Self::Light(at) => match &mut scene.lights[at] {
-                Light::Point { colour, .. } | Light::Directional { colour, .. } => *colour = DVec3::ZERO,
+                Light::Point { colour, .. } | Light::Directional { colour, .. } => {
+                    *colour = DVec3::ZERO
+                }
             },
         }
         let effects = scene.effects;
@@ -209,10 +235,15 @@ fn broken(case: &Case, wrong: &Misconception, rules: &Rules, right: &Image) -> f
     differing(right, &picture(&case.scene, &wrong.in_student_style(rules), case.scene.effects))
 }
 
-/// Right programs of another precision or another epsilon differ on no more pixels than none would see.
+/// Right programs of another precision or another epsilon differ on no more pixels than none would
+/// see.
 fn fair(case: &Case, rules: &Rules, right: &Image) -> Result<(), Refusal> {
     let coarse = Rules { epsilon: Epsilon::Fixed(1e-3), ..rules.plain() };
-    let single = Variation { name: "single precision".to_owned(), precision: Precision::F32, rules: rules.plain() };
+    let single = Variation {
+        name: "single precision".to_owned(),
+        precision: Precision::F32,
+        rules: rules.plain(),
+    };
     for (who, actual) in [
         ("single precision", single.picture(&case.scene, case.scene.effects)),
         ("an epsilon of 1e-3", picture(&case.scene, &coarse, case.scene.effects)),
@@ -229,5 +260,6 @@ fn fair(case: &Case, rules: &Rules, right: &Image) -> Result<(), Refusal> {
 fn differing(one: &Image, other: &Image) -> f64 {
     let shown = |light: &DVec3| light.clamp(DVec3::ZERO, DVec3::ONE);
     let differ = |(a, b): &(&DVec3, &DVec3)| (shown(a) - shown(b)).abs().max_element() > DIFFERENT;
-    one.pixels().iter().zip(other.pixels()).filter(differ).count() as f64 / one.pixels().len() as f64
+    one.pixels().iter().zip(other.pixels()).filter(differ).count() as f64
+        / one.pixels().len() as f64
 }

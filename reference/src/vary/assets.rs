@@ -14,7 +14,8 @@ pub struct Asset {
     pub to: PathBuf,
 }
 
-/// The mesh files that `document` names, a case or a file of checks, in which their names are changed to where they go.
+/// The mesh files that `document` names, a case or a file of checks, in which their names are
+/// changed to where they go.
 pub fn take_along(document: &mut DocumentMut) -> Vec<Asset> {
     let mut taking = Taking(vec![]);
     taking.visit_document_mut(document);
@@ -25,7 +26,10 @@ struct Taking(Vec<Asset>);
 
 impl VisitMut for Taking {
     fn visit_table_like_mut(&mut self, table: &mut dyn TableLike) {
-        let file = table.get_mut("mesh").and_then(Item::as_table_like_mut).and_then(|mesh| mesh.get_mut("file"));
+        let file = table
+            .get_mut("mesh")
+            .and_then(Item::as_table_like_mut)
+            .and_then(|mesh| mesh.get_mut("file"));
         if let Some(Item::Value(file)) = file
             && let Some(from) = file.as_str().map(PathBuf::from)
         {
@@ -39,7 +43,9 @@ impl VisitMut for Taking {
 
 /// `path` with a folder `up` for every step up, so that no two files come to lie at one place.
 fn below(path: &Path) -> PathBuf {
-    path.components().map(|part| if part.as_os_str() == ".." { "up".as_ref() } else { part.as_os_str() }).collect()
+    path.components()
+        .map(|part| if part.as_os_str() == ".." { "up".as_ref() } else { part.as_os_str() })
+        .collect()
 }
 
 #[cfg(test)]
@@ -48,9 +54,14 @@ mod tests {
 
     #[test]
     fn files_come_to_lie_below_the_stage() {
-        let mut case: DocumentMut = "[[scene.objects]]\nmesh = { file = \"../../assets/torus.ply\" }\n[[scene.objects]]\ngroup = [{ mesh = { file = \"up.obj\", smooth = false } }]\n".parse().unwrap();
+        let mut case: DocumentMut = "[[scene.objects]]\n\
+            mesh = { file = \"../../assets/torus.ply\" }\n[[scene.objects]]\n\
+            group = [{ mesh = { file = \"up.obj\", smooth = false } }]\n"
+            .parse()
+            .unwrap();
         let asset = |from: &str, to: &str| Asset { from: from.into(), to: to.into() };
-        let expected = [asset("../../assets/torus.ply", "up/up/assets/torus.ply"), asset("up.obj", "up.obj")];
+        let expected =
+            [asset("../../assets/torus.ply", "up/up/assets/torus.ply"), asset("up.obj", "up.obj")];
         assert_eq!(take_along(&mut case), expected);
         assert!(case.to_string().contains("file = \"up/up/assets/torus.ply\""), "{case}");
         assert!(case.to_string().contains("smooth = false"), "{case}");

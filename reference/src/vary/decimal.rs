@@ -1,4 +1,5 @@
-//! Numbers as they stand in a file: whole units of a power of ten, so that sums are exact, short, and the same on every machine.
+//! Numbers as they stand in a file: whole units of a power of ten, so that sums are exact, short,
+//! and the same on every machine.
 
 use std::fmt;
 
@@ -86,7 +87,11 @@ impl fmt::Display for Decimal {
         let decimals = self.decimals as usize;
         let digits = format!("{:0>1$}", self.units.unsigned_abs(), decimals + 1);
         let (whole, fraction) = digits.split_at(digits.len() - decimals);
-        if fraction.is_empty() { write!(f, "{sign}{whole}") } else { write!(f, "{sign}{whole}.{fraction}") }
+        if fraction.is_empty() {
+            write!(f, "{sign}{whole}")
+        } else {
+            write!(f, "{sign}{whole}.{fraction}")
+        }
     }
 }
 
@@ -117,7 +122,10 @@ mod tests {
     #[test]
     fn numbers_of_too_many_digits_are_no_sum() {
         assert_eq!(decimal("1e18").plus(decimal("1e-30")), None);
-        assert_eq!(decimal("1.2345678901234567e30").times(decimal("1.2345678901234567e30")).map(|_| ()), None);
+        assert_eq!(
+            decimal("1.2345678901234567e30").times(decimal("1.2345678901234567e30")).map(|_| ()),
+            None
+        );
         assert_eq!(Decimal::of(&Value::from("text")), None);
         assert_eq!(Decimal::of(&Value::from(f64::INFINITY)), None);
     }
@@ -125,8 +133,10 @@ mod tests {
     #[test]
     fn moves_stay_within_their_bound_and_have_few_decimals() {
         let mut stream = Stream::new(1, "moves");
-        for (bound, decimals) in [(0.0, 0), (0.05, 3), (0.29, 2), (3.0, 1), (25.0, 0), (0.0004, 5)] {
-            let moves: Vec<Decimal> = (0..500).map(|_| Decimal::drawn(bound, &mut stream)).collect();
+        for (bound, decimals) in [(0.0, 0), (0.05, 3), (0.29, 2), (3.0, 1), (25.0, 0), (0.0004, 5)]
+        {
+            let moves: Vec<Decimal> =
+                (0..500).map(|_| Decimal::drawn(bound, &mut stream)).collect();
             let farthest = moves.iter().map(|by| by.get().abs()).fold(0.0, f64::max);
             assert!(farthest <= bound && farthest >= 0.8 * bound, "{bound}: {farthest}");
             assert!(moves.iter().all(|by| by.decimals <= decimals), "{bound}");

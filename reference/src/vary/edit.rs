@@ -16,9 +16,15 @@ pub(super) type Moved = BTreeMap<&'static str, usize>;
 ///
 /// # Errors
 /// A number with too many digits to be moved exactly.
-pub(super) fn jitter(case: &mut DocumentMut, bounds: &Bounds, stream: &mut Stream) -> Result<Moved, String> {
+pub(super) fn jitter(
+    case: &mut DocumentMut,
+    bounds: &Bounds,
+    stream: &mut Stream,
+) -> Result<Moved, String> {
     let mut mover = Mover { bounds, stream, moved: Moved::new() };
-    let Some(scene) = case.get_mut("scene").and_then(Item::as_table_like_mut) else { return Ok(mover.moved) };
+    let Some(scene) = case.get_mut("scene").and_then(Item::as_table_like_mut) else {
+        return Ok(mover.moved);
+    };
     if let Some(camera) = scene.get_mut("camera").and_then(Item::as_table_like_mut) {
         mover.point(camera, "eye", "eye", bounds.eye)?;
         mover.point(camera, "look_at", "look_at", bounds.look_at)?;
@@ -42,10 +48,14 @@ pub(super) fn jitter(case: &mut DocumentMut, bounds: &Bounds, stream: &mut Strea
 /// The tables in the list `key`, which may be written either way.
 pub(super) fn tables<'a>(table: &'a mut dyn TableLike, key: &str) -> Vec<&'a mut dyn TableLike> {
     match table.get_mut(key) {
-        Some(Item::ArrayOfTables(tables)) => tables.iter_mut().map(|table| table as &mut dyn TableLike).collect(),
-        Some(Item::Value(Value::Array(list))) => {
-            list.iter_mut().filter_map(Value::as_inline_table_mut).map(|table| table as &mut dyn TableLike).collect()
+        Some(Item::ArrayOfTables(tables)) => {
+            tables.iter_mut().map(|table| table as &mut dyn TableLike).collect()
         }
+        Some(Item::Value(Value::Array(list))) => list
+            .iter_mut()
+            .filter_map(Value::as_inline_table_mut)
+            .map(|table| table as &mut dyn TableLike)
+            .collect(),
         _ => vec![],
     }
 }
@@ -74,9 +84,9 @@ impl Mover<'_> {
     /// Adds `by` to a number, for the sake of the key `because` of `[vary]`.
     fn add(&mut self, value: &mut Value, by: Decimal, because: &'static str) -> Result<(), String> {
         let Some(number) = Decimal::of(value) else { return Ok(()) };
-        let sum = number
-            .plus(by)
-            .ok_or_else(|| format!("{value} has too many digits to be moved exactly: write it shorter"))?;
+        let sum = number.plus(by).ok_or_else(|| {
+            format!("{value} has too many digits to be moved exactly: write it shorter")
+        })?;
         if sum != number {
             let mut written = sum.written();
             *written.decor_mut() = value.decor().clone();
@@ -87,7 +97,12 @@ impl Mover<'_> {
     }
 
     /// Moves a number by what is drawn; not at all where the bound is 0.
-    fn shift(&mut self, value: &mut Value, bound: f64, because: &'static str) -> Result<(), String> {
+    fn shift(
+        &mut self,
+        value: &mut Value,
+        bound: f64,
+        because: &'static str,
+    ) -> Result<(), String> {
         if bound <= 0.0 {
             return Ok(());
         }
@@ -96,7 +111,12 @@ impl Mover<'_> {
     }
 
     /// Moves a number by at most a share of itself.
-    fn stretch(&mut self, value: &mut Value, share: f64, because: &'static str) -> Result<(), String> {
+    fn stretch(
+        &mut self,
+        value: &mut Value,
+        share: f64,
+        because: &'static str,
+    ) -> Result<(), String> {
         let size = Decimal::of(value).map_or(0.0, |number| number.get().abs());
         self.shift(value, size * share, because)
     }
@@ -122,15 +142,23 @@ impl Mover<'_> {
         bound: DVec3,
     ) -> Result<(), String> {
         let Some(three) = list(table, key) else { return Ok(()) };
-        three.iter_mut().zip(bound.to_array()).try_for_each(|(value, bound)| self.shift(value, bound, because))
+        three
+            .iter_mut()
+            .zip(bound.to_array())
+            .try_for_each(|(value, bound)| self.shift(value, bound, because))
     }
 
-    /// Moves the channels: 0 and 1 are meant exactly and stay, no channel crosses 1, and dark ones keep half of themselves.
+    /// Moves the channels: 0 and 1 are meant exactly and stay, no channel crosses 1, and dark ones
+    /// keep half of themselves.
     fn colour(&mut self, table: &mut dyn TableLike, key: &str) -> Result<(), String> {
         let Some(channels) = list(table, key) else { return Ok(()) };
         for channel in channels.iter_mut() {
             let was = Decimal::of(channel).map_or(0.0, Decimal::get);
-            self.shift(channel, self.bounds.colours.min(was / 2.0).min((1.0 - was).abs()), "colours")?;
+            self.shift(
+                channel,
+                self.bounds.colours.min(was / 2.0).min((1.0 - was).abs()),
+                "colours",
+            )?;
         }
         Ok(())
     }
@@ -142,7 +170,8 @@ impl Mover<'_> {
         if let Some(directional) = inner(light, "directional")
             && let Some(direction) = list(directional, "direction")
         {
-            let longest = direction.iter().filter_map(Decimal::of).map(|x| x.get().abs()).fold(0.0, f64::max);
+            let longest =
+                direction.iter().filter_map(Decimal::of).map(|x| x.get().abs()).fold(0.0, f64::max);
             let bound = longest * self.bounds.directions;
             direction.iter_mut().try_for_each(|value| self.shift(value, bound, "directions"))?;
         }
@@ -156,7 +185,9 @@ impl Mover<'_> {
     }
 
     fn material(&mut self, material: &mut dyn TableLike) -> Result<(), String> {
-        ["ke", "ka", "kd", "ks", "kt", "kr"].iter().try_for_each(|key| self.colour(material, key))?;
+        ["ke", "ka", "kd", "ks", "kt", "kr"]
+            .iter()
+            .try_for_each(|key| self.colour(material, key))?;
         self.number(material, "index", "indices", self.bounds.indices)
     }
 
@@ -168,9 +199,11 @@ impl Mover<'_> {
         if object.get("transforms").is_none() {
             self.place(object)?;
         }
-        for (shape, radii) in
-            [("sphere", &["radius"][..]), ("cylinder", &["radius"]), ("cone", &["bottom_radius", "top_radius"])]
-        {
+        for (shape, radii) in [
+            ("sphere", &["radius"][..]),
+            ("cylinder", &["radius"]),
+            ("cone", &["bottom_radius", "top_radius"]),
+        ] {
             let Some(shape) = inner(object, shape) else { continue };
             for key in radii {
                 if let Some(radius) = shape.get_mut(key).and_then(Item::as_value_mut) {
@@ -189,7 +222,9 @@ impl Mover<'_> {
         }
         match step.get_mut("scale").and_then(Item::as_value_mut) {
             Some(Value::Array(factors)) => {
-                factors.iter_mut().try_for_each(|factor| self.stretch(factor, self.bounds.scale, "scale"))?;
+                factors
+                    .iter_mut()
+                    .try_for_each(|factor| self.stretch(factor, self.bounds.scale, "scale"))?;
             }
             Some(factor) => self.stretch(factor, self.bounds.scale, "scale")?,
             None => {}
@@ -243,9 +278,14 @@ impl Mover<'_> {
     /// N·(X − by) = k moves k by N·by.
     fn carry_plane(&mut self, plane: &mut dyn TableLike, by: [Decimal; 3]) -> Result<(), String> {
         let Some(normal) = list(plane, "normal") else { return Ok(()) };
-        let along = normal.iter().zip(by).try_fold(Decimal::ZERO, |sum, (n, by)| sum.plus(Decimal::of(n)?.times(by)?));
-        let along =
-            along.ok_or("a plane's normal has too many digits for the plane to be moved exactly: write it shorter")?;
+        let along = normal
+            .iter()
+            .zip(by)
+            .try_fold(Decimal::ZERO, |sum, (n, by)| sum.plus(Decimal::of(n)?.times(by)?));
+        let along = along.ok_or(
+            "a plane's normal has too many digits for the plane to be moved exactly: \
+                write it shorter",
+        )?;
         let is_reached = normal
             .iter()
             .zip(self.bounds.objects.to_array())

@@ -27,14 +27,16 @@ fn case_path(folder: &Path, id: &str) -> PathBuf {
     folder.join(format!("{id}.toml"))
 }
 
-/// Returns the cases of the `set` that was read from `folder`, ready to be varied; calls `done` after each.
+/// Returns the cases of the `set` that was read from `folder`, ready to be varied; calls `done`
+/// after each.
 ///
 /// # Errors
 /// All that keeps a case with a `[vary]` from being varied, a paragraph each.
 pub fn originals(folder: &Path, set: &Set, done: impl Fn() + Sync) -> Result<Originals, String> {
     let stages = set.stages.iter().enumerate();
     let cases = stages.flat_map(|(n, stage)| stage.cases.iter().map(move |case| (n, case)));
-    let (varying, constant): (Vec<(usize, &Case)>, Vec<_>) = cases.partition(|(_, case)| case.bounds.is_some());
+    let (varying, constant): (Vec<(usize, &Case)>, Vec<_>) =
+        cases.partition(|(_, case)| case.bounds.is_some());
     let read = varying.par_iter().map(|(n, case)| {
         let path = case_path(folder, &case.id);
         let text = read(&path)?;
@@ -50,7 +52,12 @@ pub fn originals(folder: &Path, set: &Set, done: impl Fn() + Sync) -> Result<Ori
 ///
 /// # Errors
 /// Which cases will not do, and why, a paragraph each.
-pub fn draw(originals: &[Original], set: &Set, seed: u64, done: impl Fn() + Sync) -> Result<Vec<Varied>, String> {
+pub fn draw(
+    originals: &[Original],
+    set: &Set,
+    seed: u64,
+    done: impl Fn() + Sync,
+) -> Result<Vec<Varied>, String> {
     let draw = |original: &Original| {
         let varied = original.vary(set, seed, Care::Whole);
         done();
@@ -89,8 +96,8 @@ pub struct Draft {
 }
 
 impl Draft {
-    /// Writes a set to a temporary folder beside `out`: the `varied` cases of the `set` that was read from
-    /// `folder`, its `constant` ones as they are, its unit checks and its course.
+    /// Writes a set to a temporary folder beside `out`: the `varied` cases of the `set` that was
+    /// read from `folder`, its `constant` ones as they are, its unit checks and its course.
     ///
     /// # Errors
     /// [`WriteSetError`].
@@ -107,7 +114,9 @@ impl Draft {
         };
         let failed = |source: io::Error| WriteError::untouched(out, source);
         fs::create_dir_all(beside).map_err(failed)?;
-        let draft = Self { part: tempfile::Builder::new().prefix(".part-").tempdir_in(beside).map_err(failed)? };
+        let draft = Self {
+            part: tempfile::Builder::new().prefix(".part-").tempdir_in(beside).map_err(failed)?,
+        };
         let whole = draft.stages();
         for stage in &set.stages {
             write_stage(&folder.join(&stage.id), &whole.join(&stage.id))?;
@@ -161,8 +170,8 @@ fn write_stage(from: &Path, to: &Path) -> Result<(), WriteSetError> {
     Ok(())
 }
 
-/// Copies a case or a file of checks with the meshes that it names. The text stays the same, to the byte,
-/// unless a mesh moves.
+/// Copies a case or a file of checks with the meshes that it names. The text stays the same, to the
+/// byte, unless a mesh moves.
 fn copy(from: &Path, to: &Path) -> Result<(), WriteSetError> {
     let text = source(from)?;
     let mut document: DocumentMut = text.parse().map_err(|why| unread(from, &why))?;

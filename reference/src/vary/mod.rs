@@ -1,7 +1,9 @@
-//! Other cases of the same kind: the numbers of a case moved within the bounds of its `[vary]`, so that nothing can be hard-coded.
+//! Other cases of the same kind: the numbers of a case moved within the bounds of its `[vary]`, so
+//! that nothing can be hard-coded.
 //!
-//! A draw counts only where the case stays as telling and as fair as it was; else it is drawn again. The same seed gives the same
-//! bytes on every machine, and the draws of one case do not depend on those of another.
+//! A draw counts only where the case stays as telling and as fair as it was; else it is drawn
+//! again. The same seed gives the same bytes on every machine, and the draws of one case do not
+//! depend on those of another.
 
 mod accept;
 mod assets;
@@ -47,46 +49,67 @@ pub struct Varied {
     pub case: Case,
     /// How often it was drawn.
     pub n_draws: u32,
-    /// The share of its pixels that show what its stage adds; in the first stage, anything but background.
+    /// The share of its pixels that show what its stage adds; in the first stage, anything but
+    /// background.
     pub shows: f64,
     /// The share of contested pixels, where it was asked for.
     pub contested: Option<f64>,
 }
 
-/// Returns `case` of the lecture's course, whose file at `path` holds `text`, with its numbers moved once
-/// under `seed`, whether the result is as telling as the original or not.
+/// Returns `case` of the lecture's course, whose file at `path` holds `text`, with its numbers
+/// moved once under `seed`, whether the result is as telling as the original or not.
 ///
 /// # Errors
 /// A case that does not say how far its numbers may be moved, or a draw that is no case.
-pub fn draw_any(case: &Case, path: &Path, text: &str, allows: Effects, seed: u64) -> Result<Case, String> {
+pub fn draw_any(
+    case: &Case,
+    path: &Path,
+    text: &str,
+    allows: Effects,
+    seed: u64,
+) -> Result<Case, String> {
     let id = &case.id;
     let bounds = case.bounds.as_ref().ok_or_else(|| format!("{id} has no `[vary]`"))?;
     let mut document: DocumentMut = text.parse().map_err(|why| format!("{id}: {why}"))?;
-    edit::jitter(&mut document, bounds, &mut Stream::new(seed, id)).map_err(|why| format!("{id}: {why}"))?;
+    edit::jitter(&mut document, bounds, &mut Stream::new(seed, id))
+        .map_err(|why| format!("{id}: {why}"))?;
     let stage = id.split('/').next().unwrap_or_default();
     let course = Course::default();
-    stage::parse_case(path, &document.to_string(), stage, allows, &course).map_err(|problems| problems.to_string())
+    stage::parse_case(path, &document.to_string(), stage, allows, &course)
+        .map_err(|problems| problems.to_string())
 }
 
 impl Original {
-    /// The case of the stage with index `n` of `set` whose file at `path` holds `text`. Renders it a few dozen times.
+    /// The case of the stage with index `n` of `set` whose file at `path` holds `text`. Renders it
+    /// a few dozen times.
     ///
     /// # Errors
     /// A case without bounds, or a key of them that moves nothing.
     pub fn new(set: &Set, n: usize, case: &Case, path: &Path, text: &str) -> Result<Self, String> {
         let id = &case.id;
         let bounds = case.bounds.clone().ok_or_else(|| {
-            format!("{id} does not say how far its numbers may be moved: add a table `[vary]` (docs/scene-format.md)")
+            format!(
+                "{id} does not say how far its numbers may be moved: add a table `[vary]` \
+                (docs/scene-format.md)"
+            )
         })?;
         let document: DocumentMut = text.parse().map_err(|why| format!("{id}: {why}"))?;
         let moved = edit::jitter(&mut document.clone(), &bounds, &mut Stream::new(0, id))
             .map_err(|why| format!("{id}: {why}"))?;
-        let keys = document["vary"].as_table_like().into_iter().flat_map(|table| table.iter()).map(|(key, _)| key);
+        let keys = document["vary"]
+            .as_table_like()
+            .into_iter()
+            .flat_map(|table| table.iter())
+            .map(|(key, _)| key);
         if let Some(key) = keys.into_iter().find(|key| *key != "keep" && !moved.contains_key(key)) {
-            return Err(format!("{id}: in `[vary]`, `{key}` moves nothing that stands in the file: leave it out"));
+            return Err(format!(
+                "{id}: in `[vary]`, `{key}` moves nothing that stands in the file: leave it out"
+            ));
         }
         if moved.is_empty() {
-            return Err(format!("{id}: in `[vary]`, no key moves anything: add one (docs/scene-format.md)"));
+            return Err(format!(
+                "{id}: in `[vary]`, no key moves anything: add one (docs/scene-format.md)"
+            ));
         }
         let shows = Shows::of(set, n, case);
         Ok(Self { case: case.clone(), bounds, path: path.to_owned(), document, shows, stage: n })
@@ -102,7 +125,8 @@ impl Original {
         self.shows.effect
     }
 
-    /// The case under `seed`: the first draw that is as telling and as fair as the original, in the same `set`.
+    /// The case under `seed`: the first draw that is as telling and as fair as the original, in the
+    /// same `set`.
     ///
     /// # Errors
     /// Why none of [`MOST_DRAWS`] was.
@@ -112,7 +136,8 @@ impl Original {
         let mut refusals: Vec<(Refusal, usize)> = Vec::new();
         for n_draws in 1..=MOST_DRAWS {
             let mut document = self.document.clone();
-            edit::jitter(&mut document, &self.bounds, &mut stream).map_err(|why| format!("{id}: {why}"))?;
+            edit::jitter(&mut document, &self.bounds, &mut stream)
+                .map_err(|why| format!("{id}: {why}"))?;
             document.remove("vary");
             match self.accept(set, &document.to_string(), care) {
                 Ok((case, Measured { effect, contested })) => {
@@ -120,14 +145,20 @@ impl Original {
                     let text = format!("# {id} with seed {seed}, by `reference vary`.\n{document}");
                     return Ok(Varied { text, assets, case, n_draws, shows: effect, contested });
                 }
-                Err(refusal) => match refusals.iter_mut().find(|(known, _)| known.is_like(&refusal)) {
-                    Some((_, n)) => *n += 1,
-                    None => refusals.push((refusal, 1)),
-                },
+                Err(refusal) => {
+                    match refusals.iter_mut().find(|(known, _)| known.is_like(&refusal)) {
+                        Some((_, n)) => *n += 1,
+                        None => refusals.push((refusal, 1)),
+                    }
+                }
             }
         }
-        let reasons: String = refusals.iter().map(|(refusal, n)| format!("\n  {n} times {refusal}")).collect();
-        Err(format!("{id}: with seed {seed} none of {MOST_DRAWS} draws will do; make its `[vary]` narrower{reasons}"))
+        let reasons: String =
+            refusals.iter().map(|(refusal, n)| format!("\n  {n} times {refusal}")).collect();
+        Err(format!(
+            "{id}: with seed {seed} none of {MOST_DRAWS} draws will do; make its `[vary]` \
+                narrower{reasons}"
+        ))
     }
 
     /// What a draw resolves to, where it will do.

@@ -14,11 +14,13 @@ use crate::work::{OfTriangles, Tally, Work};
 impl<T: Real> World<T> {
     /// Whether [`World::first_together`] has anything to gain: where a mesh is asked by every ray.
     pub fn gains_together(&self) -> bool {
-        self.tree.is_none() && self.objects.iter().any(|object| matches!(object.shape, Form::Mesh(_)))
+        self.tree.is_none()
+            && self.objects.iter().any(|object| matches!(object.shape, Form::Mesh(_)))
     }
 
-    /// What [`World::first`] gives for each of some rays, [`MOST`] at most, by the rules of the lecture. It pays for rays that leave one point in nearly one
-    /// direction. Of a mesh `tally` is told what all of them visit together.
+    /// What [`World::first`] gives for each of some rays, [`MOST`] at most, by the rules of the
+    /// lecture. It pays for rays that leave one point in nearly one direction. Of a mesh `tally` is
+    /// told what all of them visit together.
     pub fn first_together<Y: Tally>(
         &self,
         rays: &[Ray<T>],
@@ -27,7 +29,8 @@ impl<T: Real> World<T> {
         if !self.gains_together() {
             return rays.iter().map(|ray| self.first(Lecture, ray, tally)).collect();
         }
-        let mut first: ArrayVec<Option<(usize, Meeting<T>)>, MOST> = rays.iter().map(|_| None).collect();
+        let mut first: ArrayVec<Option<(usize, Meeting<T>)>, MOST> =
+            rays.iter().map(|_| None).collect();
         for (i, object) in self.objects.iter().enumerate() {
             rays.iter().for_each(|_| tally.did(Work::Object));
             // objects come in order: at one t the earlier wins
@@ -38,7 +41,8 @@ impl<T: Real> World<T> {
             };
             let Form::Mesh(mesh) = &object.shape else {
                 for (lane, ray) in rays.iter().enumerate() {
-                    object.meet::<_, true>(Lecture, ray, &self.meshes, tally, |met| found(lane, met));
+                    object
+                        .meet::<_, true>(Lecture, ray, &self.meshes, tally, |met| found(lane, met));
                 }
                 continue;
             };

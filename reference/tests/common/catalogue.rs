@@ -38,13 +38,18 @@ pub(crate) fn of(function: &str) -> Vec<Value> {
 
 /// The cases that are one question to one function.
 pub(crate) fn hard() -> Vec<Hard> {
-    all().iter().filter_map(|case| Some((case, question(case)?))).map(|(case, question)| one(case, question)).collect()
+    all()
+        .iter()
+        .filter_map(|case| Some((case, question(case)?)))
+        .map(|(case, question)| one(case, question))
+        .collect()
 }
 
 fn one(case: &Value, question: Question) -> Hard {
     let expected = &case["expected"];
     let is_hit = expected["hit"].as_bool().expect("a decision");
-    let vector = [&expected["normal"], &expected["direction"]].into_iter().find(|v| v.is_array()).map(three);
+    let vector =
+        [&expected["normal"], &expected["direction"]].into_iter().find(|v| v.is_array()).map(three);
     Hard {
         id: id(case),
         question,
@@ -62,25 +67,38 @@ fn question(case: &Value) -> Option<Question> {
     let given = |name: &str| &case["inputs"][format!("{name}_dec")];
     let line = || Line { origin: three(given("O")), direction: three(given("D")) };
     let rows = || {
-        let m: Vec<f64> = given("M_row_major").as_array().expect("a matrix").iter().map(number).collect();
+        let m: Vec<f64> =
+            given("M_row_major").as_array().expect("a matrix").iter().map(number).collect();
         [[m[0], m[1], m[2]], [m[3], m[4], m[5]], [m[6], m[7], m[8]]]
     };
     let round = |radii| Question::Round { line: line(), radii, ends: [0.0, 1.0], is_capped: false };
     Some(match case["function"].as_str().expect("a function") {
-        "sphere" => Question::Sphere { line: line(), center: three(given("C")), radius: number(given("r")) },
+        "sphere" => {
+            Question::Sphere { line: line(), center: three(given("C")), radius: number(given("r")) }
+        }
         "plane" => {
             let line = line();
             let origin = moved(line.origin, three(given("Q")));
             Question::Plane { line: Line { origin, ..line }, normal: three(given("N")), k: 0.0 }
         }
-        "triangle" => Question::Triangle { line: line(), corners: ["A", "B", "C"].map(|name| three(given(name))) },
-        "box" => Question::Cuboid { line: line(), min: three(given("min")), max: three(given("max")) },
+        "triangle" => Question::Triangle {
+            line: line(),
+            corners: ["A", "B", "C"].map(|name| three(given(name))),
+        },
+        "box" => {
+            Question::Cuboid { line: line(), min: three(given("min")), max: three(given("max")) }
+        }
         "cylinder" => round([1.0, 1.0]),
         "cone" => round([0.0, 1.0]),
         "reflect" => Question::Reflect { direction: three(given("D")), normal: three(given("N")) },
         "refract" => {
             let [eta_i, eta_t] = ["n1", "n2"].map(|name| number(given(name)));
-            Question::Refract { direction: three(given("D")), normal: three(given("N")), eta_i, eta_t }
+            Question::Refract {
+                direction: three(given("D")),
+                normal: three(given("N")),
+                eta_i,
+                eta_t,
+            }
         }
         "transform_normal" => Question::Normal { rows: rows(), normal: three(given("N")) },
         "transformed_sphere" => Question::TransformedSphere {
@@ -92,7 +110,8 @@ fn question(case: &Value) -> Option<Question> {
     })
 }
 
-/// P − Q, which must be exact: planes are given by a point there, by k here, and N·Q would be rounded.
+/// P − Q, which must be exact: planes are given by a point there, by k here, and N·Q would be
+/// rounded.
 fn moved(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|n| {
         let off = p[n] - q[n];

@@ -1,14 +1,28 @@
-//! What several tests need: scenes from text, and numbers that look random but are the same each time.
+//! What several tests need: scenes from text, and numbers that look random but are the same each
+//! time.
 #![allow(dead_code, reason = "no test needs all of it")]
 
+pub(crate) mod program;
 pub(crate) mod random;
 
-use cases::{Scene, scene};
+use cases::film::Image;
+use cases::{Light, Scene, scene};
+use glam::{DAffine3, DVec3};
+use reference::real::Real;
+use reference::render::{Options, render};
+use reference::rules::Lecture;
+use reference::world::World;
 
 /// The scene of a TOML text without `[render]` and camera, which are added.
 pub(crate) fn scene(text: &str) -> Scene {
-    let head = "[render]\nsize = [24, 18]\nmax_depth = 3\n[scene.camera]\neye = [0, 0, 4]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 40\n";
-    match scene::parse("test.toml", &format!("{head}{text}"), std::path::Path::new(""), &cases::Course::default()) {
+    let head = "[render]\nsize = [24, 18]\nmax_depth = 3\n[scene.camera]\neye = [0, 0, 4]\n\
+        look_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 40\n";
+    match scene::parse(
+        "test.toml",
+        &format!("{head}{text}"),
+        std::path::Path::new(""),
+        &cases::Course::default(),
+    ) {
         Ok(scene) => scene,
         Err(problems) => panic!("{}", problems.render(false)),
     }
@@ -43,8 +57,14 @@ impl Random {
 }
 
 /// A scene of one object, all white; its frame is the identity unless the map says otherwise.
-pub(crate) fn lone(shape: cases::Shape, meshes: Vec<cases::Mesh>, world_from_object: glam::DAffine3) -> Scene {
-    let mut scene = scene("[scene.materials.m]\nkd = [1, 1, 1]\n[[scene.objects]]\nsphere = {}\nmaterial = \"m\"\n");
+pub(crate) fn lone(
+    shape: cases::Shape,
+    meshes: Vec<cases::Mesh>,
+    world_from_object: glam::DAffine3,
+) -> Scene {
+    let mut scene = scene(
+        "[scene.materials.m]\nkd = [1, 1, 1]\n[[scene.objects]]\nsphere = {}\nmaterial = \"m\"\n",
+    );
     let object = &mut scene.objects[0];
     (object.shape, object.world_from_object) = (shape, world_from_object);
     object.object_from_world = world_from_object.inverse();
@@ -52,7 +72,8 @@ pub(crate) fn lone(shape: cases::Shape, meshes: Vec<cases::Mesh>, world_from_obj
     scene
 }
 
-/// A closed mesh around the origin: a sphere of `n` bands and `n` columns whose vertices lie at the distances that `radius` gives.
+/// A closed mesh around the origin: a sphere of `n` bands and `n` columns whose vertices lie at the
+/// distances that `radius` gives.
 pub(crate) fn globe(n: u32, mut radius: impl FnMut() -> f64) -> cases::Mesh {
     use cases::maths::{cos, sin};
     use std::f64::consts::PI;
@@ -78,4 +99,29 @@ pub(crate) fn globe(n: u32, mut radius: impl FnMut() -> f64) -> cases::Mesh {
         triangles.push([1, at(n - 1, column), at(n - 1, column + 1)]);
     }
     cases::Mesh { vertices, triangles, normals: None }
+}
+
+/// Units of length, in scene units: from tiny to huge.
+pub(crate) const SCALES: [f64; 5] = [1e-6, 1e-3, 1.0, 1e3, 1e6];
+
+/// The picture of a scene, by the rules of the lecture.
+pub(crate) fn picture<T: Real>(scene: &Scene) -> Image {
+    let world = World::<T>::new(scene);
+    render(&world, Lecture, &Options::of(&world), |_| {}).0
+}
+
+/// The scene at another place.
+pub(crate) fn moved(scene: &Scene, by: DVec3) -> Scene {
+    let mut scene = scene.clone();
+    scene.camera.eye += by;
+    for light in &mut scene.lights {
+        if let Light::Point { position, .. } = light {
+            *position += by;
+        }
+    }
+    for object in &mut scene.objects {
+        object.world_from_object = DAffine3::from_translation(by) * object.world_from_object;
+        object.object_from_world *= DAffine3::from_translation(-by);
+    }
+    scene
 }

@@ -34,8 +34,11 @@ pub(crate) fn course(random: &mut Random) -> Course {
     for decision in DECISIONS {
         let value = match decision.legal {
             Legal::OneOf(values) => random.pick(values).0.to_owned(),
-            Legal::Range { least, most, .. } => (least * cases::maths::pow(most / least, random.share())).to_string(),
-            // What programs always simulate changes the effects that a stage allows, and no scene of its own.
+            Legal::Range { least, most, .. } => {
+                (least * cases::maths::pow(most / least, random.share())).to_string()
+            }
+            // What programs always simulate changes the effects that a stage allows, and no scene
+            // of its own.
             Legal::Effects => continue,
         };
         let _ = writeln!(text, "{} = {value}", decision.key);
@@ -43,8 +46,8 @@ pub(crate) fn course(random: &mut Random) -> Course {
     course::parse("random course", &text).unwrap_or_else(|problems| panic!("{problems}"))
 }
 
-/// A scene of one to five objects, with the effects that it calls for under `course`: lone ones, eyes inside
-/// objects, black lamps and black materials are frequent, since they call for less.
+/// A scene of one to five objects, with the effects that it calls for under `course`: lone ones,
+/// eyes inside objects, black lamps and black materials are frequent, since they call for less.
 pub(crate) fn scene(random: &mut Random, course: &Course) -> Scene {
     let text = text(random);
     let read = scene::parse("random scene", &text, std::path::Path::new(""), course);
@@ -64,20 +67,28 @@ fn text(random: &mut Random) -> String {
     let mut text = format!(
         "[render]\nsize = [{width}, {height}]\nmax_depth = {max_depth}\nthreshold = {threshold}\n\
          [scene]\nbackground = {}\n\
-         [scene.camera]\neye = {eye}\nlook_at = {}\nup = [0.1, 1, 0.05]\nfov_y_deg = 50\n[scene.materials]\n",
+         [scene.camera]\neye = {eye}\nlook_at = {}\nup = [0.1, 1, 0.05]\nfov_y_deg = 50\n\
+         [scene.materials]\n",
         colour(random, 0.5),
         vector(random, 0.2),
     );
     for n in 0..3 {
         let (kd, ks, kt) = (colour(random, 0.2), colour(random, 0.5), colour(random, 0.6));
-        let kr = if random.is(0.5) { format!(", kr = {}", colour(random, 0.5)) } else { String::new() };
-        let _ = writeln!(text, "m{n} = {{ kd = {kd}, ks = {ks}, kt = {kt}, ns = 9, index = 1.4{kr} }}");
+        let kr =
+            if random.is(0.5) { format!(", kr = {}", colour(random, 0.5)) } else { String::new() };
+        let _ =
+            writeln!(text, "m{n} = {{ kd = {kd}, ks = {ks}, kt = {kt}, ns = 9, index = 1.4{kr} }}");
     }
     for _ in 0..random.below(4) {
         let _ = writeln!(text, "[[scene.lights]]\n{}", light(random));
     }
     for _ in 0..1 + random.below(5) * random.below(2) {
-        let _ = writeln!(text, "[[scene.objects]]\nmaterial = \"m{}\"\n{}", random.below(3), object(random));
+        let _ = writeln!(
+            text,
+            "[[scene.objects]]\nmaterial = \"m{}\"\n{}",
+            random.below(3),
+            object(random)
+        );
     }
     text
 }
@@ -105,8 +116,11 @@ fn light(random: &mut Random) -> String {
         );
     }
     let position = vector(random, 4.0);
-    let attenuation = if random.is(0.5) { ", attenuation = { quadratic = 0.3, constant = 0.2 }" } else { "" };
-    format!("point = {{ position = {position}, colour = {colour}, ambient = {ambient}{attenuation} }}")
+    let attenuation =
+        if random.is(0.5) { ", attenuation = { quadratic = 0.3, constant = 0.2 }" } else { "" };
+    format!(
+        "point = {{ position = {position}, colour = {colour}, ambient = {ambient}{attenuation} }}"
+    )
 }
 
 fn object(random: &mut Random) -> String {
@@ -121,14 +135,15 @@ fn object(random: &mut Random) -> String {
         "mesh = { vertices = [[-1, -1, 0], [1, -1, 0], [0, 1, 0.5]], triangles = [[0, 1, 2]] }",
     ];
     const SMOOTH: &str = "mesh = { vertices = [[-1, -1, 0], [1, -1, 0], [0, 1, 0.5], [0, 0, 1]], \
-        triangles = [[0, 1, 3], [1, 2, 3], [2, 0, 3]], normals = [[-1, -1, 0.5], [1, -1, 0.5], [0, 1, 0.5], [0, 0, 1]] }";
+        triangles = [[0, 1, 3], [1, 2, 3], [2, 0, 3]], normals = [[-1, -1, 0.5], [1, -1, 0.5], \
+        [0, 1, 0.5], [0, 0, 1]] }";
     let shape = if random.is(0.15) { SMOOTH } else { random.pick(&SHAPES) };
     if random.is(0.5) {
         return shape.to_owned();
     }
     let (place, angle) = (vector(random, 1.5), 180.0 * random.signed());
     format!(
-        "{shape}\ntransforms = [{{ scale = [0.7, 1.2, 1] }}, {{ rotate = {{ axis = [1, 1, 0], angle_deg = {angle} }} }}, \
-         {{ translate = {place} }}]"
+        "{shape}\ntransforms = [{{ scale = [0.7, 1.2, 1] }}, {{ rotate = {{ axis = [1, 1, 0], \
+            angle_deg = {angle} }} }}, {{ translate = {place} }}]"
     )
 }

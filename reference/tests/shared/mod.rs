@@ -36,6 +36,8 @@ pub(crate) fn well_formed(svg: &str) {
     }
     assert_eq!(open, Vec::<&str>::new());
     assert!(
-        svg.split('&').skip(1).all(|rest| ["amp;", "lt;", "gt;", "quot;", "#39;"].iter().any(|e| rest.starts_with(e)))
+        svg.split('&').skip(1).all(|rest| ["amp;", "lt;", "gt;", "quot;", "#39;"]
+            .iter()
+            .any(|e| rest.starts_with(e)))
     );
 }

@@ -5,13 +5,14 @@ use glam::DVec3;
 
 /// Nearest hit of `ray` with the surface of the box `min` ≤ X ≤ `max`, or `None`. [rule 15]
 ///
-/// - `ray`, corners and hit are in the same frame. The direction may have any length but zero and is not to be normalised;
-///   some of its components may be 0. [rule 20]
+/// - `ray`, corners and hit are in the same frame. The direction may have any length but zero and
+///   is not to be normalised; some of its components may be 0. [rule 20]
 /// - A ray that starts inside hits the side through which it leaves. [rule 2]
 /// - The sides belong to the box: a ray that runs within one hits the box where it reaches it.
 /// - `normal` is one of ±x, ±y, ±z and points outwards, from inside as well. [rule 11]
 pub fn intersect_box(ray: &Ray, min: DVec3, max: DVec3) -> Option<SurfaceHit> {
-    // The ray is in the box while it is between the two sides of each of the three pairs: from the last entry to the first exit.
+    // The ray is in the box while it is between the two sides of each of the three pairs: from the
+    // last entry to the first exit.
     let (mut entry, mut entry_axis) = (f64::NEG_INFINITY, 0);
     let (mut exit, mut exit_axis) = (f64::INFINITY, 0);
     for axis in 0..3 {
@@ -22,7 +23,8 @@ pub fn intersect_box(ray: &Ray, min: DVec3, max: DVec3) -> Option<SurfaceHit> {
             }
             continue;
         }
-        let (near_side, far_side) = if d > 0.0 { (min[axis], max[axis]) } else { (max[axis], min[axis]) };
+        let (near_side, far_side) =
+            if d > 0.0 { (min[axis], max[axis]) } else { (max[axis], min[axis]) };
         let (near, far) = ((near_side - p) / d, (far_side - p) / d);
         if near > entry {
             (entry, entry_axis) = (near, axis);

@@ -6,9 +6,10 @@ use crate::object::intersect_object;
 
 /// What `ray` meets first among all objects of the scene, or `None`. [rule 2]
 ///
-/// - `ray` and the hit are in world space. `intersect_object(scene, index, ray)` answers for one object.
-/// - The least t counts. Of two hits at the same t the one with the object that is listed first wins: a later one replaces
-///   it only if it is strictly nearer.
+/// - `ray` and the hit are in world space. `intersect_object(scene, index, ray)` answers for one
+///   object.
+/// - The least t counts. Of two hits at the same t the one with the object that is listed first
+///   wins: a later one replaces it only if it is strictly nearer.
 /// - An empty scene is a miss.
 pub fn nearest_hit(scene: &Scene, ray: &Ray) -> Option<Hit> {
     let mut nearest: Option<Hit> = None;

@@ -5,11 +5,12 @@ use glam::DVec3;
 
 /// The hit of `ray` with the plane N·X = `k`, or `None`. [rule 15]
 ///
-/// - `normal` is N, a unit vector; it comes back as the hit's normal, whichever side the ray comes from. [rule 11]
+/// - `normal` is N, a unit vector; it comes back as the hit's normal, whichever side the ray comes
+///   from. [rule 11]
 /// - The ray's direction may have any length but zero and is not to be normalised. [rule 20]
 /// - t counts iff `ray.contains` it. [rule 2]
-/// - N·d = 0: the ray is parallel and misses, also where it lies in the plane. Only an exact 0 is parallel: a nearly
-///   parallel ray hits far away.
+/// - N·d = 0: the ray is parallel and misses, also where it lies in the plane. Only an exact 0 is
+///   parallel: a nearly parallel ray hits far away.
 pub fn intersect_plane(ray: &Ray, normal: DVec3, k: f64) -> Option<SurfaceHit> {
     let n_dot_d = normal.dot(ray.direction);
     if n_dot_d == 0.0 {
@@ -21,7 +22,8 @@ pub fn intersect_plane(ray: &Ray, normal: DVec3, k: f64) -> Option<SurfaceHit> {
 
 /// The hit of `ray` with the unit square |x| ≤ 0.5, |y| ≤ 0.5, z = 0, or `None`. [rule 15]
 ///
-/// - The ray and the hit are in the square's frame; the direction may have any length but zero. [rule 20]
+/// - The ray and the hit are in the square's frame; the direction may have any length but zero.
+///   [rule 20]
 /// - The edges belong to the square. A ray in the plane of the square misses it.
 /// - The normal is (0, 0, 1), whichever side the ray comes from. [rule 11]
 pub fn intersect_square(ray: &Ray) -> Option<SurfaceHit> {

@@ -1,4 +1,5 @@
-//! Hands each question of the unit checks to the function that it is about. Given: nothing to write here.
+//! Hands each question of the unit checks to the function that it is about. Given: nothing to write
+//! here.
 
 use cases::probe::{Answer, Ask};
 use cases::program::Tracer;
@@ -25,11 +26,17 @@ impl Tracer for Student {
                 let ray = camera::eye_ray(camera, *width, *height, *i, *j);
                 Answer::Ray { origin: ray.origin, direction: ray.direction }
             }
-            Ask::Sphere { ray, center, radius } => Answer::from_hit(sphere::intersect_sphere(ray, *center, *radius)),
-            Ask::Plane { ray, normal, k } => Answer::from_hit(plane::intersect_plane(ray, *normal, *k)),
+            Ask::Sphere { ray, center, radius } => {
+                Answer::from_hit(sphere::intersect_sphere(ray, *center, *radius))
+            }
+            Ask::Plane { ray, normal, k } => {
+                Answer::from_hit(plane::intersect_plane(ray, *normal, *k))
+            }
             Ask::Square { ray } => Answer::from_hit(plane::intersect_square(ray)),
             Ask::Box { ray, min, max } => Answer::from_hit(cuboid::intersect_box(ray, *min, *max)),
-            Ask::Triangle { ray, a, b, c } => Answer::from_hit(triangle::intersect_triangle(ray, *a, *b, *c)),
+            Ask::Triangle { ray, a, b, c } => {
+                Answer::from_hit(triangle::intersect_triangle(ray, *a, *b, *c))
+            }
             Ask::Nearest { scene, ray } => match nearest::nearest_hit(scene, ray) {
                 Some(hit) => Answer::Found { t: hit.t, object: hit.object },
                 None => Answer::Miss(true),
@@ -39,10 +46,12 @@ impl Tracer for Student {
                 let (normal, inside) = shade::facing_normal(*direction, *normal);
                 Answer::Facing { normal, inside }
             }
-            Ask::Ambient { material, light, inside } => Answer::Colour(shade::ambient(material, light, *inside)),
-            Ask::LightTerm { material, arriving, normal, to_viewer, to_light } => {
-                Answer::Colour(shade::light_term(material, *arriving, *normal, *to_viewer, *to_light))
+            Ask::Ambient { material, light, inside } => {
+                Answer::Colour(shade::ambient(material, light, *inside))
             }
+            Ask::LightTerm { material, arriving, normal, to_viewer, to_light } => Answer::Colour(
+                shade::light_term(material, *arriving, *normal, *to_viewer, *to_light),
+            ),
             Ask::Shade { scene, object, point, normal, to_viewer, inside } => {
                 let at = surface::Surface {
                     point: *point,
@@ -61,7 +70,9 @@ impl Tracer for Student {
             Ask::Shadow { scene, light, point } => {
                 Answer::Colour(trace::unblocked_share(scene, &scene.lights[*light], *point))
             }
-            Ask::Reflect { direction, normal } => Answer::Vector(reflection::reflect(*direction, *normal)),
+            Ask::Reflect { direction, normal } => {
+                Answer::Vector(reflection::reflect(*direction, *normal))
+            }
             Ask::GoesOn { depth, max_depth, weight, threshold } => {
                 Answer::GoesOn(reflection::goes_on(*depth, *max_depth, *weight, *threshold))
             }
@@ -94,12 +105,16 @@ impl Tracer for Student {
                 Answer::from_hit(object::intersect_transformed(&sphere, ray))
             }
             Ask::Barycentric { a, b, c, q } => Answer::Vector(smooth::barycentric(*a, *b, *c, *q)),
-            Ask::Interpolate { weights, normals } => Answer::Vector(smooth::interpolate_normal(*weights, *normals)),
+            Ask::Interpolate { weights, normals } => {
+                Answer::Vector(smooth::interpolate_normal(*weights, *normals))
+            }
             Ask::SmoothReflect { direction, n_geom, n_shading } => {
                 Answer::Vector(smooth::smooth_reflect(*direction, *n_geom, *n_shading))
             }
             Ask::SmoothRefract { direction, n_geom, n_shading, eta_i, eta_t } => {
-                Answer::from_direction(smooth::smooth_refract(*direction, *n_geom, *n_shading, *eta_i, *eta_t))
+                Answer::from_direction(smooth::smooth_refract(
+                    *direction, *n_geom, *n_shading, *eta_i, *eta_t,
+                ))
             }
         }
     }

@@ -6,14 +6,17 @@ use glam::DVec3;
 use crate::light::to_light;
 use crate::object::intersect_object;
 
-/// S, the share of `light` that reaches `point`, a colour: (1, 1, 1) if nothing is in the way, black behind an opaque
-/// object. [rule 5] [rule 6]
+/// S, the share of `light` that reaches `point`, a colour: (1, 1, 1) if nothing is in the way,
+/// black behind an opaque object. [rule 5] [rule 6]
 ///
-/// - `point` is in world space, on a surface: the shadow ray starts there, and must not meet that surface at t = 0. [rule 21]
-/// - Only what lies between counts: RAY_EPSILON < t < t_light, which is infinite for a directional light. `Ray::until` says so.
-/// - Each time the ray crosses a surface, S is multiplied by the kt of that object's material: once through a glass pane,
-///   twice through a solid glass ball, wherever the light comes from.
-/// - A scene whose effects lack `tinted_shadows` has no such coloured light: there every surface blocks.
+/// - `point` is in world space, on a surface: the shadow ray starts there, and must not meet that
+///   surface at t = 0. [rule 21]
+/// - Only what lies between counts: RAY_EPSILON < t < t_light, which is infinite for a directional
+///   light. `Ray::until` says so.
+/// - Each time the ray crosses a surface, S is multiplied by the kt of that object's material: once
+///   through a glass pane, twice through a solid glass ball, wherever the light comes from.
+/// - A scene whose effects lack `tinted_shadows` has no such coloured light: there every surface
+///   blocks.
 pub fn shadow_attenuation(scene: &Scene, light: &Light, point: DVec3) -> DVec3 {
     let tinted = scene.effects.has(Effect::TintedShadows);
     let (direction, t_light) = to_light(light, point);

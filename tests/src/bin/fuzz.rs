@@ -53,7 +53,9 @@ fn main() -> ExitCode {
 /// What the parsers failed at.
 fn fuzz(arguments: &Arguments) -> Result<Vec<String>, String> {
     let parsers = chosen(arguments.only.as_deref())?;
-    let time = |n: usize| Duration::try_from_secs_f64(arguments.seconds / n as f64).map_err(|why| why.to_string());
+    let time = |n: usize| {
+        Duration::try_from_secs_f64(arguments.seconds / n as f64).map_err(|why| why.to_string())
+    };
     if let Some(input) = &arguments.input {
         println!("{:?}", session::read_one(&parsers[0], input)?);
         return Ok(vec![]);
@@ -64,8 +66,12 @@ fn fuzz(arguments: &Arguments) -> Result<Vec<String>, String> {
     }
     let at_once = rayon::current_num_threads();
     let each = time(parsers.len().div_ceil(at_once))?;
-    println!("{:<14} {:>9} {:>9} {:>9} {:>11} {:>9}", "parser", "inputs", "accepted", "refused", "slowest", "peak");
-    let failures = parsers.par_iter().with_max_len(1).map(|parser| of_one(parser, each, arguments.seed));
+    println!(
+        "{:<14} {:>9} {:>9} {:>9} {:>11} {:>9}",
+        "parser", "inputs", "accepted", "refused", "slowest", "peak"
+    );
+    let failures =
+        parsers.par_iter().with_max_len(1).map(|parser| of_one(parser, each, arguments.seed));
     Ok(failures.collect::<Vec<_>>().into_iter().flatten().collect())
 }
 

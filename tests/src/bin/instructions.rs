@@ -1,11 +1,13 @@
-//! Counts the instructions of a fixed set of scenes and compares them with the committed budget, `tests/instructions.toml`.
+//! Counts the instructions of a fixed set of scenes and compares them with the committed budget,
+//! `tests/instructions.toml`.
 
 use std::process::ExitCode;
 
 use clap::Parser;
 use tests::instructions::{self, Budget, Scene};
 
-/// Counts the instructions that the reference takes for a fixed set of scenes, and compares them with tests/instructions.toml
+/// Counts the instructions that the reference takes for a fixed set of scenes, and compares them
+/// with tests/instructions.toml
 #[derive(Parser)]
 struct Arguments {
     /// Write the counts into the file in the place of what stands there

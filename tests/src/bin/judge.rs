@@ -1,4 +1,5 @@
-//! Judges the judge: tries all variants of the solution, lets other judges see the same pictures, and writes `docs/judging.md`.
+//! Judges the judge: tries all variants of the solution, lets other judges see the same pictures,
+//! and writes `docs/judging.md`.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -9,7 +10,8 @@ use tests::bars::{self, Naming, Tally};
 use tests::lab::{self, Lab, Trial};
 use tests::{page, peers, variants, workspace};
 
-/// Tries the variants of tests/mutants and says which right ones lost points and which wrong ones did not.
+/// Tries the variants of tests/mutants and says which right ones lost points and which wrong ones
+/// did not.
 #[derive(Parser)]
 struct Arguments {
     /// Only variants whose names hold this
@@ -52,7 +54,10 @@ fn judge(arguments: &Arguments) -> Result<Vec<String>, String> {
     let folder = workspace().join("target/peers");
     let lab = Lab::open(arguments.out.as_ref().map(|_| folder.join("pictures")))?;
     let bar = ProgressBar::new(variants.len() as u64);
-    bar.set_style(ProgressStyle::with_template("{pos}/{len} {wide_bar} {eta} {msg}").map_err(|why| why.to_string())?);
+    bar.set_style(
+        ProgressStyle::with_template("{pos}/{len} {wide_bar} {eta} {msg}")
+            .map_err(|why| why.to_string())?,
+    );
     let trials = lab.try_all(&variants, arguments.jobs.unwrap_or_else(lab::cores), &|variant| {
         bar.set_message(variant.name.clone());
         bar.inc(1);
@@ -65,7 +70,8 @@ fn judge(arguments: &Arguments) -> Result<Vec<String>, String> {
     let tally = Tally::of_this_grader(&trials);
     let naming = Naming::of(&trials);
     println!(
-        "{} right programs, {} failed; {} wrong ones, {} passed; {} of {} caught in their own stage; {} of {} called by name",
+        "{} right programs, {} failed; {} wrong ones, {} passed; {} of {} caught in their own \
+            stage; {} of {} called by name",
         tally.n_right,
         tally.false_fails.len(),
         tally.n_wrong,
@@ -87,5 +93,9 @@ fn say(trial: &Trial) {
     let lost: Vec<&str> = trial.lost().map(|check| check.id.as_str()).collect();
     let n_changed: usize = trial.shown.iter().map(|shown| shown.n_changed).sum();
     let named = trial.named_first().join(" or ");
-    println!("{}: {n_changed} pixels changed; named {named}; lost {}", trial.variant.name, lost.join(" "));
+    println!(
+        "{}: {n_changed} pixels changed; named {named}; lost {}",
+        trial.variant.name,
+        lost.join(" ")
+    );
 }

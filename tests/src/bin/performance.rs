@@ -9,14 +9,20 @@ use tests::performance::bench::Bench;
 use tests::performance::report::{Machine, Report};
 use tests::performance::{bars, effects, page, pictures, scenes, search, small, worker};
 
-/// Measures the speed of the reference beside other renderers, which it installs below target/renderers
+/// Measures the speed of the reference beside other renderers, which it installs below
+/// target/renderers
 #[derive(Parser)]
 struct Arguments {
     /// Write the scenes and their meshes into this folder, and measure nothing
     #[arg(long, value_name = "DIR")]
     scenes: Option<PathBuf>,
     /// How often each is measured, all taking turns
-    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 3,
+        value_parser = clap::value_parser!(u16).range(1..)
+    )]
     rounds: u16,
     /// Only these sections; may be given several times
     #[arg(long, value_enum, value_name = "SECTION")]
@@ -65,7 +71,8 @@ fn act(arguments: &Arguments) -> Result<(), String> {
     }
     if cfg!(debug_assertions) {
         return Err(
-            "compiled without optimisation, times say nothing: `cargo run --release -p tests --bin performance`"
+            "compiled without optimisation, times say nothing: `cargo run --release -p tests \
+                --bin performance`"
                 .to_owned(),
         );
     }

@@ -35,7 +35,13 @@ pub fn read_some(parser: &Parser, n: u64, seed: u64) -> Counts {
     let seeds = (parser.seeds)();
     assert!(!seeds.is_empty(), "{} has no seeds", parser.name);
     for bytes in &seeds {
-        assert_eq!(read(bytes), Read::Accepted, "{}: a seed\n{}", parser.name, bytes.escape_ascii());
+        assert_eq!(
+            read(bytes),
+            Read::Accepted,
+            "{}: a seed\n{}",
+            parser.name,
+            bytes.escape_ascii()
+        );
     }
     let (mut dice, mut counts) = (Dice::new(seed), Counts::default());
     for _ in 0..n {

@@ -69,8 +69,18 @@ const SCRAPS: &[&[u8]] = &[
 ];
 
 /// Words of 1, 2, 4 and 8 bytes at which binary formats overflow.
-const EDGES: [u64; 10] =
-    [0, 1, 0x7f, 0xff, 0x7fff, 0xffff, 0x7fff_ffff, 0xffff_ffff, 0x7fff_ffff_ffff_ffff, 0xffff_ffff_ffff_ffff];
+const EDGES: [u64; 10] = [
+    0,
+    1,
+    0x7f,
+    0xff,
+    0x7fff,
+    0xffff,
+    0x7fff_ffff,
+    0xffff_ffff,
+    0x7fff_ffff_ffff_ffff,
+    0xffff_ffff_ffff_ffff,
+];
 
 /// Returns one of `seeds` with one to four changes. Checksums are corrected half of the time.
 pub fn mutated(parser: &Parser, seeds: &[Vec<u8>], dice: &mut Dice) -> Vec<u8> {
@@ -97,7 +107,9 @@ fn change(bytes: &mut Vec<u8>, scraps: &[&[u8]], seeds: &[Vec<u8>], dice: &mut D
         }
         3 => overwrite(bytes, at, dice),
         4 | 5 => drop(bytes.splice(at..end, SCRAPS[dice.below(SCRAPS.len())].iter().copied())),
-        6 | 7 if !scraps.is_empty() => drop(bytes.splice(at..end, scraps[dice.below(scraps.len())].iter().copied())),
+        6 | 7 if !scraps.is_empty() => {
+            drop(bytes.splice(at..end, scraps[dice.below(scraps.len())].iter().copied()))
+        }
         8 => {
             let random: Vec<u8> = (0..dice.below(8)).map(|_| dice.bits() as u8).collect();
             bytes.splice(at..end, random);
@@ -133,7 +145,11 @@ fn flip_digit(bytes: &mut [u8], dice: &mut Dice) {
 fn overwrite(bytes: &mut [u8], at: usize, dice: &mut Dice) {
     let edge = EDGES[dice.below(EDGES.len())];
     let n = 1 << dice.below(4);
-    let word = if dice.below(2) == 0 { edge.to_le_bytes()[..n].to_vec() } else { edge.to_be_bytes()[8 - n..].to_vec() };
+    let word = if dice.below(2) == 0 {
+        edge.to_le_bytes()[..n].to_vec()
+    } else {
+        edge.to_be_bytes()[8 - n..].to_vec()
+    };
     for (byte, new) in bytes.iter_mut().skip(at).zip(word) {
         *byte = new;
     }
@@ -154,7 +170,8 @@ pub fn no_repair(_bytes: &mut [u8]) {}
 pub fn png_crcs(bytes: &mut [u8]) {
     let mut at = 8;
     while bytes.starts_with(b"\x89PNG") && at + 12 <= bytes.len() {
-        let n = u32::from_be_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]) as usize;
+        let n =
+            u32::from_be_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]) as usize;
         let Some(end) = at.checked_add(8 + n).filter(|end| end + 4 <= bytes.len()) else { break };
         let mut hasher = flate2::Crc::new();
         hasher.update(&bytes[at + 4..end]);

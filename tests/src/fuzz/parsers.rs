@@ -72,7 +72,8 @@ fn refused(message: &str) -> Read {
 /// Writes the file and returns its path.
 fn put(folder: &Path, name: &str, bytes: &[u8]) -> std::path::PathBuf {
     let path = folder.join(name);
-    fs::create_dir_all(path.parent().expect("a folder around the file")).expect("a folder can be made");
+    fs::create_dir_all(path.parent().expect("a folder around the file"))
+        .expect("a folder can be made");
     fs::write(&path, bytes).expect("a file can be written");
     path
 }
@@ -96,7 +97,8 @@ fn case(bytes: &[u8], folder: &Path) -> Read {
 /// A scene that was accepted is accepted again as a program gets it.
 fn is_kept(scene: &Scene) {
     let json = scene::json::to_string(scene);
-    let again = scene::parse_json("again", &json).unwrap_or_else(|problems| panic!("{problems}\n{json}"));
+    let again =
+        scene::parse_json("again", &json).unwrap_or_else(|problems| panic!("{problems}\n{json}"));
     assert_eq!(scene::json::to_string(&again), json);
 }
 
@@ -124,7 +126,9 @@ fn manifest(bytes: &[u8], folder: &Path) -> Read {
 fn handed_in(path: &Path) -> Read {
     match submission::read(path, &TEMPLATE) {
         Ok(_) => Read::Accepted,
-        Err(why @ (SubmissionError::Machine { .. } | SubmissionError::Folder(_))) => panic!("{why}"),
+        Err(why @ (SubmissionError::Machine { .. } | SubmissionError::Folder(_))) => {
+            panic!("{why}")
+        }
         Err(why) => refused(&why.to_string()),
     }
 }
@@ -247,7 +251,11 @@ fn is_sound(mesh: &cases::Mesh) {
     assert!(!mesh.triangles.is_empty() && mesh.vertices.iter().all(|vertex| vertex.is_finite()));
     assert!(mesh.triangles.iter().flatten().all(|index| (*index as usize) < n));
     let is_unit = |normal: &cases::glam::DVec3| (normal.length() - 1.0).abs() < 1e-9;
-    assert!(mesh.normals.as_ref().is_none_or(|normals| normals.len() == n && normals.iter().all(is_unit)));
+    assert!(
+        mesh.normals
+            .as_ref()
+            .is_none_or(|normals| normals.len() == n && normals.iter().all(is_unit))
+    );
 }
 
 fn json<T>(bytes: &[u8], read: impl Fn(&str) -> Result<T, serde_json::Error>) -> Read {
@@ -282,7 +290,9 @@ fn record(bytes: &[u8], _folder: &Path) -> Read {
     let shown = terminal::render(&record, look) + &junit::to_string(&record).expect("JUnit");
     assert!(!shown.is_empty());
     let entry = Entry { id: "a".to_owned(), name: "a".to_owned(), record: Some(record.clone()) };
-    assert!(!class::csv(std::slice::from_ref(&entry)).is_empty() && !class::page(&[entry]).is_empty());
+    assert!(
+        !class::csv(std::slice::from_ref(&entry)).is_empty() && !class::page(&[entry]).is_empty()
+    );
     assert!(!html::render(&Graded { record, pictures: BTreeMap::new() }).is_empty());
     Read::Accepted
 }

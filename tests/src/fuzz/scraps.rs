@@ -56,8 +56,17 @@ pub(super) const PNG: &[&[u8]] = &[
     b"\x10",
     b"\x78\x9c",
 ];
-pub(super) const PFM: &[&[u8]] =
-    &[b"PF\n", b"Pf\n", b"\r\n", b"-1.0\n", b"1.0\n", b"0", b"# c\n", b"\0\0\xc0\x7f", b"\0\0\x80\x7f"];
+pub(super) const PFM: &[&[u8]] = &[
+    b"PF\n",
+    b"Pf\n",
+    b"\r\n",
+    b"-1.0\n",
+    b"1.0\n",
+    b"0",
+    b"# c\n",
+    b"\0\0\xc0\x7f",
+    b"\0\0\x80\x7f",
+];
 pub(super) const EXR: &[&[u8]] = &[
     b"channels\0chlist\0",
     b"dataWindow\0box2i\0",

@@ -20,7 +20,8 @@ pub const SIZE: (u32, u32) = (7, 5);
 /// called as `is_one` says.
 fn found(folder: &str, ending: &str, most: usize, is_one: impl Fn(&Path) -> bool) -> Vec<Vec<u8>> {
     let paths = files(folder, ending).into_iter().filter(|path| is_one(path));
-    let read = paths.map(|path| fs::read(&path).unwrap_or_else(|why| panic!("{}: {why}", path.display())));
+    let read =
+        paths.map(|path| fs::read(&path).unwrap_or_else(|why| panic!("{}: {why}", path.display())));
     read.filter(|bytes| bytes.len() <= most).collect()
 }
 
@@ -44,14 +45,17 @@ pub fn stages() -> Vec<Vec<u8>> {
 
 /// A course of each key, and one of several.
 pub fn courses() -> Vec<Vec<u8>> {
-    let several = "# Another course\nhighlight = \"phong\"\nindex_of_air = 1.0\nalways_simulated = [\"shadows\"]\n";
+    let several = "# Another course\nhighlight = \"phong\"\nindex_of_air = 1.0\n\
+        always_simulated = [\"shadows\"]\n";
     let single = course::deviations().into_iter().map(|deviation| deviation.line + "\n");
     single.chain([several.to_owned()]).map(String::into_bytes).collect()
 }
 
 /// Manifests of submissions, without one that is wrong on purpose.
 pub fn manifests() -> Vec<Vec<u8>> {
-    let is_right = |path: &Path| path.ends_with("submission.toml") && !path.ends_with("bad_toml/submission.toml");
+    let is_right = |path: &Path| {
+        path.ends_with("submission.toml") && !path.ends_with("bad_toml/submission.toml")
+    };
     found("tests/submissions", "toml", 4 << 10, is_right)
 }
 
@@ -59,7 +63,10 @@ pub fn manifests() -> Vec<Vec<u8>> {
 pub fn scenes() -> Vec<Vec<u8>> {
     let paths = files("cases/stages", "toml").into_iter().filter(|path| stage::is_case(path));
     let scenes = paths.filter_map(|path| stage::load_scene(&path, &Course::default()).ok());
-    scenes.map(|scene| scene::json::to_string(&scene).into_bytes()).filter(|json| json.len() < 16 << 10).collect()
+    scenes
+        .map(|scene| scene::json::to_string(&scene).into_bytes())
+        .filter(|json| json.len() < 16 << 10)
+        .collect()
 }
 
 /// Outputs of `probe`: a few right answers each.
@@ -80,12 +87,16 @@ pub fn answers() -> std::collections::BTreeMap<String, cases::answer::CheckAnswe
 }
 
 fn picture() -> Image {
-    Image::from_fn(SIZE.0, SIZE.1, |i, j| DVec3::new(f64::from(i * j) / 24.0, f64::from(i) / 6.0, 0.5))
+    Image::from_fn(SIZE.0, SIZE.1, |i, j| {
+        DVec3::new(f64::from(i * j) / 24.0, f64::from(i) / 6.0, 0.5)
+    })
 }
 
 /// PNG files of 8 and 16 bits.
 pub fn pngs() -> Vec<Vec<u8>> {
-    [Kind::Png, Kind::DeepPng].map(|kind| encode(kind, &picture()).expect("a picture is written")).into()
+    [Kind::Png, Kind::DeepPng]
+        .map(|kind| encode(kind, &picture()).expect("a picture is written"))
+        .into()
 }
 
 /// A PFM file.
@@ -98,8 +109,10 @@ pub fn exrs() -> Vec<Vec<u8>> {
     let answer = ImageAnswer::exact(picture(), 2.0, 3);
     let digest = Digest::of_mistakes(&Course::default());
     let n = (SIZE.0 * SIZE.1) as usize;
-    let wrong =
-        Wrong { id: "no_shadows".to_owned(), changes: (0..n).map(|at| (at % 5 == 0).then_some([9; 3])).collect() };
+    let wrong = Wrong {
+        id: "no_shadows".to_owned(),
+        changes: (0..n).map(|at| (at % 5 == 0).then_some([9; 3])).collect(),
+    };
     let part = Part { name: "colour".to_owned(), planes: rgb("", &picture(), Depth::Half).into() };
     vec![
         answer.encode(&digest, &[]).expect("an answer is written"),
@@ -109,8 +122,9 @@ pub fn exrs() -> Vec<Vec<u8>> {
 }
 
 fn meshes(ending: &str) -> Vec<Vec<u8>> {
-    let is_read =
-        |path: &Path| path.parent().is_some_and(|folder| folder.ends_with("read") || folder.ends_with("same"));
+    let is_read = |path: &Path| {
+        path.parent().is_some_and(|folder| folder.ends_with("read") || folder.ends_with("same"))
+    };
     found("cases/tests/meshes", ending, 4 << 10, is_read)
 }
 
@@ -171,7 +185,8 @@ pub fn tar_gz() -> Vec<Vec<u8>> {
 /// Stored answers to unit checks.
 pub fn check_answers() -> Vec<Vec<u8>> {
     let all: Vec<_> = answers().into_values().collect();
-    let text = |answers: &[_]| cases::answer::check_answers_to_string(answers).expect("answers are JSON");
+    let text =
+        |answers: &[_]| cases::answer::check_answers_to_string(answers).expect("answers are JSON");
     all.chunks(8).map(|answers| text(answers).into_bytes()).collect()
 }
 

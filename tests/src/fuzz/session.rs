@@ -88,7 +88,8 @@ fn cpu() -> Duration {
 fn peak_bytes() -> u64 {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-    line.and_then(|line| line.split_whitespace().next()?.parse::<u64>().ok()).map_or(0, |kib| kib << 10)
+    line.and_then(|line| line.split_whitespace().next()?.parse::<u64>().ok())
+        .map_or(0, |kib| kib << 10)
 }
 
 /// Runs a process of this program that reads mutations for `time`.
@@ -99,7 +100,14 @@ pub fn run(parser: &Parser, time: Duration, seed: u64) -> Result<Report, String>
     let folder = tempfile::tempdir().map_err(|why| why.to_string())?;
     let errors = folder.path().join(ERRORS);
     let mut command = Command::new(std::env::current_exe().map_err(|why| why.to_string())?);
-    command.args(["--only", parser.name, "--seconds", &time.as_secs_f64().to_string(), "--seed", &seed.to_string()]);
+    command.args([
+        "--only",
+        parser.name,
+        "--seconds",
+        &time.as_secs_f64().to_string(),
+        "--seed",
+        &seed.to_string(),
+    ]);
     command.arg("--into").arg(folder.path()).stdin(Stdio::null()).stdout(Stdio::null());
     command.stderr(File::create(&errors).map_err(|why| why.to_string())?);
     let status = wait(command, time + GRACE)?;
@@ -107,13 +115,14 @@ pub fn run(parser: &Parser, time: Duration, seed: u64) -> Result<Report, String>
         let text = fs::read_to_string(folder.path().join(REPORT)).map_err(|why| why.to_string())?;
         return serde_json::from_str(&text).map_err(|why| why.to_string());
     }
-    let how = status.map_or_else(|| "it does not come back".to_owned(), |status| status.to_string());
+    let how =
+        status.map_or_else(|| "it does not come back".to_owned(), |status| status.to_string());
     let said = fs::read_to_string(&errors).unwrap_or_default();
     let kept = keep(parser, &folder.path().join(INPUT))?;
     let (name, kept) = (parser.name, kept.display());
     Err(format!(
-        "{name}: {how}\n{}\nthe input is {kept}; try it again with `cargo run --release -p tests --bin fuzz -- \
-         --only {name} --input {kept}`",
+        "{name}: {how}\n{}\nthe input is {kept}; try it again with `cargo run --release -p tests \
+            --bin fuzz -- --only {name} --input {kept}`",
         said.trim_end()
     ))
 }
@@ -137,8 +146,11 @@ fn wait(mut command: Command, most: Duration) -> Result<Option<ExitStatus>, Stri
 /// Keeps an input below `target/fuzz`.
 fn keep(parser: &Parser, input: &Path) -> Result<PathBuf, String> {
     let folder = workspace().join("target/fuzz");
-    let kept = (0..).map(|n| folder.join(format!("{}-{n}", parser.name))).find(|path| !path.exists());
+    let kept =
+        (0..).map(|n| folder.join(format!("{}-{n}", parser.name))).find(|path| !path.exists());
     let kept = kept.ok_or("there is no name left")?;
-    fs::create_dir_all(&folder).and_then(|()| fs::copy(input, &kept)).map_err(|why| why.to_string())?;
+    fs::create_dir_all(&folder)
+        .and_then(|()| fs::copy(input, &kept))
+        .map_err(|why| why.to_string())?;
     Ok(kept)
 }

@@ -1,4 +1,5 @@
-//! The bars: what speed is asked for, what was reached, and what is known of the ones that were not.
+//! The bars: what speed is asked for, what was reached, and what is known of the ones that were
+//! not.
 
 use serde::Serialize;
 
@@ -29,15 +30,25 @@ pub struct Bar {
 const WHY: [(&str, &str); 7] = [
     (
         "building the tree",
-        "three fifths go into splits along three axes, the rest into laying triangles out side by side",
+        "three fifths go into splits along three axes, the rest into laying triangles out side by \
+            side",
     ),
     ("packets of 16", "triangles are decided in f64, each with a bound of the error"),
-    ("Embree", "each node waits for the one before it, and triangles are decided in f64 with a bound of the error"),
+    (
+        "Embree",
+        "each node waits for the one before it, and triangles are decided in f64 with a bound of \
+            the error",
+    ),
     ("LLVM", "its kernels are f32 and shade whole wavefronts at once"),
-    ("glass", "rays from a surface go one by one, and triangles are decided in f64 with a bound of the error"),
+    (
+        "glass",
+        "rays from a surface go one by one, and triangles are decided in f64 with a bound of the \
+            error",
+    ),
     (
         "POV-Ray",
-        "all but eye rays go one by one, and a bound of the error is worked out for every answer (accuracy.md)",
+        "all but eye rays go one by one, and a bound of the error is worked out for every answer \
+            (accuracy.md)",
     ),
     ("160×120", "tracing: the rest of the process takes 1.7 ms"),
 ];
@@ -75,9 +86,13 @@ fn rendering(rows: &[pictures::Row]) -> Vec<Bar> {
         let is = |renderer: Renderer| row.renderer == renderer.name();
         let least = if is(Renderer::Pov) { 8.0 } else { 1.0 };
         let counts = is(Renderer::Pov) || is(Renderer::Tachyon) || is(Renderer::MitsubaLlvm);
-        bars.extend(row.times.filter(|_| counts).map(|times| at_least(asked("rendering"), least, times)));
         bars.extend(
-            row.whole_times.filter(|_| is(Renderer::Pov)).map(|times| at_least(asked("whole process"), 3.0, times)),
+            row.times.filter(|_| counts).map(|times| at_least(asked("rendering"), least, times)),
+        );
+        bars.extend(
+            row.whole_times
+                .filter(|_| is(Renderer::Pov))
+                .map(|times| at_least(asked("whole process"), 3.0, times)),
         );
     }
     bars
@@ -105,7 +120,9 @@ fn searching(rows: &[search::Row]) -> Vec<Bar> {
         else {
             continue;
         };
-        let (Some(together), Some(packets)) = (find(Library::OursTogether), find(Library::EmbreePackets)) else {
+        let (Some(together), Some(packets)) =
+            (find(Library::OursTogether), find(Library::EmbreePackets))
+        else {
             continue;
         };
         for (k, least) in [1.0, 1.0, 0.8, 0.8].into_iter().enumerate() {
@@ -121,7 +138,8 @@ fn searching(rows: &[search::Row]) -> Vec<Bar> {
     bars
 }
 
-/// Names of what grows, and the exponents p of n^p; the last is that of n log n over the same sizes.
+/// Names of what grows, and the exponents p of n^p; the last is that of n log n over the same
+/// sizes.
 pub fn exponents(rows: &[search::Row]) -> Vec<(&'static str, f64)> {
     let ours: Vec<&search::Row> = rows.iter().filter(|row| row.library == Library::Ours).collect();
     let of = |y: &dyn Fn(&search::Row) -> f64| {
@@ -143,7 +161,11 @@ fn growing(rows: &[search::Row]) -> Vec<Bar> {
     let Some(((_, most), grown)) = all.split_last() else { return vec![] };
     let sizes = format!("{} to {} triangles", STONES[0].1, STONES[STONES.len() - 1].1);
     let bar = |(name, p): &(&str, f64)| {
-        bar(format!("{name}, {sizes}: grows as n log n (n^{most:.2}) or better"), format!("n^{p:.2}"), p <= most)
+        bar(
+            format!("{name}, {sizes}: grows as n log n (n^{most:.2}) or better"),
+            format!("n^{p:.2}"),
+            p <= most,
+        )
     };
     grown.iter().map(bar).collect()
 }
@@ -152,18 +174,24 @@ fn waiting(rows: &[small::Row]) -> Vec<Bar> {
     let ours = |what: &str| small::find(rows, what, OURS);
     let mut bars = vec![];
     let mut below = |what: &str, unit: &str, value: Option<f64>, most: f64| {
-        bars.extend(
-            value.map(|value| bar(format!("{what}: under {most} {unit}"), format!("{value:.1} {unit}"), value < most)),
-        );
+        bars.extend(value.map(|value| {
+            bar(format!("{what}: under {most} {unit}"), format!("{value:.1} {unit}"), value < most)
+        }));
     };
     below(what::CASE, "ms of CPU", ours(what::CASE).map(|row| row.cpu_s * 1e3), 5.0);
     below(what::EXPECT, "s", ours(what::EXPECT).map(|row| row.wall_s), 60.0);
     below(what::VARY, "s", ours(what::VARY).map(|row| row.wall_s), 60.0);
     below(what::PAIR, "ms of CPU", ours(what::PAIR).map(|row| row.cpu_s * 1e3), 3.0);
     for what in [what::EQUAL, what::DIFFERENT] {
-        for row in rows.iter().filter(|row| row.what == what && row.who != OURS && row.note.is_none()) {
+        for row in
+            rows.iter().filter(|row| row.what == what && row.who != OURS && row.note.is_none())
+        {
             let Some(own) = ours(what) else { continue };
-            bars.push(at_least(format!("{what}, as fast as {}", row.who), 1.5, row.wall_s / own.wall_s));
+            bars.push(at_least(
+                format!("{what}, as fast as {}", row.who),
+                1.5,
+                row.wall_s / own.wall_s,
+            ));
         }
     }
     bars
@@ -182,9 +210,15 @@ mod tests {
     #[test]
     fn a_bar_is_met_from_its_own_value_on_and_says_why_only_if_not() {
         let asked = || "82k: random rays as fast as Embree robust".to_owned();
-        assert_eq!((at_least(asked(), 0.8, 0.8).is_met, at_least(asked(), 0.8, 0.8).why), (true, ""));
+        assert_eq!(
+            (at_least(asked(), 0.8, 0.8).is_met, at_least(asked(), 0.8, 0.8).why),
+            (true, "")
+        );
         let missed = at_least(asked(), 0.8, 0.79);
-        assert!(!missed.is_met && missed.why.contains("f64") && missed.figure == "0.79 times", "{missed:?}");
+        assert!(
+            !missed.is_met && missed.why.contains("f64") && missed.figure == "0.79 times",
+            "{missed:?}"
+        );
         assert!(!at_least(asked(), 0.8, f64::NAN).is_met);
     }
 

@@ -29,7 +29,16 @@ impl Bench {
         let bench = Self { scenes: peers.join("scenes"), peers, n_rounds };
         bench.say("our own programs");
         let mut build = Command::new("cargo");
-        build.args(["build", "--release", "--locked", "--quiet", "-p", "reference", "-p", "grader"]);
+        build.args([
+            "build",
+            "--release",
+            "--locked",
+            "--quiet",
+            "-p",
+            "reference",
+            "-p",
+            "grader",
+        ]);
         child::run(build.current_dir(workspace()), &bench.peers)?;
         bench.say("the peers");
         let install = workspace().join("tests/peers/renderers/install.sh");

@@ -19,7 +19,8 @@ pub struct Spent {
     pub said: String,
 }
 
-/// Runs a program to its end. What it writes goes to a file in `folder`, so that nobody has to read along.
+/// Runs a program to its end. What it writes goes to a file in `folder`, so that nobody has to read
+/// along.
 ///
 /// # Errors
 /// A program that cannot be run, or that fails, with the end of what it said.
@@ -27,7 +28,8 @@ pub fn run(command: &mut Command, folder: &Path) -> Result<Spent, String> {
     run_to(command, folder, &[0])
 }
 
-/// [`run`] of a program that may end with any of these codes; with any code at all, where none is named.
+/// [`run`] of a program that may end with any of these codes; with any code at all, where none is
+/// named.
 ///
 /// # Errors
 /// As [`run`]; another code is a failure.
@@ -36,13 +38,17 @@ pub fn run_to(command: &mut Command, folder: &Path, codes: &[i32]) -> Result<Spe
     let wrong = |why: io::Error| format!("{name}: {why}");
     let log = folder.join("said.txt");
     let file = File::create(&log).map_err(wrong)?;
-    command.stdout(file.try_clone().map_err(wrong)?).stderr(file).stdin(std::process::Stdio::null());
+    command
+        .stdout(file.try_clone().map_err(wrong)?)
+        .stderr(file)
+        .stdin(std::process::Stdio::null());
     let begun = Instant::now();
     let child = command.spawn().map_err(wrong)?;
     let (status, cpu_s) = wait(child.id()).map_err(wrong)?;
     let wall_s = begun.elapsed().as_secs_f64();
     let said = String::from_utf8_lossy(&std::fs::read(&log).map_err(wrong)?).into_owned();
-    if !libc::WIFEXITED(status) || !(codes.is_empty() || codes.contains(&libc::WEXITSTATUS(status))) {
+    if !libc::WIFEXITED(status) || !(codes.is_empty() || codes.contains(&libc::WEXITSTATUS(status)))
+    {
         let arguments: Vec<_> = command.get_args().map(OsStr::to_string_lossy).collect();
         let end: Vec<&str> = said.lines().rev().take(12).collect();
         let end: Vec<&str> = end.into_iter().rev().collect();
@@ -57,7 +63,8 @@ fn wait(pid: u32) -> io::Result<(i32, f64)> {
     // SAFETY: rusage is plain data, for which zeros are valid.
     let mut usage: libc::rusage = unsafe { std::mem::zeroed() };
     loop {
-        // SAFETY: both places live through the call; the child is ours, and nobody else waits for it.
+        // SAFETY: both places live through the call; the child is ours, and nobody else waits for
+        // it.
         if unsafe { libc::wait4(pid.cast_signed(), &mut status, 0, &mut usage) } >= 0 {
             return Ok((status, seconds(usage.ru_utime) + seconds(usage.ru_stime)));
         }
@@ -86,7 +93,11 @@ mod tests {
         let why = shell("echo too bad; exit 3").expect_err("it fails");
         assert!(why.contains("too bad"), "{why}");
         for (codes, is_ok) in [(&[0, 1][..], true), (&[0, 2], false), (&[], true)] {
-            assert_eq!(run_to(&mut Command::new("false"), folder.path(), codes).is_ok(), is_ok, "{codes:?}");
+            assert_eq!(
+                run_to(&mut Command::new("false"), folder.path(), codes).is_ok(),
+                is_ok,
+                "{codes:?}"
+            );
         }
         assert!(run(&mut Command::new("no such program"), folder.path()).is_err());
     }

@@ -1,4 +1,5 @@
-//! What an effect costs where a scene does not call for it, beside a kernel from which it is deleted.
+//! What an effect costs where a scene does not call for it, beside a kernel from which it is
+//! deleted.
 
 use reference::cost::measure::Outside;
 pub use reference::cost::uncalled::Row;
@@ -16,7 +17,8 @@ const TIMES_THE_ROUNDS: usize = 10;
 /// Threads that cannot be started.
 pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
     bench.say("effects that are not called for");
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(|why| why.to_string())?;
+    let pool =
+        rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(|why| why.to_string())?;
     let rows = pool.install(|| price(TIMES_THE_ROUNDS * bench.n_rounds, &mut Processor));
     rows.ok_or_else(|| "no round was asked for".to_owned())
 }

@@ -26,16 +26,25 @@ pub fn page(report: &Report, picture: &str) -> String {
 fn head(report: &Report) -> String {
     let machine = &report.machine;
     format!(
-        "# Speed, beside others\n\nMade by `cargo run --release -p tests --bin performance -- --out docs/performance.md`, which installs the others \
-         (`tests/peers/renderers`); do not edit.\nMeasured on: {}, {} threads, {}, {:.0} GiB, {}; medians of {} rounds in which all take turns{}.\n\n\
-         A ratio counts only where both do the same work. A renderer that does less (it lacks a feature, or follows one \
-         branch\nof a path where this reference follows two) is marked in its row, and its ratio counts for no bar. A renderer \
-         that casts\nmore rays for the same picture is compared in rays a second as well, and the smaller ratio counts: a ray \
-         that need not be\ncast is saved work, but no speed. This reference computes in f64 and decides every triangle watertight; \
-         where it computes\nin f32, the row says so.\n\n",
+        "# Speed, beside others\n\nMade by `cargo run --release -p tests --bin performance -- \
+            --out docs/performance.md`, which installs the others (`tests/peers/renderers`); do \
+            not edit.\nMeasured on: {}, {} threads, {}, {:.0} GiB, {}; medians of {} rounds in \
+            which all take turns{}.\n\n\
+         A ratio counts only where both do the same work. A renderer that does less (it lacks a \
+         feature, or follows one branch\n\
+         of a path where this reference follows two) is marked in its row, and its ratio counts \
+         for no bar. A renderer that casts\n\
+         more rays for the same picture is compared in rays a second as well, and the smaller \
+         ratio counts: a ray that need not be\n\
+         cast is saved work, but no speed. This reference computes in f64 and decides every \
+         triangle watertight; where it computes\nin f32, the row says so.\n\n",
         machine.processor,
         machine.n_threads,
-        if machine.vectors.is_empty() { "no wide vectors".to_owned() } else { machine.vectors.join(" and ") },
+        if machine.vectors.is_empty() {
+            "no wide vectors".to_owned()
+        } else {
+            machine.vectors.join(" and ")
+        },
         machine.memory_gib,
         machine.system,
         report.n_rounds,
@@ -50,7 +59,8 @@ fn head(report: &Report) -> String {
 fn bar_table(bars: &[Bar]) -> String {
     let n_met = bars.iter().filter(|bar| bar.is_met).count();
     let mut out = format!(
-        "## Bars\n\n{n_met} of {} are met.\n\n| bar | figure | met | why not |\n|---|---:|---|---|\n",
+        "## Bars\n\n{n_met} of {} are met.\n\n| bar | figure | met | why not |\n\
+            |---|---:|---|---|\n",
         bars.len()
     );
     for bar in bars {
@@ -69,13 +79,20 @@ fn bar_table(bars: &[Bar]) -> String {
 fn rendering(rows: &[pictures::Row]) -> String {
     let (width, height) = SIZE;
     let mut out = format!(
-        "## Whole scenes\n\n{width}×{height} pixels, one ray each; `performance --scenes DIR` writes the scenes. whitted: three spheres (mirror, glass, dull) on a checkered floor of triangles, \
-         one light, depth 5. spheres: 1,000 stretched, turned and\nmoved spheres, a point and a directional light. mesh: a stone of 81,920 or 1,310,720 triangles, smooth normals, one light. \
-         glass: the smaller stone of glass, reflection and refraction to depth 8.\n\n\
-         Rendering alone: CPU seconds on one thread, without start, reading and building trees; Tachyon tells seconds by the clock. Mitsuba renders in a warm process, the others once in a cold one. \
-         Whole: from start to PNG on disk, by the clock,\n{WHOLE_THREADS} threads. Times: how many times as fast this reference is. Rays in thousands: eye + shadow + reflected + refracted, as the renderer counts them \
-         (~: as they follow from how it works).\n\n\
-         | scene | renderer | | render s | times | reading s | whole s | times | rays | less work, counts for no bar |\n|---|---|---|---:|---:|---:|---:|---:|---:|---|\n"
+        "## Whole scenes\n\n{width}×{height} pixels, one ray each; `performance --scenes DIR` \
+            writes the scenes. whitted: three spheres (mirror, glass, dull) on a checkered floor \
+            of triangles, one light, depth 5. spheres: 1,000 stretched, turned and\n\
+            moved spheres, a point and a directional light. mesh: a stone of 81,920 or 1,310,720 \
+            triangles, smooth normals, one light. glass: the smaller stone of glass, reflection \
+            and refraction to depth 8.\n\n\
+         Rendering alone: CPU seconds on one thread, without start, reading and building trees; \
+         Tachyon tells seconds by the clock. Mitsuba renders in a warm process, the others once \
+         in a cold one. Whole: from start to PNG on disk, by the clock,\n\
+         {WHOLE_THREADS} threads. Times: how many times as fast this reference is. Rays in \
+         thousands: eye + shadow + reflected + refracted, as the renderer counts them (~: as they \
+         follow from how it works).\n\n\
+         | scene | renderer | | render s | times | reading s | whole s | times | rays | less \
+         work, counts for no bar |\n|---|---|---|---:|---:|---:|---:|---:|---:|---|\n"
     );
     for row in rows {
         let rays = row.rays.map_or("unknown".to_owned(), |rays| {
@@ -101,10 +118,16 @@ fn rendering(rows: &[pictures::Row]) -> String {
 
 fn searching(rows: &[search::Row], picture: &str) -> String {
     let mut out = format!(
-        "## What a ray meets\n\nMillion rays a second on one thread, the same rays for all, read from a file: those through the pixels; from what they meet to the light (anything in the way ends the search); \
-         from there in random directions; and from anywhere to anywhere\nin a box about the mesh. Different: answers that are not ours (met or missed, or a distance by more than a thousandth), of all sets. \
-         Building: CPU milliseconds on one thread. Bytes a triangle: tree, corners and what else the library keeps. Packets hold\nprimary rays through 4 × 4 pixels; other rays come 16 at a time as they stand in the file, to this reference one by one.\n\n\
-         | mesh | | {} | different | of | building ms | bytes a triangle |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n",
+        "## What a ray meets\n\nMillion rays a second on one thread, the same rays for all, read \
+            from a file: those through the pixels; from what they meet to the light (anything in \
+            the way ends the search); from there in random directions; and from anywhere to \
+            anywhere\nin a box about the mesh. Different: answers that are not ours (met or \
+            missed, or a distance by more than a thousandth), of all sets. Building: CPU \
+            milliseconds on one thread. Bytes a triangle: tree, corners and what else the library \
+            keeps. Packets hold\nprimary rays through 4 × 4 pixels; other rays come 16 at a time \
+            as they stand in the file, to this reference one by one.\n\n\
+         | mesh | | {} | different | of | building ms | bytes a triangle |\n\
+         |---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n",
         NAMES.join(" | "),
     );
     for row in rows.iter().filter(|row| SHOWN.contains(&row.mesh)) {
@@ -117,14 +140,20 @@ fn searching(rows: &[search::Row], picture: &str) -> String {
             row.n_different.iter().sum::<usize>(),
             row.n_rays.iter().sum::<usize>(),
             figure(Some(row.build_s * 1e3)),
-            row.bytes.map_or("–".to_owned(), |bytes| format!("{:.0}", bytes as f64 / row.n_triangles as f64)),
+            row.bytes.map_or("–".to_owned(), |bytes| format!(
+                "{:.0}",
+                bytes as f64 / row.n_triangles as f64
+            )),
         );
     }
     let _ = write!(
         out,
-        "\n## How cost grows\n\n![Building and searching, from a thousand to a million triangles]({picture})\n\n"
+        "\n## How cost grows\n\n![Building and searching, from a thousand to a million \
+            triangles]({picture})\n\n"
     );
-    out += "The exponents p of n^p that fit best over these sizes; n log n itself is fitted the same way. Larger meshes do not fit the caches of the processor, which no tree makes up for.\n\n";
+    out += "The exponents p of n^p that fit best over these sizes; n log n itself is fitted the \
+        same way. Larger meshes do not fit the caches of the processor, which no tree makes up \
+        for.\n\n";
     out += "| | exponent |\n|---|---:|\n";
     for (name, p) in bars::exponents(rows) {
         let _ = writeln!(out, "| {name} | {p:.2} |");
@@ -145,9 +174,15 @@ pub fn growth(rows: &[search::Row]) -> String {
             is_hollow: row.library != Library::Ours,
             is_on_front: row.library == Library::Ours && Some(row.n_triangles) == most,
             label: format!("n^{:.2}", exponents[which].1),
-            hover: format!("{}, {} triangles: {}", row.name, row.n_triangles, figure(Some(of(row)))),
+            hover: format!(
+                "{}, {} triangles: {}",
+                row.name,
+                row.n_triangles,
+                figure(Some(of(row)))
+            ),
         };
-        let shown = rows.iter().filter(|row| matches!(row.library, Library::Ours | Library::EmbreeRobust));
+        let shown =
+            rows.iter().filter(|row| matches!(row.library, Library::Ours | Library::EmbreeRobust));
         shown.map(point).collect::<Vec<_>>()
     };
     let x = || "triangles".to_owned();
@@ -166,25 +201,42 @@ pub fn growth(rows: &[search::Row]) -> String {
         x: x(),
         y: "nanoseconds a ray, one thread".to_owned(),
         line: None,
-        key: shapes.into_iter().zip(NAMES).map(|(shape, name)| (shape, false, name)).chain([hollow]).collect(),
+        key: shapes
+            .into_iter()
+            .zip(NAMES)
+            .map(|(shape, name)| (shape, false, name))
+            .chain([hollow])
+            .collect(),
         points: (0..4).flat_map(|k| series(shapes[k], k + 1, &|row| 1e3 / row.mrays[k])).collect(),
     };
     plot::stack(&[build, rays], Place::File)
 }
 
 fn commands(rows: &[small::Row]) -> String {
-    let mut out = "## Whole commands\n\nAs processes, from start to end.\n\n| | | CPU ms | ms by the clock | |\n|---|---|---:|---:|---|\n".to_owned();
+    let mut out = "## Whole commands\n\nAs processes, from start to end.\n\n\
+        | | | CPU ms | ms by the clock | |\n|---|---|---:|---:|---|\n"
+        .to_owned();
     for row in rows {
         let (cpu, wall) = (figure(Some(row.cpu_s * 1e3)), figure(Some(row.wall_s * 1e3)));
-        let _ = writeln!(out, "| {} | {} | {cpu} | {wall} | {} |", row.what, row.who, row.note.unwrap_or_default());
+        let _ = writeln!(
+            out,
+            "| {} | {} | {cpu} | {wall} | {} |",
+            row.what,
+            row.who,
+            row.note.unwrap_or_default()
+        );
     }
     out + "\n"
 }
 
 fn uncalled(rows: &[effects::Row]) -> String {
-    let mut out = "## Effects that are not called for\n\nA scene rendered by a kernel from which every effect that it does not call for is deleted, by the one that is chosen for it, and by one that can do everything; \
-        CPU milliseconds on one thread.\nThe pictures are the same. docs/decisions/006-kernels.md has the same in instructions, which do not tremble.\n\n\
-        | scene | not called for | deleted | chosen | can do everything | chosen / deleted | everything / deleted |\n|---|---|---:|---:|---:|---:|---:|\n"
+    let mut out = "## Effects that are not called for\n\n\
+        A scene rendered by a kernel from which every effect that it does not call for is \
+        deleted, by the one that is chosen for it, and by one that can do everything; CPU \
+        milliseconds on one thread.\nThe pictures are the same. docs/decisions/006-kernels.md has \
+        the same in instructions, which do not tremble.\n\n\
+        | scene | not called for | deleted | chosen | can do everything | chosen / deleted | \
+        everything / deleted |\n|---|---|---:|---:|---:|---:|---:|\n"
         .to_owned();
     for row in rows {
         let deleted = row.deleted.iter().map(|effect| effect.name()).collect::<Vec<_>>().join(", ");
@@ -237,7 +289,14 @@ mod tests {
         let search = [("1k", 1280), ("82k", 81_920), ("1m", 1_310_720)];
         Report {
             schema: 1,
-            machine: Machine { processor, n_threads: 2, memory_gib: 8.0, load: 3.0, system, vectors },
+            machine: Machine {
+                processor,
+                n_threads: 2,
+                memory_gib: 8.0,
+                load: 3.0,
+                system,
+                vectors,
+            },
             n_rounds: 3,
             pictures: None,
             search: Some(search.map(|(mesh, n)| searched(Library::Ours, mesh, n)).to_vec()),
@@ -250,7 +309,8 @@ mod tests {
     fn a_page_shows_what_was_measured_and_nothing_else() {
         let page = page(&report(), "growth.svg");
         for part in [
-            "Some 9000, 2 threads, AVX2, 8 GiB, Some Linux; medians of 3 rounds in which all take turns (**on a busy machine**: load 3.0",
+            "Some 9000, 2 threads, AVX2, 8 GiB, Some Linux; medians of 3 rounds in which all take \
+                turns (**on a busy machine**: load 3.0",
             "| 82k | this reference, f64 | 12.21 | 12.21 | 12.21 | 12.21 | 3 | 40 | 8.19 | 100 |",
             "![Building and searching, from a thousand to a million triangles](growth.svg)",
             "| building the tree | 1.00 |",
@@ -267,12 +327,17 @@ mod tests {
         rows.push(searched(Library::EmbreeRobust, "82k", 81_920));
         let picture = growth(&rows);
         assert!(picture.matches("n^1.00</text>").count() >= 2, "building, and rays:\n{picture}");
-        assert!(picture.contains("Embree 4 robust, f32, 81920 triangles: 8.19") && !picture.contains("cheaper"));
+        assert!(
+            picture.contains("Embree 4 robust, f32, 81920 triangles: 8.19")
+                && !picture.contains("cheaper")
+        );
     }
 
     #[test]
     fn figures_have_three_digits() {
-        for (x, text) in [(123.4, "123"), (12.34, "12.3"), (1.234, "1.23"), (0.1234, "0.123"), (f64::NAN, "?")] {
+        for (x, text) in
+            [(123.4, "123"), (12.34, "12.3"), (1.234, "1.23"), (0.1234, "0.123"), (f64::NAN, "?")]
+        {
             assert_eq!(figure(Some(x)), text);
         }
         assert_eq!(figure(None), "–");

@@ -32,7 +32,8 @@ pub struct Row {
     pub render_s: f64,
     /// Seconds of reading the scene.
     pub read_s: Option<f64>,
-    /// Seconds by the clock from start to picture on disk, on [`WHOLE_THREADS`]; not of what renders several times in a process.
+    /// Seconds by the clock from start to picture on disk, on [`WHOLE_THREADS`]; not of what
+    /// renders several times in a process.
     pub whole_s: Option<f64>,
     /// Rays from the eye, shadow rays, reflected and refracted ones.
     pub rays: Option<[u64; 4]>,
@@ -61,9 +62,11 @@ pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
     let mut rows = vec![];
     for name in SCENES {
         let path = bench.scenes.join(format!("{name}.toml"));
-        let scene = cases::stage::load_scene(&path, &cases::Course::default()).map_err(|why| why.to_string())?;
+        let scene = cases::stage::load_scene(&path, &cases::Course::default())
+            .map_err(|why| why.to_string())?;
         let mut rounds: BTreeMap<Renderer, Rounds> = BTreeMap::new();
-        let asked: Vec<Renderer> = Renderer::ALL.into_iter().filter(|renderer| renderer.is_asked(&scene)).collect();
+        let asked: Vec<Renderer> =
+            Renderer::ALL.into_iter().filter(|renderer| renderer.is_asked(&scene)).collect();
         asked.iter().try_for_each(|renderer| put(bench, name, *renderer, &scene))?;
         for round in 0..bench.n_rounds {
             for renderer in asked.iter().copied() {
@@ -84,20 +87,35 @@ fn put(bench: &Bench, name: &str, renderer: Renderer, scene: &Scene) -> Result<(
     let folder = bench.folder(name, renderer.name());
     let wrong = |why: std::io::Error| format!("{}: {why}", folder.display());
     fs::create_dir_all(&folder).map_err(wrong)?;
-    renderer.export(scene)?.into_iter().try_for_each(|(file, bytes)| fs::write(folder.join(file), bytes)).map_err(wrong)
+    renderer
+        .export(scene)?
+        .into_iter()
+        .try_for_each(|(file, bytes)| fs::write(folder.join(file), bytes))
+        .map_err(wrong)
 }
 
 /// Seconds by the clock of a process that does nothing but make one picture.
-fn whole_s(bench: &Bench, renderer: Renderer, scene: &Path, folder: &Path) -> Result<Option<f64>, String> {
+fn whole_s(
+    bench: &Bench,
+    renderer: Renderer,
+    scene: &Path,
+    folder: &Path,
+) -> Result<Option<f64>, String> {
     match renderer {
         Renderer::Ours => {
             let mut command = Command::new(bench.program("reference"));
-            command.arg("render").arg(scene).args(["-q", "-o", "out.png", "--threads", &WHOLE_THREADS.to_string()]);
+            command.arg("render").arg(scene).args([
+                "-q",
+                "-o",
+                "out.png",
+                "--threads",
+                &WHOLE_THREADS.to_string(),
+            ]);
             child::run(command.current_dir(folder), folder).map(|spent| Some(spent.wall_s))
         }
-        Renderer::Pov | Renderer::Tachyon => {
-            renderer.render(&bench.peers, scene, folder, WHOLE_THREADS).map(|took| Some(took.spent.wall_s))
-        }
+        Renderer::Pov | Renderer::Tachyon => renderer
+            .render(&bench.peers, scene, folder, WHOLE_THREADS)
+            .map(|took| Some(took.spent.wall_s)),
         Renderer::MitsubaLlvm | Renderer::MitsubaScalar => Ok(None),
     }
 }
@@ -109,7 +127,8 @@ fn table(name: &str, scene: &Scene, rounds: &BTreeMap<Renderer, Rounds>) -> Vec<
     let row = |(renderer, of): (&Renderer, &Rounds)| {
         let easier = renderer.easier(scene);
         let counted = of.one[0].rays;
-        let rays = counted.or_else(|| if easier.is_none() { derived(*renderer, scene, own_rays) } else { None });
+        let rays = counted
+            .or_else(|| if easier.is_none() { derived(*renderer, scene, own_rays) } else { None });
         let both = own_rays.zip(rays).map(|(a, b)| (a.iter().sum(), b.iter().sum()));
         let is_peer = *renderer != Renderer::Ours;
         let read: Vec<f64> = of.one.iter().filter_map(|took| took.read_s).collect();
@@ -135,8 +154,9 @@ fn render_s(of: &Rounds) -> f64 {
     median(&of.one.iter().map(|took| took.render_s).collect::<Vec<_>>())
 }
 
-/// Rays of a renderer that does not count them, on a scene without mirrors and glass. Tachyon casts a shadow ray where a light is before the
-/// surface, as we do; Mitsuba one to each light, wherever it is.
+/// Rays of a renderer that does not count them, on a scene without mirrors and glass. Tachyon casts
+/// a shadow ray where a light is before the surface, as we do; Mitsuba one to each light, wherever
+/// it is.
 fn derived(renderer: Renderer, scene: &Scene, ours: Option<[u64; 4]>) -> Option<[u64; 4]> {
     match renderer {
         Renderer::MitsubaLlvm | Renderer::MitsubaScalar => {

@@ -2,12 +2,16 @@
 
 use cases::Mesh;
 
-/// The bytes of the file: x, y, z, and nx, ny, nz where the mesh has normals, each a float; three corners a face.
+/// The bytes of the file: x, y, z, and nx, ny, nz where the mesh has normals, each a float; three
+/// corners a face.
 pub fn encode(mesh: &Mesh) -> Vec<u8> {
     let normals = mesh.normals.as_deref();
     let mut out = header(mesh).into_bytes();
     for (i, vertex) in mesh.vertices.iter().enumerate() {
-        let numbers = vertex.to_array().into_iter().chain(normals.into_iter().flat_map(|all| all[i].to_array()));
+        let numbers = vertex
+            .to_array()
+            .into_iter()
+            .chain(normals.into_iter().flat_map(|all| all[i].to_array()));
         numbers.for_each(|x| out.extend((x as f32).to_le_bytes()));
     }
     for corners in &mesh.triangles {
@@ -18,10 +22,14 @@ pub fn encode(mesh: &Mesh) -> Vec<u8> {
 }
 
 fn header(mesh: &Mesh) -> String {
-    let of_normals =
-        if mesh.normals.is_some() { "property float nx\nproperty float ny\nproperty float nz\n" } else { "" };
+    let of_normals = if mesh.normals.is_some() {
+        "property float nx\nproperty float ny\nproperty float nz\n"
+    } else {
+        ""
+    };
     format!(
-        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n{of_normals}\
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\n\
+            property float y\nproperty float z\n{of_normals}\
          element face {}\nproperty list uchar int vertex_indices\nend_header\n",
         mesh.vertices.len(),
         mesh.triangles.len(),

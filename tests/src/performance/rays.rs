@@ -1,4 +1,5 @@
-//! Rays made beforehand, the same for every program that looks for what they meet, and the file that holds them.
+//! Rays made beforehand, the same for every program that looks for what they meet, and the file
+//! that holds them.
 
 use std::f64::consts::TAU;
 
@@ -12,7 +13,8 @@ use reference::world::World;
 
 use crate::dice::Dice;
 
-/// How far a new ray starts from the surface it leaves, in scene units: far beyond what single precision loses.
+/// How far a new ray starts from the surface it leaves, in scene units: far beyond what single
+/// precision loses.
 const OFF: f64 = 1e-3;
 
 /// Rays of one kind.
@@ -29,8 +31,9 @@ pub struct Set {
 /// The names of the sets, in order.
 pub const NAMES: [&str; 4] = ["primary", "shadow", "diffuse", "random"];
 
-/// The four sets for a scene of one light and one mesh: eye rays, row by row; shadow rays from what they meet; rays in random directions
-/// above it; and rays from anywhere to anywhere in a box about the mesh.
+/// The four sets for a scene of one light and one mesh: eye rays, row by row; shadow rays from what
+/// they meet; rays in random directions above it; and rays from anywhere to anywhere in a box about
+/// the mesh.
 pub fn sets(scene: &Scene) -> [Set; 4] {
     let world = World::<f64>::new(scene);
     let eye: Vec<Ray<f64>> = eye_rays(scene).collect();
@@ -55,15 +58,25 @@ pub fn sets(scene: &Scene) -> [Set; 4] {
         packed(from, (to - from).normalize(), f64::INFINITY)
     });
     let random = random.collect();
-    let primary = eye.iter().map(|ray| packed(ray.origin.f64(), ray.direction.f64(), f64::INFINITY)).collect();
+    let primary = eye
+        .iter()
+        .map(|ray| packed(ray.origin.f64(), ray.direction.f64(), f64::INFINITY))
+        .collect();
     let set = |name, is_any_hit, rays| Set { name, is_any_hit, rays };
     let [first, second, third, fourth] = NAMES;
-    [set(first, false, primary), set(second, true, shadow), set(third, false, diffuse), set(fourth, false, random)]
+    [
+        set(first, false, primary),
+        set(second, true, shadow),
+        set(third, false, diffuse),
+        set(fourth, false, random),
+    ]
 }
 
-/// The places of the primary rays of a picture, 16 after 16 those through 4 × 4 pixels: packets that are wide and high, for all who ask by packets.
+/// The places of the primary rays of a picture, 16 after 16 those through 4 × 4 pixels: packets
+/// that are wide and high, for all who ask by packets.
 pub fn in_blocks((width, height): (u32, u32)) -> Vec<usize> {
-    let blocks = (0..height / 4).flat_map(|row| (0..width / 4).map(move |column| (4 * column, 4 * row)));
+    let blocks =
+        (0..height / 4).flat_map(|row| (0..width / 4).map(move |column| (4 * column, 4 * row)));
     let place = |i: u32, j: u32| (j * width + i) as usize;
     blocks.flat_map(|(i, j)| (0..16).map(move |k| place(i + k % 4, j + k / 4))).collect()
 }
@@ -100,7 +113,8 @@ pub fn ray(packed: &[f32; 7]) -> Ray<f64> {
     Ray { t_max: length, ..Ray::all_of(v(x, y, z), v(dx, dy, dz)) }
 }
 
-/// The file: for each set whether it is any-hit, and how many rays it has, two 32-bit numbers; then its rays. All little-endian.
+/// The file: for each set whether it is any-hit, and how many rays it has, two 32-bit numbers; then
+/// its rays. All little-endian.
 pub fn encode(sets: &[Set]) -> Vec<u8> {
     let mut out = vec![];
     for set in sets {
@@ -111,7 +125,8 @@ pub fn encode(sets: &[Set]) -> Vec<u8> {
     out
 }
 
-/// The sets of such a file, by the names of [`NAMES`]; `None` where it is cut or there are more or fewer sets.
+/// The sets of such a file, by the names of [`NAMES`]; `None` where it is cut or there are more or
+/// fewer sets.
 pub fn decode(mut bytes: &[u8]) -> Option<Vec<Set>> {
     let mut sets = vec![];
     for name in NAMES {
@@ -119,18 +134,24 @@ pub fn decode(mut bytes: &[u8]) -> Option<Vec<Set>> {
         let n = u32::from_le_bytes(*bytes.get(4..)?.first_chunk()?) as usize;
         let body = bytes.get(8..8 + 28 * n)?;
         bytes = &bytes[8 + 28 * n..];
-        let float = |chunk: &[u8]| chunk.first_chunk().map_or(f32::NAN, |four| f32::from_le_bytes(*four));
-        let rays = body.chunks_exact(28).map(|ray| std::array::from_fn(|k| float(&ray[4 * k..]))).collect();
+        let float =
+            |chunk: &[u8]| chunk.first_chunk().map_or(f32::NAN, |four| f32::from_le_bytes(*four));
+        let rays = body
+            .chunks_exact(28)
+            .map(|ray| std::array::from_fn(|k| float(&ray[4 * k..])))
+            .collect();
         sets.push(Set { name, is_any_hit, rays });
     }
     bytes.is_empty().then_some(sets)
 }
 
-/// How many of two programs' answers differ: one meets something and the other does not, or their distances differ by more than a
-/// thousandth. A miss is infinite; of an any-hit set anything finite is a hit.
+/// How many of two programs' answers differ: one meets something and the other does not, or their
+/// distances differ by more than a thousandth. A miss is infinite; of an any-hit set anything
+/// finite is a hit.
 pub fn n_different(set: &Set, ours: &[f32], theirs: &[f32]) -> usize {
     let differ = |(a, b): (&f32, &f32)| {
-        a.is_finite() != b.is_finite() || (!set.is_any_hit && a.is_finite() && (a - b).abs() > 1e-3 * a.abs().max(1.0))
+        a.is_finite() != b.is_finite()
+            || (!set.is_any_hit && a.is_finite() && (a - b).abs() > 1e-3 * a.abs().max(1.0))
     };
     ours.iter().zip(theirs).filter(|pair| differ(*pair)).count() + ours.len().abs_diff(theirs.len())
 }
@@ -145,7 +166,12 @@ mod tests {
             is_any_hit,
             rays: vec![[1.0, 2.0, 3.0, 0.0, 0.0, 1.0, f32::INFINITY]; n],
         };
-        vec![set(NAMES[0], false, 2), set(NAMES[1], true, 1), set(NAMES[2], false, 0), set(NAMES[3], false, 3)]
+        vec![
+            set(NAMES[0], false, 2),
+            set(NAMES[1], true, 1),
+            set(NAMES[2], false, 0),
+            set(NAMES[3], false, 3),
+        ]
     }
 
     #[test]
@@ -153,7 +179,10 @@ mod tests {
         let bytes = encode(&some());
         let read = decode(&bytes).expect("it is whole");
         assert_eq!(format!("{read:?}"), format!("{:?}", some()));
-        assert!(decode(&bytes[..bytes.len() - 1]).is_none() && decode(&[&bytes[..], &[0]].concat()).is_none());
+        assert!(
+            decode(&bytes[..bytes.len() - 1]).is_none()
+                && decode(&[&bytes[..], &[0]].concat()).is_none()
+        );
     }
 
     #[test]
@@ -166,10 +195,15 @@ mod tests {
 
     #[test]
     fn answers_differ_in_meeting_and_in_distance() {
-        let (far, [nearest, any, ..]) = (f32::INFINITY, <[Set; 4]>::try_from(some()).expect("four"));
-        for (ours, theirs, n, n_any) in
-            [(1.0, 1.0005, 0, 0), (1.0, 1.1, 1, 0), (far, far, 0, 0), (1.0, far, 1, 1), (far, 0.0, 1, 1)]
-        {
+        let (far, [nearest, any, ..]) =
+            (f32::INFINITY, <[Set; 4]>::try_from(some()).expect("four"));
+        for (ours, theirs, n, n_any) in [
+            (1.0, 1.0005, 0, 0),
+            (1.0, 1.1, 1, 0),
+            (far, far, 0, 0),
+            (1.0, far, 1, 1),
+            (far, 0.0, 1, 1),
+        ] {
             assert_eq!(n_different(&nearest, &[ours], &[theirs]), n, "{ours} {theirs}");
             assert_eq!(n_different(&any, &[ours], &[theirs]), n_any, "{ours} {theirs}");
         }

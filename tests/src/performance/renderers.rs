@@ -25,7 +25,8 @@ pub enum Renderer {
 /// What a renderer took for one picture.
 #[derive(Clone, Debug)]
 pub struct Took {
-    /// CPU seconds of rendering alone; of Tachyon, which does not tell, by the clock, at most those of the process.
+    /// CPU seconds of rendering alone; of Tachyon, which does not tell, by the clock, at most those
+    /// of the process.
     pub render_s: f64,
     /// Seconds of reading the scene, where it tells.
     pub read_s: Option<f64>,
@@ -37,7 +38,8 @@ pub struct Took {
 
 impl Renderer {
     /// All of them, ours first.
-    pub const ALL: [Self; 5] = [Self::Ours, Self::Pov, Self::Tachyon, Self::MitsubaLlvm, Self::MitsubaScalar];
+    pub const ALL: [Self; 5] =
+        [Self::Ours, Self::Pov, Self::Tachyon, Self::MitsubaLlvm, Self::MitsubaScalar];
 
     /// For people.
     pub fn name(self) -> &'static str {
@@ -57,20 +59,25 @@ impl Renderer {
 
     /// Why its picture of `scene` is less work than ours, if it is.
     pub fn easier(self, scene: &Scene) -> Option<&'static str> {
-        let any = |of: fn(&cases::Material) -> DVec3| scene.materials.iter().any(|m| of(m) != DVec3::ZERO);
+        let any = |of: fn(&cases::Material) -> DVec3| {
+            scene.materials.iter().any(|m| of(m) != DVec3::ZERO)
+        };
         let refracts = any(|m| m.kt) && scene.render.max_depth > 0;
         let spawns = refracts || (any(|m| m.kr) && scene.render.max_depth > 0);
         let is_moved = scene.objects.iter().any(|object| !object.is_untransformed());
         match self {
             Self::Ours | Self::Pov => None,
             Self::Tachyon if refracts => Some("no refraction: rays go straight through glass"),
-            Self::MitsubaLlvm | Self::MitsubaScalar if spawns => Some("one branch at random, reflected or refracted"),
+            Self::MitsubaLlvm | Self::MitsubaScalar if spawns => {
+                Some("one branch at random, reflected or refracted")
+            }
             _ if is_moved => Some("spheres in the place of ellipsoids"),
             _ => None,
         }
     }
 
-    /// Whether it is worth asking: Tachyon takes a minute for a stone of glass that it does not refract.
+    /// Whether it is worth asking: Tachyon takes a minute for a stone of glass that it does not
+    /// refract.
     pub fn is_asked(self, scene: &Scene) -> bool {
         let has_large_mesh = scene.meshes.iter().any(|mesh| mesh.triangles.len() > 10_000);
         self != Self::Tachyon || self.easier(scene).is_none() || !has_large_mesh
@@ -89,21 +96,29 @@ impl Renderer {
         }
     }
 
-    /// One picture on so many threads; `scene` is our file, `folder` holds what was exported, and takes the picture.
+    /// One picture on so many threads; `scene` is our file, `folder` holds what was exported, and
+    /// takes the picture.
     ///
     /// # Errors
     /// A renderer that is missing or fails, or does not say what it should.
-    pub fn render(self, peers: &Path, scene: &Path, folder: &Path, threads: usize) -> Result<Took, String> {
+    pub fn render(
+        self,
+        peers: &Path,
+        scene: &Path,
+        folder: &Path,
+        threads: usize,
+    ) -> Result<Took, String> {
         let mut command = self.command(peers, scene, threads)?;
         let spent = child::run(command.current_dir(folder), folder)?;
         let silent = || format!("{} does not say what it took:\n{}", self.name(), spent.said);
         let took = |render_s, read_s, rays| Took { render_s, read_s, rays, spent: spent.clone() };
         match self {
-            Self::Pov => pov(&spent.said).map(|(render_s, read_s, rays)| took(render_s, read_s, Some(rays))),
-            // it tells seconds by the clock: what others took of the processor is not its fault
-            Self::Tachyon => {
-                tachyon(&spent.said).map(|(render_s, read_s)| took(render_s.min(spent.cpu_s), Some(read_s), None))
+            Self::Pov => {
+                pov(&spent.said).map(|(render_s, read_s, rays)| took(render_s, read_s, Some(rays)))
             }
+            // it tells seconds by the clock: what others took of the processor is not its fault
+            Self::Tachyon => tachyon(&spent.said)
+                .map(|(render_s, read_s)| took(render_s.min(spent.cpu_s), Some(read_s), None)),
             _ => json(&spent.said).map(|(render_s, read_s, rays)| took(render_s, read_s, rays)),
         }
         .ok_or_else(silent)
@@ -120,8 +135,9 @@ impl Renderer {
         match self {
             Self::Ours => command.args(["--worker", "render"]).arg(scene).arg(n),
             Self::Pov => {
-                let size =
-                    cases::stage::load_scene(scene, &cases::Course::default()).map_err(|why| why.to_string())?.render;
+                let size = cases::stage::load_scene(scene, &cases::Course::default())
+                    .map_err(|why| why.to_string())?
+                    .render;
                 let (width, height) = (format!("+W{}", size.width), format!("+H{}", size.height));
                 command.args([
                     "+Iscene.pov",
@@ -135,7 +151,9 @@ impl Renderer {
                     &format!("+WT{n}"),
                 ])
             }
-            Self::Tachyon => command.args(["scene.dat", "-o", "out.png", "-format", "PNG", "-numthreads", &n]),
+            Self::Tachyon => {
+                command.args(["scene.dat", "-o", "out.png", "-format", "PNG", "-numthreads", &n])
+            }
             Self::MitsubaLlvm | Self::MitsubaScalar => {
                 let variant = if self == Self::MitsubaLlvm { "llvm_ad_rgb" } else { "scalar_rgb" };
                 let script = workspace().join("tests/peers/renderers/mitsuba_render.py");
@@ -189,14 +207,20 @@ mod tests {
 
     #[test]
     fn what_renderers_say_of_themselves_is_understood() {
-        let said = "Parse Time:       0 hours  0 minutes  0 seconds (0.002 seconds)\n              using 1 thread(s) with 0.001 CPU-seconds total\n\
-             Pixels:           307200   Samples:               0\nRays:             817947   Saved:   0\n\
-             Shadow Ray Tests:            599469   Succeeded:                192376\nReflected Rays:              270400\n\
-             Refracted Rays:              240347\nTrace Time:       0 hours  0 minutes  0 seconds (0.331 seconds)\n\
+        let said = "Parse Time:       0 hours  0 minutes  0 seconds (0.002 \
+            seconds)\n              using 1 thread(s) with 0.001 CPU-seconds total\n\
+             Pixels:           307200   Samples:               0\n\
+             Rays:             817947   Saved:   0\n\
+             Shadow Ray Tests:            599469   Succeeded:                192376\n\
+             Reflected Rays:              270400\n\
+             Refracted Rays:              240347\n\
+             Trace Time:       0 hours  0 minutes  0 seconds (0.331 seconds)\n\
              using 1 thread(s) with 0.299 CPU-seconds total";
         assert_eq!(pov(said), Some((0.299, Some(0.001), [307_200, 599_469, 270_400, 240_347])));
         assert_eq!(
-            tachyon("Scene Parsing Time:     0.2944 seconds\n  Ray Tracing Time:     0.5661 seconds"),
+            tachyon(
+                "Scene Parsing Time:     0.2944 seconds\n  Ray Tracing Time:     0.5661 seconds"
+            ),
             Some((0.5661, 0.2944))
         );
         let ours = r#"{"render_cpu_s": 0.5, "read_s": 0.25, "eye": 4, "shadow": 3, "reflected": 2, "refracted": 1}"#;

@@ -37,7 +37,8 @@ pub struct Machine {
     pub memory_gib: f64,
     /// The system.
     pub system: String,
-    /// Programs that wanted to run in the minute before, in the mean: more than a few tenths disturb.
+    /// Programs that wanted to run in the minute before, in the mean: more than a few tenths
+    /// disturb.
     pub load: f64,
     /// Widths of vectors that the processor has and renderers use.
     pub vectors: Vec<&'static str>,
@@ -47,17 +48,25 @@ impl Machine {
     /// This one, as Linux describes it; what it does not tell is called unknown.
     pub fn this() -> Self {
         let read = |path: &str| fs::read_to_string(path).unwrap_or_default();
-        let (processor, memory, system) = (read("/proc/cpuinfo"), read("/proc/meminfo"), read("/etc/os-release"));
+        let (processor, memory, system) =
+            (read("/proc/cpuinfo"), read("/proc/meminfo"), read("/etc/os-release"));
         let known = |value: Option<String>| value.unwrap_or_else(|| "unknown".to_owned());
         let flags = field(&processor, "flags").unwrap_or_default();
         let has = |flag: &str| flags.split_whitespace().any(|one| one == flag);
-        let kib = field(&memory, "MemTotal").and_then(|kib| kib.split_whitespace().next()?.parse::<f64>().ok());
+        let kib = field(&memory, "MemTotal")
+            .and_then(|kib| kib.split_whitespace().next()?.parse::<f64>().ok());
         Self {
             processor: known(field(&processor, "model name")),
             n_threads: std::thread::available_parallelism().map_or(1, usize::from),
             memory_gib: kib.map_or(f64::NAN, |kib| kib / f64::from(1 << 20)),
-            system: known(field(&system, "PRETTY_NAME").map(|name| name.trim_matches('"').to_owned())),
-            load: read("/proc/loadavg").split(' ').next().and_then(|load| load.parse().ok()).unwrap_or(f64::NAN),
+            system: known(
+                field(&system, "PRETTY_NAME").map(|name| name.trim_matches('"').to_owned()),
+            ),
+            load: read("/proc/loadavg")
+                .split(' ')
+                .next()
+                .and_then(|load| load.parse().ok())
+                .unwrap_or(f64::NAN),
             vectors: [("avx2", "AVX2"), ("avx512f", "AVX-512")]
                 .into_iter()
                 .filter(|(f, _)| has(f))
@@ -69,7 +78,9 @@ impl Machine {
 
 /// The value of the first line `key: value` or `key=value`.
 fn field(text: &str, key: &str) -> Option<String> {
-    let value = |line: &str| line.strip_prefix(key)?.trim_start().strip_prefix([':', '=']).map(|v| v.trim().to_owned());
+    let value = |line: &str| {
+        line.strip_prefix(key)?.trim_start().strip_prefix([':', '=']).map(|v| v.trim().to_owned())
+    };
     text.lines().find_map(value)
 }
 

@@ -14,8 +14,10 @@ use crate::dice::Dice;
 /// Width and height of every picture: 307,200 eye rays.
 pub const SIZE: (u32, u32) = (640, 480);
 
-/// How often the stone is divided for each size of mesh, and the name of that size: 1,280 to 1,310,720 triangles.
-pub const STONES: [(u32, &str); 6] = [(3, "1k"), (4, "5k"), (5, "20k"), (6, "82k"), (7, "328k"), (8, "1m")];
+/// How often the stone is divided for each size of mesh, and the name of that size: 1,280 to
+/// 1,310,720 triangles.
+pub const STONES: [(u32, &str); 6] =
+    [(3, "1k"), (4, "5k"), (5, "20k"), (6, "82k"), (7, "328k"), (8, "1m")];
 
 /// The lesser stone of which pictures are compared: 81,920 triangles.
 pub const STONE: (u32, &str) = STONES[3];
@@ -29,7 +31,8 @@ const N_SQUARES: u32 = 16;
 /// Transformed spheres in `spheres.toml`.
 const N_SPHERES: usize = 1000;
 
-/// Writes every scene and mesh into `folder`, which is made where it is missing; the same bytes on every machine.
+/// Writes every scene and mesh into `folder`, which is made where it is missing; the same bytes on
+/// every machine.
 ///
 /// # Errors
 /// Names the file that cannot be written.
@@ -52,7 +55,8 @@ pub fn write(folder: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// Those squares of an `n` × `n` floor of side 12 whose row and column sum up to what is `wanted`, each as two flat triangles.
+/// Those squares of an `n` × `n` floor of side 12 whose row and column sum up to what is `wanted`,
+/// each as two flat triangles.
 fn squares(n: u32, wanted: impl Fn(u32) -> bool) -> Mesh {
     let mut mesh = Mesh { vertices: vec![], triangles: vec![], normals: None };
     let side = 12.0 / f64::from(n);
@@ -60,7 +64,12 @@ fn squares(n: u32, wanted: impl Fn(u32) -> bool) -> Mesh {
         let least = DVec2::new(f64::from(i), f64::from(j)) * side - 6.0;
         let first = mesh.vertices.len() as u32;
         let corner = |x: f64, z: f64| DVec3::new(least.x + x * side, FLOOR, least.y + z * side);
-        mesh.vertices.extend([corner(0.0, 0.0), corner(0.0, 1.0), corner(1.0, 1.0), corner(1.0, 0.0)]);
+        mesh.vertices.extend([
+            corner(0.0, 0.0),
+            corner(0.0, 1.0),
+            corner(1.0, 1.0),
+            corner(1.0, 0.0),
+        ]);
         mesh.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
     }
     mesh
@@ -70,13 +79,14 @@ fn squares(n: u32, wanted: impl Fn(u32) -> bool) -> Mesh {
 fn head(max_depth: u32, eye: [f64; 3], look_at: [f64; 3]) -> String {
     let (width, height) = SIZE;
     format!(
-        "[render]\nsize = [{width}, {height}]\nmax_depth = {max_depth}\n\n[scene]\nbackground = [0.1, 0.2, 0.35]\n\n\
+        "[render]\nsize = [{width}, {height}]\nmax_depth = {max_depth}\n\n[scene]\n\
+            background = [0.1, 0.2, 0.35]\n\n\
          [scene.camera]\neye = {eye:?}\nlook_at = {look_at:?}\nup = [0, 1, 0]\nfov_y_deg = 40\n\n"
     )
 }
 
-const LAMP: &str =
-    "[[scene.lights]]\npoint = { position = [4, 5, 5], colour = [0.9, 0.9, 0.9], ambient = [0.1, 0.1, 0.1] }\n\n";
+const LAMP: &str = "[[scene.lights]]\npoint = { position = [4, 5, 5], colour = [0.9, 0.9, 0.9], \
+    ambient = [0.1, 0.1, 0.1] }\n\n";
 
 /// Three spheres, one a mirror, one of glass, over a checkered floor; one light; depth 5.
 fn whitted() -> String {
@@ -88,7 +98,8 @@ white = { kd = [0.9, 0.9, 0.9] }
 black = { kd = [0.1, 0.1, 0.1] }
 red = { kd = [0.7, 0.2, 0.1], ks = [0.3, 0.3, 0.3], kr = [0, 0, 0], ns = 40 }
 mirror = { kd = [0.05, 0.05, 0.05], ks = [0.8, 0.8, 0.8], ns = 100 }
-glass = { kd = [0.02, 0.02, 0.02], ks = [0.1, 0.1, 0.1], ns = 100, kt = [0.85, 0.85, 0.85], index = 1.5 }
+glass = { kd = [0.02, 0.02, 0.02], ks = [0.1, 0.1, 0.1], ns = 100, kt = [0.85, 0.85, 0.85], index \
+= 1.5 }
 
 [[scene.objects]]
 mesh = { file = \"white.ply\" }
@@ -112,13 +123,17 @@ material = \"red\"
 "
 }
 
-/// A thousand spheres, each stretched, turned and moved; a point and a directional light, no mirrors.
+/// A thousand spheres, each stretched, turned and moved; a point and a directional light, no
+/// mirrors.
 fn spheres() -> String {
     let mut text = head(0, [0.0, 0.9, 7.0], [0.0, 0.4, 0.0])
         + LAMP
-        + "[[scene.lights]]\ndirectional = { direction = [1, -2, -1], colour = [0.4, 0.4, 0.4] }\n\n[scene.materials]\n\
+        + "[[scene.lights]]\ndirectional = { direction = [1, -2, -1], colour = [0.4, 0.4, 0.4] \
+            }\n\n[scene.materials]\n\
            floor = { kd = [0.6, 0.6, 0.6] }\n";
-    for (name, kd) in [("red", [0.8, 0.2, 0.2]), ("green", [0.2, 0.7, 0.3]), ("blue", [0.2, 0.3, 0.8])] {
+    for (name, kd) in
+        [("red", [0.8, 0.2, 0.2]), ("green", [0.2, 0.7, 0.3]), ("blue", [0.2, 0.3, 0.8])]
+    {
         let _ = writeln!(text, "{name} = {{ kd = {kd:?} }}");
     }
     text += "\n[[scene.objects]]\nmesh = { file = \"floor.ply\" }\nmaterial = \"floor\"\n";
@@ -131,8 +146,9 @@ fn spheres() -> String {
         let place = [tamely(-3.2, 3.2), tamely(-0.8, 2.5), tamely(-3.2, 1.6)];
         let _ = write!(
             text,
-            "\n[[scene.objects]]\nsphere = {{}}\nmaterial = \"{}\"\ntransforms = [{{ scale = {scale:?} }}, \
-             {{ rotate = {{ axis = {axis:?}, angle_deg = {degrees} }} }}, {{ translate = {place:?} }}]\n",
+            "\n[[scene.objects]]\nsphere = {{}}\nmaterial = \"{}\"\n\
+                transforms = [{{ scale = {scale:?} }}, {{ rotate = {{ axis = {axis:?}, angle_deg \
+                = {degrees} }} }}, {{ translate = {place:?} }}]\n",
             ["red", "green", "blue"][n % 3],
         );
     }
@@ -157,7 +173,8 @@ fn mesh(name: &str) -> String {
 
 /// A stone of glass, depth 8.
 fn glass() -> String {
-    let glass = "{ kd = [0.02, 0.02, 0.02], ks = [0.1, 0.1, 0.1], ns = 100, kt = [0.85, 0.85, 0.85], index = 1.5 }";
+    let glass = "{ kd = [0.02, 0.02, 0.02], ks = [0.1, 0.1, 0.1], ns = 100, kt = [0.85, 0.85, \
+        0.85], index = 1.5 }";
     stone_of(STONE.1, 8, glass)
 }
 
@@ -172,19 +189,29 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         write(folder.path()).expect("it is written");
         let read = |name: &str| {
-            cases::stage::load_scene(&folder.path().join(name), &cases::Course::default()).expect("it is valid")
+            cases::stage::load_scene(&folder.path().join(name), &cases::Course::default())
+                .expect("it is valid")
         };
         let whitted = read("whitted.toml");
-        assert_eq!((whitted.objects.len(), whitted.lights.len(), whitted.render.max_depth), (5, 1, 5));
+        assert_eq!(
+            (whitted.objects.len(), whitted.lights.len(), whitted.render.max_depth),
+            (5, 1, 5)
+        );
         assert_eq!(whitted.meshes.iter().map(|mesh| mesh.triangles.len()).sum::<usize>(), 512);
         let spheres = read("spheres.toml");
         let moved = spheres.objects.iter().filter(|object| !object.is_untransformed());
         assert_eq!((moved.count(), spheres.lights.len()), (1000, 2));
         for (n_divisions, name) in STONES {
             let scene = read(&format!("mesh_{name}.toml"));
-            let n_triangles: BTreeMap<usize, bool> =
-                scene.meshes.iter().map(|mesh| (mesh.triangles.len(), mesh.normals.is_some())).collect();
-            assert_eq!(n_triangles, BTreeMap::from([(2, false), (stone::n_triangles(n_divisions), true)]));
+            let n_triangles: BTreeMap<usize, bool> = scene
+                .meshes
+                .iter()
+                .map(|mesh| (mesh.triangles.len(), mesh.normals.is_some()))
+                .collect();
+            assert_eq!(
+                n_triangles,
+                BTreeMap::from([(2, false), (stone::n_triangles(n_divisions), true)])
+            );
         }
         assert_eq!(read("glass.toml").render.max_depth, 8);
     }

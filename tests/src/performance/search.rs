@@ -1,4 +1,5 @@
-//! What rays meet in a mesh, looked for by libraries on one thread: the same rays, read from a file by each.
+//! What rays meet in a mesh, looked for by libraries on one thread: the same rays, read from a file
+//! by each.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -55,13 +56,16 @@ impl Library {
         }
     }
 
-    /// Whether it is measured on the mesh of that name: on all sizes those that show how cost grows, the slowest on one alone.
+    /// Whether it is measured on the mesh of that name: on all sizes those that show how cost
+    /// grows, the slowest on one alone.
     fn is_asked(self, mesh: &str) -> bool {
         match self {
             Self::Ours | Self::EmbreeRobust => true,
-            Self::OursTogether | Self::Embree | Self::EmbreePackets | Self::Obvhs | Self::Parry3d => {
-                SHOWN.contains(&mesh)
-            }
+            Self::OursTogether
+            | Self::Embree
+            | Self::EmbreePackets
+            | Self::Obvhs
+            | Self::Parry3d => SHOWN.contains(&mesh),
             Self::Bvh => mesh == SHOWN[0],
         }
     }
@@ -133,13 +137,16 @@ pub struct Row {
 pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
     let mut rows = vec![];
     for (n_divisions, mesh) in scenes::STONES {
-        let scene =
-            cases::stage::load_scene(&bench.scenes.join(format!("mesh_{mesh}.toml")), &cases::Course::default())
-                .map_err(|why| why.to_string())?;
+        let scene = cases::stage::load_scene(
+            &bench.scenes.join(format!("mesh_{mesh}.toml")),
+            &cases::Course::default(),
+        )
+        .map_err(|why| why.to_string())?;
         let sets = rays::sets(&scene);
         let folder = bench.folder(mesh, "search");
         let file = made(&folder)?.join("rays");
-        fs::write(&file, rays::encode(&sets)).map_err(|why| format!("{}: {why}", file.display()))?;
+        fs::write(&file, rays::encode(&sets))
+            .map_err(|why| format!("{}: {why}", file.display()))?;
         let asked = || Library::ALL.into_iter().filter(|library| library.is_asked(mesh));
         let mut told: BTreeMap<Library, Vec<Told>> = BTreeMap::new();
         for round in 0..bench.n_rounds {
@@ -151,7 +158,14 @@ pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
         let ours = answers(&folder, Library::Ours)?;
         for (library, told) in told {
             let n_different = different(&sets, &ours, &answers(&folder, library)?);
-            rows.push(row(mesh, stone::n_triangles(n_divisions), library, &sets, &told, n_different));
+            rows.push(row(
+                mesh,
+                stone::n_triangles(n_divisions),
+                library,
+                &sets,
+                &told,
+                n_different,
+            ));
         }
     }
     Ok(rows)
@@ -160,7 +174,11 @@ pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
 fn ask(bench: &Bench, library: Library, mesh: &str, folder: &Path) -> Result<Told, String> {
     let mut command = library.command(bench)?;
     let mesh = bench.scenes.join(format!("mesh_{mesh}.ply"));
-    command.arg(mesh).arg(folder.join("rays")).arg(answers_at(folder, library)).arg(N_PASSES.to_string());
+    command
+        .arg(mesh)
+        .arg(folder.join("rays"))
+        .arg(answers_at(folder, library))
+        .arg(N_PASSES.to_string());
     let spent = child::run(&mut command, folder)?;
     let last = spent.said.lines().last().unwrap_or_default();
     serde_json::from_str(last).map_err(|why| format!("{}: {why}: {}", library.name(), spent.said))
@@ -196,7 +214,8 @@ fn row(
     n_different: [usize; 4],
 ) -> Row {
     let n_rays = sets.each_ref().map(|set| set.rays.len());
-    let seconds = |k: usize| median(&told.iter().flat_map(|one| one.seconds[k].clone()).collect::<Vec<_>>());
+    let seconds =
+        |k: usize| median(&told.iter().flat_map(|one| one.seconds[k].clone()).collect::<Vec<_>>());
     Row {
         mesh,
         n_triangles,

@@ -13,14 +13,16 @@ pub fn median(values: &[f64]) -> f64 {
     }
 }
 
-/// How many times as fast we are as a peer, from seconds. Where we cast fewer rays than the peer, the ratio of rays a second is taken, if it is
-/// less: what is not done is no speed. `rays` are ours and the peer's, where the peer's are known.
+/// How many times as fast we are as a peer, from seconds. Where we cast fewer rays than the peer,
+/// the ratio of rays a second is taken, if it is less: what is not done is no speed. `rays` are
+/// ours and the peer's, where the peer's are known.
 pub fn times_as_fast(ours_s: f64, peer_s: f64, rays: Option<(u64, u64)>) -> f64 {
     let share = rays.map_or(1.0, |(ours, peer)| ours as f64 / peer as f64);
     peer_s / ours_s * share.min(1.0)
 }
 
-/// The exponent p of the line through (x, y) that fits y ~ x^p best, by least squares of logarithms; NaN for fewer than two points.
+/// The exponent p of the line through (x, y) that fits y ~ x^p best, by least squares of
+/// logarithms; NaN for fewer than two points.
 pub fn exponent(points: &[(f64, f64)]) -> f64 {
     let n = points.len() as f64;
     let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (ln(*x), ln(*y))).collect();
@@ -36,7 +38,9 @@ mod tests {
 
     #[test]
     fn medians_are_the_middle() {
-        for (values, middle) in [(&[3.0, 1.0, 2.0][..], 2.0), (&[4.0, 1.0, 2.0, 3.0], 2.5), (&[7.0], 7.0)] {
+        for (values, middle) in
+            [(&[3.0, 1.0, 2.0][..], 2.0), (&[4.0, 1.0, 2.0, 3.0], 2.5), (&[7.0], 7.0)]
+        {
             assert_eq!(median(values), middle);
         }
         assert!(median(&[]).is_nan());
@@ -46,13 +50,18 @@ mod tests {
     fn rays_that_are_not_cast_are_no_speed() {
         assert_eq!(times_as_fast(1.0, 8.0, None), 8.0);
         assert_eq!(times_as_fast(1.0, 8.0, Some((50, 100))), 4.0);
-        assert_eq!(times_as_fast(1.0, 8.0, Some((200, 100))), 8.0, "more rays than the peer's are our loss");
+        assert_eq!(
+            times_as_fast(1.0, 8.0, Some((200, 100))),
+            8.0,
+            "more rays than the peer's are our loss"
+        );
     }
 
     #[test]
     fn exponents_are_those_of_powers() {
         for p in [0.0, 0.5, 1.0, 2.0] {
-            let points: Vec<(f64, f64)> = [1.0, 10.0, 100.0].map(|x| (x, 3.0 * cases::maths::pow(x, p))).to_vec();
+            let points: Vec<(f64, f64)> =
+                [1.0, 10.0, 100.0].map(|x| (x, 3.0 * cases::maths::pow(x, p))).to_vec();
             assert!((exponent(&points) - p).abs() < 1e-12, "{p}");
         }
         assert!(exponent(&[(1.0, 1.0)]).is_nan());

@@ -118,7 +118,8 @@ fn long(bench: &Bench, folder: &Path) -> Result<[Row; 2], String> {
 }
 
 fn tasks(bench: &Bench, folder: &Path) -> Result<Vec<Task>, String> {
-    let task = |what, who, command, codes, n_runs| Task { what, who, command, codes, n_runs, note: None };
+    let task =
+        |what, who, command, codes, n_runs| Task { what, who, command, codes, n_runs, note: None };
     let mut render = Command::new(bench.program("reference"));
     render.current_dir(workspace()).args(["render", CASE, "-q", "-o"]).arg(folder.join("case.png"));
     let mut tasks = vec![task(what::CASE, OURS, render, &[0][..], N_SHORT)];
@@ -126,7 +127,9 @@ fn tasks(bench: &Bench, folder: &Path) -> Result<Vec<Task>, String> {
     let [small, _, small_other] = pictures(bench, folder, 320, 240)?;
     let ours = |a: &Path, b: &Path| with(bench.program("grader"), &["compare"], a, b, folder);
     let odiff = |a: &Path, b: &Path| with(bench.peers.join("odiff"), &[], a, b, folder);
-    let dify = |a: &Path, b: &Path| with(bench.peers.join("dify/bin/dify"), &["-o", "dify.png"], a, b, folder);
+    let dify = |a: &Path, b: &Path| {
+        with(bench.peers.join("dify/bin/dify"), &["-o", "dify.png"], a, b, folder)
+    };
     // dify ends with what it counted, cut to a byte
     let (odiff_codes, dify_codes) = (&[0, 21, 22][..], &[][..]);
     for (what, a, b, n_runs) in [
@@ -136,8 +139,8 @@ fn tasks(bench: &Bench, folder: &Path) -> Result<Vec<Task>, String> {
     ] {
         tasks.push(task(what, OURS, ours(a, b), &[0, 1], n_runs));
         tasks.push(task(what, "ODiff", odiff(a, b), odiff_codes, n_runs));
-        let writes =
-            (what != what::EQUAL).then_some("writes a picture of the difference, which cannot be switched off");
+        let writes = (what != what::EQUAL)
+            .then_some("writes a picture of the difference, which cannot be switched off");
         tasks.push(Task { note: writes, ..task(what, "dify", dify(a, b), dify_codes, n_runs) });
     }
     Ok(tasks)
@@ -149,13 +152,18 @@ fn with(program: PathBuf, words: &[&str], a: &Path, b: &Path, folder: &Path) -> 
     command
 }
 
-/// A picture of that size, tiled from a rendered one; a file of the same; and one of which every thousandth pixel is another.
+/// A picture of that size, tiled from a rendered one; a file of the same; and one of which every
+/// thousandth pixel is another.
 fn pictures(bench: &Bench, folder: &Path, width: u32, height: u32) -> Result<[PathBuf; 3], String> {
     let paths = ["base", "same", "other"].map(|name| folder.join(format!("{name}_{width}.png")));
     let [base, same, other] = &paths;
     let tile = folder.join("tile.png");
     let mut render = Command::new(bench.program("reference"));
-    render.arg("render").arg(bench.scenes.join("whitted.toml")).args(["-q", "--size", "256x192", "-o"]).arg(&tile);
+    render
+        .arg("render")
+        .arg(bench.scenes.join("whitted.toml"))
+        .args(["-q", "--size", "256x192", "-o"])
+        .arg(&tile);
     child::run(&mut render, folder)?;
     let wrong = |path: &Path, why: &dyn std::fmt::Display| format!("{}: {why}", path.display());
     let bytes = fs::read(&tile).map_err(|why| wrong(&tile, &why))?;
@@ -167,7 +175,8 @@ fn pictures(bench: &Bench, folder: &Path, width: u32, height: u32) -> Result<[Pa
     let picture = Image::from_fn(width, height, |i, j| tile.pixel(i % 256, j % 192));
     put(base, &picture)?;
     put(same, &picture)?;
-    let is_other = |i: u32, j: u32| (u64::from(j) * u64::from(width) + u64::from(i)).is_multiple_of(1000);
+    let is_other =
+        |i: u32, j: u32| (u64::from(j) * u64::from(width) + u64::from(i)).is_multiple_of(1000);
     put(
         other,
         &Image::from_fn(width, height, |i, j| {

@@ -1,4 +1,5 @@
-//! A stone of any number of triangles: a sphere divided evenly, its surface moved in and out by waves.
+//! A stone of any number of triangles: a sphere divided evenly, its surface moved in and out by
+//! waves.
 
 use cases::Mesh;
 use cases::glam::DVec3;
@@ -9,7 +10,8 @@ pub fn n_triangles(n_divisions: u32) -> usize {
     20 << (2 * n_divisions)
 }
 
-/// The stone, its radius 0.88 to 1.12, with a unit normal a vertex; of [`n_triangles`], all of them seen anticlockwise from outside.
+/// The stone, its radius 0.88 to 1.12, with a unit normal a vertex; of [`n_triangles`], all of them
+/// seen anticlockwise from outside.
 pub fn stone(n_divisions: u32) -> Mesh {
     let (mut directions, mut triangles) = icosahedron();
     for _ in 0..n_divisions {
@@ -22,7 +24,9 @@ pub fn stone(n_divisions: u32) -> Mesh {
 
 /// Distance of the surface from the middle in the direction `d`.
 fn radius(d: DVec3) -> f64 {
-    let wave = |n: f64, phase: f64| sin(n * d.x + phase) * sin(n * d.y + 2.0 * phase) * sin(n * d.z + 3.0 * phase);
+    let wave = |n: f64, phase: f64| {
+        sin(n * d.x + phase) * sin(n * d.y + 2.0 * phase) * sin(n * d.z + 3.0 * phase)
+    };
     1.0 + 0.1 * wave(5.0, 1.0) + 0.02 * wave(23.0, 2.0)
 }
 
@@ -64,7 +68,8 @@ fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
 
 /// Each triangle in four; the middles of edges, moved out to the unit sphere, join `directions`.
 fn divided(directions: &mut Vec<DVec3>, triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
-    let sides = |[a, b, c]: [u32; 3]| [(a.min(b), a.max(b)), (b.min(c), b.max(c)), (c.min(a), c.max(a))];
+    let sides =
+        |[a, b, c]: [u32; 3]| [(a.min(b), a.max(b)), (b.min(c), b.max(c)), (c.min(a), c.max(a))];
     let mut edges: Vec<(u32, u32)> = triangles.iter().flat_map(|t| sides(*t)).collect();
     edges.sort_unstable();
     edges.dedup();
@@ -112,7 +117,12 @@ mod tests {
             assert!((b - a).cross(c - a).dot(a) > 0.0);
         }
         let normals = mesh.normals.expect("it is smooth");
-        assert!(mesh.vertices.iter().zip(&normals).all(|(v, n)| v.dot(*n) > 0.0 && (n.length() - 1.0).abs() < 1e-12));
+        assert!(
+            mesh.vertices
+                .iter()
+                .zip(&normals)
+                .all(|(v, n)| v.dot(*n) > 0.0 && (n.length() - 1.0).abs() < 1e-12)
+        );
         assert!(mesh.vertices.iter().all(|v| (0.88..=1.12).contains(&v.length())));
     }
 }

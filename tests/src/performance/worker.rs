@@ -1,4 +1,5 @@
-//! Our own side of the measurements, run as a process of its own like every peer: what it prints is JSON.
+//! Our own side of the measurements, run as a process of its own like every peer: what it prints is
+//! JSON.
 
 use std::fs;
 use std::path::Path;
@@ -16,7 +17,8 @@ use serde_json::{Value, json};
 use super::rays::{self, Set};
 use super::scenes;
 
-/// Does what `words` ask for: `render SCENE THREADS`, or `search MESH RAYS ANSWERS PASSES`, `search-together` the same; what came of it.
+/// Does what `words` ask for: `render SCENE THREADS`, or `search MESH RAYS ANSWERS PASSES`,
+/// `search-together` the same; what came of it.
 ///
 /// # Errors
 /// Words that ask for nothing known, files that cannot be read or written.
@@ -25,7 +27,13 @@ pub fn work(words: &[String]) -> Result<Value, String> {
         [job, scene, threads] if job == "render" => render(Path::new(scene), number(threads)?),
         [job, mesh, rays, answers, passes] if job == "search" || job == "search-together" => {
             let by_packets = job == "search-together";
-            search(Path::new(mesh), Path::new(rays), Path::new(answers), number(passes)?, by_packets)
+            search(
+                Path::new(mesh),
+                Path::new(rays),
+                Path::new(answers),
+                number(passes)?,
+                by_packets,
+            )
         }
         _ => Err(format!("no work is called `{}`", words.join(" "))),
     }
@@ -50,7 +58,10 @@ fn timed<A>(work: impl FnOnce() -> A) -> (A, f64) {
 
 /// One picture, as `reference render` makes it: reading, making ready, rendering, apart.
 fn render(path: &Path, threads: usize) -> Result<Value, String> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|why| why.to_string())?;
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .map_err(|why| why.to_string())?;
     let (scene, read_s) = timed(|| load(path));
     let scene = scene?;
     let (world, prepare_s) = timed(|| pool.install(|| World::<f64>::new(&scene)));
@@ -61,8 +72,10 @@ fn render(path: &Path, threads: usize) -> Result<Value, String> {
     let bytes = world.bytes();
     let rays = stats.rays;
     Ok(json!({
-        "read_s": read_s, "prepare_s": prepare_s, "render_cpu_s": render_cpu_s, "render_wall_s": render_wall_s,
-        "bytes": bytes, "eye": rays.eye, "shadow": rays.shadow, "reflected": rays.reflected, "refracted": rays.refracted,
+        "read_s": read_s, "prepare_s": prepare_s, "render_cpu_s": render_cpu_s,
+        "render_wall_s": render_wall_s,
+        "bytes": bytes, "eye": rays.eye, "shadow": rays.shadow,
+        "reflected": rays.reflected, "refracted": rays.refracted,
     }))
 }
 
@@ -74,21 +87,32 @@ fn load(path: &Path) -> Result<Scene, String> {
 fn mesh_alone(path: &Path) -> Result<Scene, String> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let text = format!(
-        "[render]\nsize = [1, 1]\n[scene.camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 40\n\
-         [scene.materials]\nstone = {{}}\n[[scene.objects]]\nmesh = {{ file = {name:?} }}\nmaterial = \"stone\"\n"
+        "[render]\nsize = [1, 1]\n[scene.camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\n\
+            up = [0, 1, 0]\nfov_y_deg = 40\n\
+         [scene.materials]\nstone = {{}}\n[[scene.objects]]\nmesh = {{ file = {name:?} }}\n\
+         material = \"stone\"\n"
     );
     let folder = path.parent().unwrap_or(Path::new("."));
-    cases::scene::parse(&name, &text, folder, &cases::Course::default()).map_err(|why| why.to_string())
+    cases::scene::parse(&name, &text, folder, &cases::Course::default())
+        .map_err(|why| why.to_string())
 }
 
-/// Looks for what rays meet, one ray at a time on one thread, primary rays `by_packets` if asked; the first pass over each set warms up.
-fn search(mesh: &Path, from: &Path, to: &Path, n_passes: usize, by_packets: bool) -> Result<Value, String> {
+/// Looks for what rays meet, one ray at a time on one thread, primary rays `by_packets` if asked;
+/// the first pass over each set warms up.
+fn search(
+    mesh: &Path,
+    from: &Path,
+    to: &Path,
+    n_passes: usize,
+    by_packets: bool,
+) -> Result<Value, String> {
     let wrong = |path: &Path, why: &dyn std::fmt::Display| format!("{}: {why}", path.display());
     let bytes = fs::read(from).map_err(|why| wrong(from, &why))?;
     let sets = rays::decode(&bytes).ok_or_else(|| wrong(from, &"no file of rays"))?;
     let (scene, read_s) = timed(|| mesh_alone(mesh));
     let scene = scene?;
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(|why| why.to_string())?;
+    let pool =
+        rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(|why| why.to_string())?;
     let (world, build_s) = timed(|| pool.install(|| World::<f64>::new(&scene)));
     let blocks = rays::in_blocks(scenes::SIZE);
     let (mut all, mut seconds) = (vec![], vec![]);
@@ -113,7 +137,9 @@ fn ask(world: &World<f64>, set: &Set, rays: &[Ray<f64>], answers: &mut [f32]) {
         *answer = match set.is_any_hit {
             true if world.occluded(Lecture, ray, &mut ()) => 0.0,
             true => f32::INFINITY,
-            false => world.first(Lecture, ray, &mut ()).map_or(f32::INFINITY, |(_, met)| met.t as f32),
+            false => {
+                world.first(Lecture, ray, &mut ()).map_or(f32::INFINITY, |(_, met)| met.t as f32)
+            }
         };
     }
 }

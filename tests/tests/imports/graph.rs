@@ -53,7 +53,8 @@ impl Graph {
     pub(super) fn of(folder: &str) -> Self {
         let texts = files(folder, "rs").into_iter().filter_map(|path| {
             let file = name(&path).strip_prefix(folder)?.trim_start_matches('/').to_owned();
-            let is_other = file == "main.rs" || file.starts_with("bin/") || file.ends_with("tests.rs");
+            let is_other =
+                file == "main.rs" || file.starts_with("bin/") || file.ends_with("tests.rs");
             (!is_other).then(|| (file, std::fs::read_to_string(&path).expect("a source file")))
         });
         Self::read(texts)
@@ -115,7 +116,8 @@ impl Graph {
         for import in &imports {
             next.entry(&import.from).or_default().insert(&import.to);
         }
-        let reach: BTreeMap<&str, BTreeSet<&str>> = next.keys().map(|file| (*file, reached(file, &next))).collect();
+        let reach: BTreeMap<&str, BTreeSet<&str>> =
+            next.keys().map(|file| (*file, reached(file, &next))).collect();
         let reaches = |from: &str, to: &str| reach.get(from).is_some_and(|all| all.contains(to));
         let mut groups: BTreeMap<BTreeSet<&str>, Vec<Import>> = BTreeMap::new();
         for import in imports.iter().filter(|import| reaches(&import.to, &import.from)) {
@@ -142,7 +144,8 @@ impl Graph {
             name => {
                 let module = self.0.get(place)?;
                 let inner = [place, std::slice::from_ref(first)].concat();
-                if self.0.contains_key(&inner) || (rest.is_empty() && module.defined.contains(name)) {
+                if self.0.contains_key(&inner) || (rest.is_empty() && module.defined.contains(name))
+                {
                     return Some([inner.as_slice(), rest].concat());
                 }
                 let target = module.used.get(name)?;
@@ -169,8 +172,11 @@ impl Graph {
             let target = self.full(place, target, &mut BTreeSet::new())?;
             return self.file_of(&[target.as_slice(), rest].concat(), seen);
         }
-        let globs: Vec<Names> =
-            module.globs.iter().filter_map(|glob| self.full(place, glob, &mut BTreeSet::new())).collect();
+        let globs: Vec<Names> = module
+            .globs
+            .iter()
+            .filter_map(|glob| self.full(place, glob, &mut BTreeSet::new()))
+            .collect();
         let through = |glob: &Names| self.file_of(&[glob.as_slice(), &full[n..]].concat(), seen);
         if let Some(file) = globs.iter().find_map(through) {
             return Some(file);
@@ -273,15 +279,18 @@ fn module_of(file: &str) -> Names {
 fn reached<'a>(file: &'a str, next: &BTreeMap<&'a str, BTreeSet<&'a str>>) -> BTreeSet<&'a str> {
     let (mut found, mut open) = (BTreeSet::new(), vec![file]);
     while let Some(file) = open.pop() {
-        open.extend(next.get(file).into_iter().flatten().copied().filter(|file| found.insert(*file)));
+        open.extend(
+            next.get(file).into_iter().flatten().copied().filter(|file| found.insert(*file)),
+        );
     }
     found
 }
 
 fn is_test(attributes: &[Attribute]) -> bool {
-    attributes
-        .iter()
-        .any(|one| one.path().is_ident("cfg") && one.parse_args::<syn::Path>().is_ok_and(|what| what.is_ident("test")))
+    attributes.iter().any(|one| {
+        one.path().is_ident("cfg")
+            && one.parse_args::<syn::Path>().is_ok_and(|what| what.is_ident("test"))
+    })
 }
 
 fn attributes(item: &Item) -> &[Attribute] {

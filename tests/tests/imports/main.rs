@@ -14,7 +14,9 @@ fn no_two_files_need_each_other() {
         assert!(!graph.imports().is_empty(), "{folder}: the search finds no imports");
         let cycles = graph.cycles();
         let lines = cycles.iter().flat_map(|cycle| {
-            let line = |import: &graph::Import| format!("    {} needs {} for {}", import.from, import.to, import.item);
+            let line = |import: &graph::Import| {
+                format!("    {} needs {} for {}", import.from, import.to, import.item)
+            };
             std::iter::once("a cycle:".to_owned()).chain(cycle.iter().map(line))
         });
         let said: Vec<String> = lines.collect();
@@ -33,7 +35,8 @@ fn the_recursion_is_the_only_exception() {
 
 /// Checks the imports between files with these texts.
 fn check(texts: &[(&str, &str)], imports: &[&str], n_cycles: usize) {
-    let graph = Graph::read(texts.iter().map(|(file, text)| ((*file).to_owned(), (*text).to_owned())));
+    let graph =
+        Graph::read(texts.iter().map(|(file, text)| ((*file).to_owned(), (*text).to_owned())));
     let found: Vec<String> =
         graph.imports().iter().map(|one| format!("{} {} {}", one.from, one.to, one.item)).collect();
     assert_eq!(found, imports);
@@ -43,9 +46,21 @@ fn check(texts: &[(&str, &str)], imports: &[&str], n_cycles: usize) {
 #[test]
 fn an_import_leads_to_the_file_that_defines_the_item() {
     let lib = ("lib.rs", "mod a;\nmod b;");
-    check(&[lib, ("a.rs", "pub struct A;"), ("b.rs", "use crate::a::A;")], &["b.rs a.rs crate::a::A"], 0);
-    check(&[lib, ("a.rs", "pub fn a() {}"), ("b.rs", "use crate::a;\nfn b() { a::a() }")], &["b.rs a.rs a::a"], 0);
-    check(&[lib, ("a.rs", "pub fn a() {}"), ("b.rs", "fn b() { super::a::a() }")], &["b.rs a.rs super::a::a"], 0);
+    check(
+        &[lib, ("a.rs", "pub struct A;"), ("b.rs", "use crate::a::A;")],
+        &["b.rs a.rs crate::a::A"],
+        0,
+    );
+    check(
+        &[lib, ("a.rs", "pub fn a() {}"), ("b.rs", "use crate::a;\nfn b() { a::a() }")],
+        &["b.rs a.rs a::a"],
+        0,
+    );
+    check(
+        &[lib, ("a.rs", "pub fn a() {}"), ("b.rs", "fn b() { super::a::a() }")],
+        &["b.rs a.rs super::a::a"],
+        0,
+    );
     let within = ("b.rs", "fn b() { use crate::a::a; a() }");
     check(&[lib, ("a.rs", "pub fn a() {}"), within], &["b.rs a.rs crate::a::a"], 0);
     let named = ("b.rs", "pub struct B { #[serde(with = \"super::a::a\")] b: f64 }");
@@ -53,8 +68,16 @@ fn an_import_leads_to_the_file_that_defines_the_item() {
     let in_macro = ("b.rs", "fn b() { print!(\"{}\", crate::a::a()) }");
     check(&[lib, ("a.rs", "pub fn a() {}"), in_macro], &["b.rs a.rs crate::a::a"], 0);
     let test = "#[cfg(test)]\nmod tests { use crate::b::B; }\npub struct A;";
-    check(&[lib, ("a.rs", test), ("b.rs", "use crate::a::A;\npub struct B;")], &["b.rs a.rs crate::a::A"], 0);
-    let both = [lib, ("a.rs", "use crate::b::B;\npub struct A;"), ("b.rs", "use crate::a::A;\npub struct B;")];
+    check(
+        &[lib, ("a.rs", test), ("b.rs", "use crate::a::A;\npub struct B;")],
+        &["b.rs a.rs crate::a::A"],
+        0,
+    );
+    let both = [
+        lib,
+        ("a.rs", "use crate::b::B;\npub struct A;"),
+        ("b.rs", "use crate::a::A;\npub struct B;"),
+    ];
     check(&both, &["a.rs b.rs crate::b::B", "b.rs a.rs crate::a::A"], 1);
 }
 

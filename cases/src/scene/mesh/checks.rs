@@ -10,7 +10,8 @@ pub(super) fn checked_position(position: DVec3) -> Result<DVec3, Fault> {
     if position.is_finite() && position.abs().max_element() <= MAX_NUMBER {
         return Ok(position);
     }
-    let what = format!("this vertex has a coordinate that is not a number of at most {MAX_NUMBER:e}");
+    let what =
+        format!("this vertex has a coordinate that is not a number of at most {MAX_NUMBER:e}");
     Err(Fault::of_file(what, "correct the coordinate, or scale the mesh"))
 }
 

@@ -63,18 +63,23 @@ impl Faces {
         }
         if self.triangles.len() + self.corners.len() - 2 * self.polygons.len() > MAX_TRIANGLES {
             let help = "use a coarser mesh, or divide it among several scenes";
-            return Err(Fault::of_file(format!("it has more than {MAX_TRIANGLES} triangles"), help));
+            return Err(Fault::of_file(
+                format!("it has more than {MAX_TRIANGLES} triangles"),
+                help,
+            ));
         }
         let mut triangles = Vec::with_capacity(self.triangles.len() + self.corners.len());
         let (mut taken, mut start) = (0, 0);
         for (n, polygon) in self.polygons.iter().enumerate() {
             triangles.extend_from_slice(&self.triangles[taken..polygon.after]);
             let corners = &self.corners[start..polygon.end];
-            let positions: Vec<DVec3> = corners.iter().map(|corner| vertices[*corner as usize]).collect();
+            let positions: Vec<DVec3> =
+                corners.iter().map(|corner| vertices[*corner as usize]).collect();
             let cut = polygon::triangulate(&positions).map_err(|why| Fault {
                 place: place(polygon.after + n, polygon.at),
                 what: format!("this face of {} corners {why}", corners.len()),
-                help: "divide the face into triangles in the program that wrote the file".to_owned(),
+                help: "divide the face into triangles in the program that wrote the file"
+                    .to_owned(),
             })?;
             triangles.extend(cut.into_iter().map(|abc| abc.map(|n| corners[n])));
             (taken, start) = (polygon.after, polygon.end);

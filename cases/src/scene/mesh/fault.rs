@@ -45,7 +45,9 @@ impl Fault {
                 let (line, column) = line_column(bytes, *byte);
                 format!("{name}:{line}:{column}: {}", self.what)
             }
-            Place::Binary(byte, element) => format!("{name}: byte {byte}, {element}: {}", self.what),
+            Place::Binary(byte, element) => {
+                format!("{name}: byte {byte}, {element}: {}", self.what)
+            }
         }
     }
 }
@@ -55,10 +57,14 @@ impl Fault {
 /// A line ends with CR, LF, or CR and LF. Bytes that are not UTF-8 count as a character each.
 fn line_column(bytes: &[u8], at: usize) -> (usize, usize) {
     let before = &bytes[..at.min(bytes.len())];
-    let ends = |n: &usize| before[*n] == b'\n' || (before[*n] == b'\r' && bytes.get(n + 1) != Some(&b'\n'));
+    let ends = |n: &usize| {
+        before[*n] == b'\n' || (before[*n] == b'\r' && bytes.get(n + 1) != Some(&b'\n'))
+    };
     let line = (0..before.len()).filter(ends).count() + 1;
     let start = (0..before.len()).rev().find(ends).map_or(0, |n| n + 1);
-    let column = String::from_utf8_lossy(&before[start..]).trim_start_matches('\u{feff}').chars().count() + 1;
+    let column =
+        String::from_utf8_lossy(&before[start..]).trim_start_matches('\u{feff}').chars().count()
+            + 1;
     (line, column)
 }
 
@@ -69,7 +75,8 @@ pub(super) fn quoted(bytes: &[u8]) -> String {
     let mut text = String::from("`");
     let mut room = MOST_QUOTED;
     for char in String::from_utf8_lossy(start).chars() {
-        let escaped: String = if char == '"' || char == '\'' { char.into() } else { char.escape_debug().collect() };
+        let escaped: String =
+            if char == '"' || char == '\'' { char.into() } else { char.escape_debug().collect() };
         let length = escaped.chars().count();
         if length > room {
             return text + "…`";
@@ -88,7 +95,8 @@ mod tests {
     #[test]
     fn lines_end_in_three_ways() {
         let bytes = "\u{feff}é b\r\nc\rd\n\ne".as_bytes();
-        let place = |letter: u8| line_column(bytes, bytes.iter().position(|byte| *byte == letter).unwrap());
+        let place =
+            |letter: u8| line_column(bytes, bytes.iter().position(|byte| *byte == letter).unwrap());
         assert_eq!([b'b', b'c', b'd', b'e'].map(place), [(1, 3), (2, 1), (3, 1), (5, 1)]);
         assert_eq!(line_column(b"ab", 2), (1, 3));
         assert_eq!(line_column(b"", 0), (1, 1));

@@ -3,6 +3,7 @@
 mod checks;
 mod faces;
 mod fault;
+mod inline;
 mod obj;
 mod ply;
 mod polygon;
@@ -15,6 +16,7 @@ use super::raw::objects::RawMeshFile;
 use super::raw::read::Notes;
 use crate::files;
 use fault::Fault;
+pub(crate) use inline::inline;
 
 /// The most bytes of a mesh file that are read.
 pub(crate) const MAX_MESH_BYTES: u64 = 64 << 20;
@@ -37,13 +39,21 @@ fn mesh(raw: &RawMeshFile, path: &Path) -> Result<Mesh, (String, String)> {
         let help = "write the path relative to the folder of this file";
         return refused("an absolute path: a case would not survive being moved", help);
     }
-    let parse = match path.extension().and_then(|end| end.to_str()).map(str::to_ascii_lowercase).as_deref() {
-        Some("obj") => obj::parse,
-        Some("ply") => ply::parse,
-        _ => return refused("the name of a mesh ends in .obj or .ply", "convert the mesh to one of these formats"),
-    };
-    let bytes = files::read(path, MAX_MESH_BYTES)
-        .map_err(|why| (why.to_string(), "the path is relative to the folder of this file".to_owned()))?;
+    let parse =
+        match path.extension().and_then(|end| end.to_str()).map(str::to_ascii_lowercase).as_deref()
+        {
+            Some("obj") => obj::parse,
+            Some("ply") => ply::parse,
+            _ => {
+                return refused(
+                    "the name of a mesh ends in .obj or .ply",
+                    "convert the mesh to one of these formats",
+                );
+            }
+        };
+    let bytes = files::read(path, MAX_MESH_BYTES).map_err(|why| {
+        (why.to_string(), "the path is relative to the folder of this file".to_owned())
+    })?;
     parse(&bytes, raw.smooth != Some(false))
         .and_then(|mesh| usable(mesh, raw.smooth == Some(true)))
         .map_err(|fault| (fault.describe(&path.display().to_string(), &bytes), fault.help))
@@ -52,7 +62,10 @@ fn mesh(raw: &RawMeshFile, path: &Path) -> Result<Mesh, (String, String)> {
 /// Returns the mesh, if it has triangles, and normals where they are needed.
 fn usable(mesh: Mesh, needs_normals: bool) -> Result<Mesh, Fault> {
     if mesh.triangles.is_empty() {
-        return Err(Fault::of_file("it has no triangles", "give it at least one face with an area"));
+        return Err(Fault::of_file(
+            "it has no triangles",
+            "give it at least one face with an area",
+        ));
     }
     if needs_normals && mesh.normals.is_none() {
         let help = "leave `smooth` out, or add normals in the program that wrote the file";

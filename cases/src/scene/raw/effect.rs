@@ -21,8 +21,11 @@ impl Read for EffectName {
         let name = At::<String>::read(value, notes)?;
         let effect = Effect::from_name(&name);
         if effect.is_none() {
-            let problem =
-                notes.add(name.span.clone(), format!("unknown effect `{}`", name.value), "there is no such effect");
+            let problem = notes.add(
+                name.span.clone(),
+                format!("unknown effect `{}`", name.value),
+                "there is no such effect",
+            );
             let all = format!("the effects are {}", quoted(names()));
             problem.help(match did_you_mean(&name, names()) {
                 Some(meant) => format!("did you mean `{meant}`? {all}"),

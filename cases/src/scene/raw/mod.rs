@@ -1,5 +1,5 @@
-//! Case files as they are written. The doc comments below are the reference of the format: `docs/scene-format.md` and the
-//! JSON Schema are made from them.
+//! Case files as they are written. The doc comments below are the reference of the format:
+//! `docs/scene-format.md` and the JSON Schema are made from them.
 
 pub(crate) mod effect;
 pub(crate) mod numbers;
@@ -15,7 +15,8 @@ use read::{At, Each, Maybe, choice, table};
 use vary::RawVary;
 
 table! {
-    /// A scene outside any stage; it may have the keys of a case, but needs only `render` and `scene`.
+    /// A scene outside any stage; it may have the keys of a case, but needs only `render` and
+    /// `scene`.
     #[expect(dead_code, reason = "what makes it a case is only checked")]
     "a scene file" RawSceneFile {
         /// As in a case.
@@ -40,15 +41,18 @@ table! {
     "`[render]`" RawRender {
         /// Width and height in pixels, together at most 8388608 pixels.
         size: At<[Side; 2]>,
-        /// How often a path may be continued: a ray of this depth spawns no more, the eye ray has depth 0. [rule 13]
+        /// How often a path may be continued: a ray of this depth spawns no more, the eye ray has
+        /// depth 0. [rule 13]
         max_depth: Depth = "0",
-        /// A path whose weight is below this in every channel spawns no more; 0 switches that off. [rule 13]
+        /// A path whose weight is below this in every channel spawns no more; 0 switches that off.
+        /// [rule 13]
         threshold: NonNegative = "0",
     }
 }
 
 table! {
-    /// What is seen: world space is right-handed, lengths are in scene units, colours are linear RGB.
+    /// What is seen: world space is right-handed, lengths are in scene units, colours are linear
+    /// RGB.
     "`[scene]`" RawScene {
         /// Where the picture is taken from.
         camera: Maybe<RawCamera>,
@@ -58,7 +62,8 @@ table! {
         lights: Each<RawLight> = "[]",
         /// Materials by name.
         materials: BTreeMap<String, Maybe<RawMaterial>> = "{}",
-        /// What there is to see, in the order that decides between two hits at equal distance: the first wins.
+        /// What there is to see, in the order that decides between two hits at equal distance: the
+        /// first wins.
         objects: Each<At<RawObject>> = "[]",
     }
 }
@@ -80,7 +85,8 @@ table! {
         look_at: At<Point>,
         /// Which way is up in the picture; any length, not parallel to the view.
         up: At<Direction>,
-        /// The vertical angle of view in degrees. Pixels are square, which gives the horizontal one.
+        /// The vertical angle of view in degrees. Pixels are square, which gives the horizontal
+        /// one.
         fov_y_deg: ViewAngle,
     }
 }
@@ -110,7 +116,8 @@ table! {
 }
 
 table! {
-    /// A = min(1, 1 / (quadratic · r² + linear · r + constant)) at the distance r; not all of them 0. [rule 4]
+    /// A = min(1, 1 / (quadratic · r² + linear · r + constant)) at the distance r; not all of them
+    /// 0. [rule 4]
     "an attenuation" RawAttenuation {
         /// Factor of r².
         quadratic: NonNegative = "0",
@@ -148,10 +155,11 @@ table! {
         kt: At<Colour> = "[0, 0, 0]",
         /// Weight of the reflected ray. Left out: the same as `ks`. [rule 7]
         kr: Option<Colour>,
-        /// Specular exponent. Needed where `ks` is not black; elsewhere it makes no difference, and is 0.
+        /// Specular exponent. Needed where `ks` is not black; elsewhere it makes no difference, and
+        /// is 0.
         ns: Option<NonNegative>,
-        /// Index of refraction. Needed where `kt` is not black; elsewhere it makes no difference, and is that of air, 1.0003.
-        /// [rule 9]
+        /// Index of refraction. Needed where `kt` is not black; elsewhere it makes no difference,
+        /// and is that of air, 1.0003. [rule 9]
         index: Option<Size>,
     }
 }

@@ -1,4 +1,5 @@
-//! Numbers of a file that carry their own preconditions: once read, nothing about them needs to be asked again.
+//! Numbers of a file that carry their own preconditions: once read, nothing about them needs to be
+//! asked again.
 
 use std::borrow::Cow;
 
@@ -14,7 +15,9 @@ pub(crate) const MAX_NUMBER: f64 = 1e18;
 /// Any number but NaN and infinity, of sensible size.
 pub(crate) fn finite(value: &Value<'_>, wanted: &str, notes: &mut Notes) -> Option<f64> {
     let number = match value.get_ref() {
-        DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix()).ok().map(|n| n as f64),
+        DeValue::Integer(integer) => {
+            i64::from_str_radix(integer.as_str(), integer.radix()).ok().map(|n| n as f64)
+        }
         DeValue::Float(float) => float.as_str().parse().ok(),
         _ => {
             notes.wrong(value, wanted);
@@ -29,7 +32,8 @@ pub(crate) fn finite(value: &Value<'_>, wanted: &str, notes: &mut Notes) -> Opti
     number
 }
 
-/// Declares a type of number with what it is called in messages, its condition, and its JSON Schema.
+/// Declares a type of number with what it is called in messages, its condition, and its JSON
+/// Schema.
 macro_rules! numbers {
     ($($(#[$meta:meta])* $name:ident($wanted:literal, $holds:expr, $schema:tt)),* $(,)?) => {$(
         $(#[$meta])*
@@ -47,7 +51,8 @@ macro_rules! numbers {
                 let number = finite(value, $wanted, notes)?;
                 let holds: fn(f64) -> bool = $holds;
                 if !holds(number) {
-                    notes.add(value.span(), concat!("this is not ", $wanted), concat!($wanted, " is due here"));
+                    let message = concat!("this is not ", $wanted);
+                        notes.add(value.span(), message, concat!($wanted, " is due here"));
                     return None;
                 }
                 Some(Self(number))
@@ -74,9 +79,13 @@ numbers! {
     /// Any number.
     Number("a number", |_| true, { "type": "number" }),
     /// A factor that undoes nothing: not zero.
-    Factor("a number other than 0", |x| x.abs() >= 1.0 / MAX_NUMBER, { "type": "number", "not": { "const": 0 } }),
+    Factor("a number other than 0", |x| x.abs() >= 1.0 / MAX_NUMBER, {
+        "type": "number", "not": { "const": 0 }
+    }),
     /// A length.
-    Size("a number above 0", |x| x >= 1.0 / MAX_NUMBER, { "type": "number", "exclusiveMinimum": 0 }),
+    Size("a number above 0", |x| x >= 1.0 / MAX_NUMBER, {
+        "type": "number", "exclusiveMinimum": 0
+    }),
     /// A coefficient.
     NonNegative("a number of at least 0", |x| x >= 0.0, { "type": "number", "minimum": 0 }),
     /// A part of something.
@@ -140,13 +149,15 @@ vectors! {
     /// A place or a displacement.
     Point of Number, Ok,
     /// A direction of any length but zero, as it stands.
-    Travel of Number, |v| if v == DVec3::ZERO { Err("a direction cannot be the zero vector") } else { Ok(v) },
+    Travel of Number, |v| if v == DVec3::ZERO { Err("a direction cannot be the zero \
+        vector") } else { Ok(v) },
     /// A direction, made a unit vector.
     Direction of Number, |v| unit(v).ok_or("a direction cannot be the zero vector"),
     /// Linear RGB.
     Colour of NonNegative, Ok,
     /// A length for each axis, not all of them 0.
-    Reaches of NonNegative, |v| if v == DVec3::ZERO { Err("this moves nothing: leave it out") } else { Ok(v) },
+    Reaches of NonNegative, |v| if v == DVec3::ZERO { Err("this moves nothing: leave it \
+        out") } else { Ok(v) },
     /// A factor for each axis.
     Factors of Factor, Ok,
 }

@@ -7,21 +7,26 @@ use super::numbers::{Direction, Factor, Factors, Index, NonNegative, Number, Poi
 use super::read::{At, Each, Notes, Read, Value, choice, table};
 
 /// The keys of an object of which it has exactly one.
-pub(crate) const SHAPES: [&str; 8] = ["sphere", "square", "box", "plane", "cylinder", "cone", "mesh", "group"];
+pub(crate) const SHAPES: [&str; 8] =
+    ["sphere", "square", "box", "plane", "cylinder", "cone", "mesh", "group"];
 
 table! {
     /// A thing in the scene: exactly one shape, or a group of objects.
     #[schemars(transform = exactly_one_shape)]
     "an object" RawObject {
-        /// Its name in messages and ray trees, once in the scene. Left out: its place, such as `objects[3]`.
+        /// Its name in messages and ray trees, once in the scene. Left out: its place, such as
+        /// `objects[3]`.
         name: Option<At<String>>,
-        /// The name of its material. In a group: the material of those of its objects that have none themselves.
+        /// The name of its material. In a group: the material of those of its objects that have
+        /// none themselves.
         material: Option<At<String>>,
-        /// What takes it from object space to world space: applied in order, the first listed acts first. [rule 20]
+        /// What takes it from object space to world space: applied in order, the first listed acts
+        /// first. [rule 20]
         transforms: Each<At<RawTransform>> = "[]",
         /// A sphere. [rule 14]
         sphere: Option<RawSphere>,
-        /// The unit square |x| ≤ 0.5, |y| ≤ 0.5 of z = 0, normal +z; without keys: `square = {}`. [rule 15]
+        /// The unit square |x| ≤ 0.5, |y| ≤ 0.5 of z = 0, normal +z; without keys: `square = {}`.
+        /// [rule 15]
         square: Option<RawSquare>,
         /// A box along the axes. [rule 15]
         r#box: Option<RawBox>,
@@ -41,7 +46,9 @@ table! {
 impl RawObject {
     /// Whether a part of the object, or of an object in its group, could not be read.
     pub(crate) fn has_hole(&self) -> bool {
-        self.is_shapeless() || self.transforms.has_hole() || self.group.as_ref().is_some_and(any_hole)
+        self.is_shapeless()
+            || self.transforms.has_hole()
+            || self.group.as_ref().is_some_and(any_hole)
     }
 
     fn is_shapeless(&self) -> bool {
@@ -59,7 +66,10 @@ pub(crate) fn any_hole(objects: &Each<At<RawObject>>) -> bool {
 
 /// Says in the schema that an object has exactly one shape.
 fn exactly_one_shape(schema: &mut Schema) {
-    schema.insert("oneOf".to_owned(), SHAPES.iter().map(|shape| json!({ "required": [shape] })).collect());
+    schema.insert(
+        "oneOf".to_owned(),
+        SHAPES.iter().map(|shape| json!({ "required": [shape] })).collect(),
+    );
 }
 
 table! {
@@ -164,9 +174,11 @@ table! {
     "a mesh" RawMeshInline {
         /// Corners.
         vertices: Vec<Point>,
-        /// Three indices into `vertices` each, the first vertex being 0. A triangle without area is never hit.
+        /// Three indices into `vertices` each, the first vertex being 0. A triangle without area is
+        /// never hit.
         triangles: Vec<At<[Index; 3]>>,
-        /// A normal for every vertex, of any length; with them the mesh is smooth, without them flat. [rule 18]
+        /// A normal for every vertex, of any length; with them the mesh is smooth, without them
+        /// flat. [rule 18]
         normals: Option<At<Vec<Direction>>>,
     }
 }
@@ -178,11 +190,13 @@ choice! {
         "translate" Translate(Point),
         /// Turns about an axis through the origin.
         "rotate" Rotate(RawRotation),
-        /// Scales about the origin: by one factor, or by one for each axis. Below 0 mirrors; 0 is refused.
+        /// Scales about the origin: by one factor, or by one for each axis. Below 0 mirrors; 0 is
+        /// refused.
         "scale" Scale(RawScale),
         /// Slants.
         "shear" Shear(RawShear),
-        /// Any affine map, as four rows of four numbers that act on a column (x, y, z, 1); the last row is [0, 0, 0, 1].
+        /// Any affine map, as four rows of four numbers that act on a column (x, y, z, 1); the last
+        /// row is [0, 0, 0, 1].
         "matrix" Matrix([[Number; 4]; 4]),
     }
 }
@@ -192,7 +206,8 @@ table! {
     "a rotation" RawRotation {
         /// The axis; any length.
         axis: Direction,
-        /// Degrees, counter-clockwise as seen from the tip of the axis. Multiples of 90 turn exactly.
+        /// Degrees, counter-clockwise as seen from the tip of the axis. Multiples of 90 turn
+        /// exactly.
         angle_deg: Number,
     }
 }

@@ -1,4 +1,5 @@
-//! Reading typed values out of parsed TOML, where no problem stops the reading: it is noted, and the rest is read as well.
+//! Reading typed values out of parsed TOML, where no problem stops the reading: it is noted, and
+//! the rest is read as well.
 
 use std::collections::BTreeMap;
 use std::ops::{Deref, Range};
@@ -36,7 +37,8 @@ impl Notes {
     ) -> &mut Problem {
         let span = (!span.is_empty()).then_some(span);
         self.n_added += 1;
-        // Beyond the limit each problem replaces the last one: what is lost is only text that nobody would read.
+        // Beyond the limit each problem replaces the last one: what is lost is only text that
+        // nobody would read.
         self.problems.truncate(MAX_PROBLEMS - 1);
         let source = Arc::clone(&self.source);
         let at = self.problems.len();
@@ -59,7 +61,11 @@ impl Notes {
     /// Notes that `value` is not `wanted`, such as "a number".
     pub(crate) fn wrong(&mut self, value: &Value<'_>, wanted: &str) -> &mut Problem {
         let found = kind(value.get_ref());
-        self.add(value.span(), format!("this is {found}, not {wanted}"), format!("{wanted} is due here"))
+        self.add(
+            value.span(),
+            format!("this is {found}, not {wanted}"),
+            format!("{wanted} is due here"),
+        )
     }
 
     /// Returns the number of problems so far, which never falls.
@@ -72,7 +78,9 @@ impl Notes {
         match (Problems::new(self.problems), value) {
             (Some(problems), _) => Err(problems),
             (None, Some(value)) => Ok(value),
-            (None, None) => Err(Problems::of_file(&self.source.name, "it cannot be understood", None)),
+            (None, None) => {
+                Err(Problems::of_file(&self.source.name, "it cannot be understood", None))
+            }
         }
     }
 }
@@ -173,7 +181,8 @@ impl<T> Each<T> {
 
 impl<T: Read> Read for Each<T> {
     fn read(value: &Value<'_>, notes: &mut Notes) -> Option<Self> {
-        Vec::<Maybe<T>>::read(value, notes).map(|items| Self(items.into_iter().map(|item| item.0).collect()))
+        Vec::<Maybe<T>>::read(value, notes)
+            .map(|items| Self(items.into_iter().map(|item| item.0).collect()))
     }
 }
 
@@ -187,7 +196,9 @@ impl<T: Read> Read for BTreeMap<String, T> {
         Some(
             entries
                 .iter()
-                .filter_map(|(name, item)| Some((name.get_ref().to_string(), T::read(item, notes)?)))
+                .filter_map(|(name, item)| {
+                    Some((name.get_ref().to_string(), T::read(item, notes)?))
+                })
                 .collect(),
         )
     }
@@ -239,8 +250,14 @@ pub(crate) struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// Opens `value`, which is to be `what` (as "a camera"), and notes the keys that are not among `known`.
-    pub(crate) fn open(what: &'static str, known: &[&'a str], value: &'a Value<'a>, notes: &mut Notes) -> Option<Self> {
+    /// Opens `value`, which is to be `what` (as "a camera"), and notes the keys that are not among
+    /// `known`.
+    pub(crate) fn open(
+        what: &'static str,
+        known: &[&'a str],
+        value: &'a Value<'a>,
+        notes: &mut Notes,
+    ) -> Option<Self> {
         let Some(entries) = value.get_ref().as_table() else {
             notes.wrong(value, &format!("{what}: a table of keys"));
             return None;
@@ -256,13 +273,18 @@ impl<'a> Table<'a> {
 
     fn refuse(&mut self, key: &str, span: Range<usize>, known: &[&'a str], notes: &mut Notes) {
         if notes.is_full() {
-            // A file of a million unknown keys is not searched for a million suggestions that nobody reads.
+            // A file of a million unknown keys is not searched for a million suggestions that
+            // nobody reads.
             notes.add(span, format!("unknown key `{key}`"), "");
             return;
         }
         let unused = known.iter().copied().filter(|known| !self.has(known));
         let meant = did_you_mean(key, unused);
-        let problem = notes.add(span, format!("unknown key `{key}`"), format!("{} has no such key", self.what));
+        let problem = notes.add(
+            span,
+            format!("unknown key `{key}`"),
+            format!("{} has no such key", self.what),
+        );
         problem.help(match meant {
             Some(meant) => format!("did you mean `{meant}`?"),
             None => format!("its keys are {}", quoted(known.iter().copied())),
@@ -292,7 +314,12 @@ impl<'a> Table<'a> {
     }
 
     /// The value of `key`, or `default`, which is written as in a file.
-    pub(crate) fn field_or<T: Read>(&self, key: &str, default: &str, notes: &mut Notes) -> Option<T> {
+    pub(crate) fn field_or<T: Read>(
+        &self,
+        key: &str,
+        default: &str,
+        notes: &mut Notes,
+    ) -> Option<T> {
         match (self.entry(key), DeValue::parse(default)) {
             (Some(value), _) => T::read(value, notes),
             (None, Ok(value)) => T::read(&Spanned::new(self.span(), value.into_inner()), notes),
@@ -321,9 +348,9 @@ pub(crate) fn json(default: &str) -> serde_json::Value {
         .unwrap_or_default()
 }
 
-/// Declares a table of a file once: its type, how it is read, and its schema. A field is `key: Type`, or
-/// `key: Type = "default as in a file"`; an optional key without a default is an `Option`. `exactly one of` a list of its
-/// keys has to be there.
+/// Declares a table of a file once: its type, how it is read, and its schema. A field is
+/// `key: Type`, or `key: Type = "default as in a file"`; an optional key without a default is an
+/// `Option`. `exactly one of` a list of its keys has to be there.
 macro_rules! table {
     ($(#[$meta:meta])* $what:literal $name:ident {
         $( $(#[$field_meta:meta])* $field:ident : $type:ty $(= $default:literal)? ),* $(,)?
@@ -345,7 +372,8 @@ macro_rules! table {
                 notes: &mut $crate::scene::raw::read::Notes,
             ) -> Option<Self> {
                 use $crate::scene::raw::read::Table;
-                let _table = Table::open($what, &[$($crate::scene::raw::read::plain(stringify!($field))),*], value, notes)?;
+                let keys = &[$($crate::scene::raw::read::plain(stringify!($field))),*];
+                let _table = Table::open($what, keys, value, notes)?;
                 $( _table.only_one_of(&$choice, notes); )?
                 $( let $field = table!(@read _table notes $field $($default)?); )*
                 Some(Self { $($field: $field?),* })
@@ -392,17 +420,23 @@ pub(crate) use {choice, table};
 
 impl Table<'_> {
     /// The one of `keys` that is there; none or several are noted.
-    pub(crate) fn only_one_of(&self, keys: &[&'static str], notes: &mut Notes) -> Option<&'static str> {
+    pub(crate) fn only_one_of(
+        &self,
+        keys: &[&'static str],
+        notes: &mut Notes,
+    ) -> Option<&'static str> {
         let there: Vec<&'static str> = keys.iter().copied().filter(|key| self.has(key)).collect();
         match there[..] {
             [one] => return Some(one),
             [] if self.excused.is_empty() => {
-                let message = format!("{} needs one of {}", self.what, quoted(keys.iter().copied()));
+                let message =
+                    format!("{} needs one of {}", self.what, quoted(keys.iter().copied()));
                 notes.add(self.span(), message, "none of them is here");
             }
             [] => {}
             [_, second, ..] => {
-                let message = format!("{} has only one of {}", self.what, quoted(keys.iter().copied()));
+                let message =
+                    format!("{} has only one of {}", self.what, quoted(keys.iter().copied()));
                 let span = self.entry(second).map_or(self.span(), Spanned::span);
                 notes.add(span, message, format!("{} are here", quoted(there.iter().copied())));
             }

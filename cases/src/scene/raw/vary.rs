@@ -6,8 +6,9 @@ use super::numbers::{Reaches, Share, Size};
 use super::read::{At, Notes, Read, Value, table};
 
 table! {
-    /// How far `reference vary` may move the numbers of this case, up or down. A kind of number that is left out here is not moved.
-    /// Neither is a number that does not stand in the case file: `vary` never moves a default.
+    /// How far `reference vary` may move the numbers of this case, up or down. A kind of number
+    /// that is left out here is not moved. Neither is a number that does not stand in the case
+    /// file: `vary` never moves a default.
     "`[vary]`" RawVary {
         /// The eye: scene units, for all axes or for each.
         eye: Option<Reach>,
@@ -19,18 +20,20 @@ table! {
         lights: Option<Reach>,
         /// Each component of a directional light's direction: a share of the longest component.
         directions: Option<Share>,
-        /// Spheres with a `center`, boxes with `min` and `max`, planes and inline meshes, each as a whole; those without transforms:
-        /// scene units, for all axes or for each.
+        /// Spheres with a `center`, boxes with `min` and `max`, planes and inline meshes, each as a
+        /// whole; those without transforms: scene units, for all axes or for each.
         objects: Option<Reach>,
         /// Radii: a share of each.
         radii: Option<Share>,
-        /// Translations in lists of transforms: units of the space moved in, for all axes or for each.
+        /// Translations in lists of transforms: units of the space moved in, for all axes or for
+        /// each.
         translate: Option<Reach>,
         /// Angles in lists of transforms: degrees.
         angle_deg: Option<Size>,
         /// Factors of `scale` and amounts of `shear` in lists of transforms: a share of each.
         scale: Option<Share>,
-        /// Each channel of a colour, by at most half of itself; 0 and 1 stay, and no channel crosses 1.
+        /// Each channel of a colour, by at most half of itself; 0 and 1 stay, and no channel
+        /// crosses 1.
         colours: Option<Size>,
         /// Indices of refraction.
         indices: Option<Size>,

@@ -24,13 +24,18 @@ pub struct Difference {
 /// Where the sizes differ.
 pub fn compare(actual: &Image, answer: &ImageAnswer) -> Difference {
     let expected = &answer.expected;
-    assert_eq!((actual.width(), actual.height()), (expected.width(), expected.height()), "pictures of one size");
+    assert_eq!(
+        (actual.width(), actual.height()),
+        (expected.width(), expected.height()),
+        "pictures of one size"
+    );
     measure(actual, answer, &answer.out(actual))
 }
 
 /// The measures of the pixels that are marked in `out`.
 pub(super) fn measure(actual: &Image, answer: &ImageAnswer, out: &[bool]) -> Difference {
-    let mut difference = Difference { n_out: 0, cluster: 0, n_contested: 0, worst: None, bounds: None };
+    let mut difference =
+        Difference { n_out: 0, cluster: 0, n_contested: 0, worst: None, bounds: None };
     let mut most = 0.0;
     for n in (0..out.len()).filter(|n| out[*n]) {
         let by = answer.beyond(n, actual.pixels()[n]);

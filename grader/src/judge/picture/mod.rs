@@ -20,14 +20,16 @@ pub use difference::{Difference, compare};
 pub use raster::{Comparison, RowsCompared};
 
 /// What is said of an anti-aliased picture.
-const ONE_RAY: &str =
-    "graded pictures take one ray a pixel, through its centre [rule 1]: turn anti-aliasing (or the filter) off";
+const ONE_RAY: &str = "graded pictures take one ray a pixel, through its centre [rule 1]: turn \
+    anti-aliasing (or the filter) off";
 
 /// Judges a picture, whose size is right, by its answer.
 ///
-/// It passes where no more pixels are out, and no more of them side by side, than the answer allows; and where all that are out
-/// are contested, which a person is to look at. Else it earns the part of its points that its weighted right pixels are worth, a
-/// picture of one colour nothing. What is out because of anti-aliasing alone does not count as out, but bars from the full points.
+/// It passes where no more pixels are out, and no more of them side by side, than the answer
+/// allows; and where all that are out are contested, which a person is to look at. Else it earns
+/// the part of its points that its weighted right pixels are worth, a picture of one colour
+/// nothing. What is out because of anti-aliasing alone does not count as out, but bars from the
+/// full points.
 pub fn picture(actual: &Image, answer: &ImageAnswer) -> Judgement {
     let out = answer.out(actual);
     let all = measure(actual, answer, &out);
@@ -45,7 +47,8 @@ pub fn picture(actual: &Image, answer: &ImageAnswer) -> Judgement {
     if all.n_contested == all.n_out {
         let share = percent(answer.contested_share());
         let message = format!(
-            "{message}; but right tracers differ on all of these pixels ({share} of the picture are such), so it counts as right, \
+            "{message}; but right tracers differ on all of these pixels ({share} of the picture \
+                are such), so it counts as right, \
              and a person should look at it"
         );
         return Judgement::pass_with(finding(FindingKind::Contested, message, &all));
@@ -53,17 +56,30 @@ pub fn picture(actual: &Image, answer: &ImageAnswer) -> Judgement {
     Judgement::partial(finding(FindingKind::Wrong, message, &all), share::earned(answer, &out))
 }
 
-/// The judgement on a picture that is anti-aliased in the pixels that are `smoothed`: those that are out for another reason count.
-fn of_smoothed(actual: &Image, answer: &ImageAnswer, all: &Difference, out: &[bool], smoothed: &[bool]) -> Judgement {
-    let rest: Vec<bool> = out.iter().zip(smoothed).map(|(is_out, is_smoothed)| *is_out && !is_smoothed).collect();
+/// The judgement on a picture that is anti-aliased in the pixels that are `smoothed`: those that
+/// are out for another reason count.
+fn of_smoothed(
+    actual: &Image,
+    answer: &ImageAnswer,
+    all: &Difference,
+    out: &[bool],
+    smoothed: &[bool],
+) -> Judgement {
+    let rest: Vec<bool> =
+        out.iter().zip(smoothed).map(|(is_out, is_smoothed)| *is_out && !is_smoothed).collect();
     let others = measure(actual, answer, &rest);
     let n_smoothed = grouped(u64::from(all.n_out - others.n_out));
-    let message =
-        format!("it is anti-aliased: {n_smoothed} pixels along edges lie between their neighbours; {ONE_RAY}");
+    let message = format!(
+        "it is anti-aliased: {n_smoothed} pixels along edges lie between their neighbours; \
+            {ONE_RAY}"
+    );
     let is_fine = answer.allows(others.cluster, others.n_out) || others.n_contested == others.n_out;
     let (share, message) = match is_fine {
         true => (share::MOST, message),
-        false => (share::earned(answer, &rest), format!("{message}; besides, {}", describe(actual, answer, &others))),
+        false => (
+            share::earned(answer, &rest),
+            format!("{message}; besides, {}", describe(actual, answer, &others)),
+        ),
     };
     Judgement::partial(finding(FindingKind::Antialiased, message, all), share)
 }
@@ -97,8 +113,11 @@ fn describe(actual: &Image, answer: &ImageAnswer, difference: &Difference) -> St
         }
     }
     if difference.n_contested > 0 && difference.n_contested < difference.n_out {
-        let (n_contested, share) = (grouped(difference.n_contested.into()), percent(answer.contested_share()));
-        text += &format!("; on {n_contested} of them right tracers differ too (on {share} of the picture)");
+        let (n_contested, share) =
+            (grouped(difference.n_contested.into()), percent(answer.contested_share()));
+        text += &format!(
+            "; on {n_contested} of them right tracers differ too (on {share} of the picture)"
+        );
     }
     text
 }
@@ -118,6 +137,7 @@ fn extent(difference: &Difference, all: u64) -> String {
 }
 
 fn shown(colour: DVec3) -> String {
-    let channel = |light: f64| if light.is_finite() { byte(light).to_string() } else { light.to_string() };
+    let channel =
+        |light: f64| if light.is_finite() { byte(light).to_string() } else { light.to_string() };
     colour.to_array().map(channel).join(" ")
 }

@@ -56,7 +56,13 @@ impl RowsCompared {
             slack,
             width,
             n_rows: 0,
-            difference: Difference { n_out: 0, cluster: 0, n_contested: 0, worst: None, bounds: None },
+            difference: Difference {
+                n_out: 0,
+                cluster: 0,
+                n_contested: 0,
+                worst: None,
+                bounds: None,
+            },
             clusters: Clusters::default(),
             out: vec![false; width],
             worst: None,
@@ -69,7 +75,9 @@ impl RowsCompared {
     /// # Panics
     /// The slices are not whole rows, or not equally long.
     pub fn take(&mut self, one: &[u8], other: &[u8]) {
-        let most = |a: [u8; 3], b: [u8; 3]| a[0].abs_diff(b[0]).max(a[1].abs_diff(b[1])).max(a[2].abs_diff(b[2]));
+        let most = |a: [u8; 3], b: [u8; 3]| {
+            a[0].abs_diff(b[0]).max(a[1].abs_diff(b[1])).max(a[2].abs_diff(b[2]))
+        };
         for (one, other) in rows(one, other, self.width) {
             if one != other {
                 self.row(one, other, 1.0, |a, b| (a != b).then(|| f64::from(most(a, b))));
@@ -83,10 +91,11 @@ impl RowsCompared {
     /// # Panics
     /// The slices are not whole rows, or not equally long.
     pub fn take_words(&mut self, one: &[f64], other: &[f64]) {
-        let apart = |a: [f64; 3], b: [f64; 3]| match a.iter().chain(&b).all(|level| level.is_finite()) {
-            true => Some((a[0] - b[0]).abs().max((a[1] - b[1]).abs()).max((a[2] - b[2]).abs())),
-            false => Some(f64::INFINITY),
-        };
+        let apart =
+            |a: [f64; 3], b: [f64; 3]| match a.iter().chain(&b).all(|level| level.is_finite()) {
+                true => Some((a[0] - b[0]).abs().max((a[1] - b[1]).abs()).max((a[2] - b[2]).abs())),
+                false => Some(f64::INFINITY),
+            };
         for (one, other) in rows(one, other, self.width) {
             self.row(one, other, WORDS_IN_BYTE, apart);
             self.end_row();
@@ -99,7 +108,8 @@ impl RowsCompared {
         let mut text = extent(&difference, self.width as u64 * u64::from(self.n_rows));
         if let (Some([x, y]), Some(Worst { by, sides })) = (difference.worst, self.worst) {
             let [one, other] = sides.map(|pixel| pixel.map(shown).join(" "));
-            let by = if by.is_finite() { format!(" by {} levels", shown(by)) } else { String::new() };
+            let by =
+                if by.is_finite() { format!(" by {} levels", shown(by)) } else { String::new() };
             text += &format!(", most at ({x}, {y}){by}: first {one}, second {other}");
         }
         if self.n_not_finite > 0 {
@@ -123,7 +133,9 @@ impl RowsCompared {
         for (x, (a, b)) in one.as_chunks::<3>().0.iter().zip(other.as_chunks::<3>().0).enumerate() {
             let Some(by) = apart(*a, *b) else { continue };
             if by > slack {
-                self.note(x, by / unit, || [a, b].map(|pixel| pixel.map(|sample| sample.into() / unit)));
+                self.note(x, by / unit, || {
+                    [a, b].map(|pixel| pixel.map(|sample| sample.into() / unit))
+                });
             }
         }
     }
@@ -150,7 +162,11 @@ impl RowsCompared {
 }
 
 /// Returns pairs of rows.
-fn rows<'a, T>(one: &'a [T], other: &'a [T], width: usize) -> impl Iterator<Item = (&'a [T], &'a [T])> {
+fn rows<'a, T>(
+    one: &'a [T],
+    other: &'a [T],
+    width: usize,
+) -> impl Iterator<Item = (&'a [T], &'a [T])> {
     let n = width * 3;
     assert!(one.len() == other.len() && one.len().is_multiple_of(n), "whole rows");
     one.chunks_exact(n).zip(other.chunks_exact(n))

@@ -1,4 +1,5 @@
-//! What part of its points a picture earns that is not right: for the effect, not for the background.
+//! What part of its points a picture earns that is not right: for the effect, not for the
+//! background.
 
 use cases::answer::ImageAnswer;
 
@@ -11,7 +12,8 @@ pub(super) const MOST: u32 = 900;
 /// f = Σ weight of pixels that are in / Σ weight,    (f − f0) / (1 − f0)    from 0 to 0.9
 /// ```
 ///
-/// where f0 is what a picture without the effect gets. It is 0 where no pixel weighs anything, or f0 is 1.
+/// where f0 is what a picture without the effect gets. It is 0 where no pixel weighs anything, or
+/// f0 is 1.
 pub(super) fn earned(answer: &ImageAnswer, out: &[bool]) -> u32 {
     let unearned = answer.limits.unearned;
     if unearned.is_nan() || unearned >= 1.0 {
@@ -33,7 +35,11 @@ mod tests {
     /// Ten pixels of these weights, of which the first `n_out` are out.
     fn check(weight: [u8; 10], unearned: f64, n_out: usize, expected: u32) {
         let answer = ImageAnswer::exact(Image::from_fn(10, 1, |_, _| DVec3::ZERO), 1.0, 0);
-        let answer = ImageAnswer { weight: weight.to_vec(), limits: Limits { unearned, ..answer.limits }, ..answer };
+        let answer = ImageAnswer {
+            weight: weight.to_vec(),
+            limits: Limits { unearned, ..answer.limits },
+            ..answer
+        };
         let out: Vec<bool> = (0..10).map(|n| n < n_out).collect();
         assert_eq!(earned(&answer, &out), expected, "{weight:?}, f0 = {unearned}, {n_out} out");
     }

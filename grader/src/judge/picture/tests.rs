@@ -22,14 +22,24 @@ fn answer(cluster: u32, count: u32) -> ImageAnswer {
 /// Black pixels where the rows of text have a `#`.
 fn black(rows: &[&str]) -> Vec<(u32, u32, DVec3)> {
     let row = |(y, row): (usize, &&str)| {
-        let at = row.chars().enumerate().filter(|(_, c)| *c == '#').map(|(x, _)| x as u32).collect::<Vec<u32>>();
+        let at = row
+            .chars()
+            .enumerate()
+            .filter(|(_, c)| *c == '#')
+            .map(|(x, _)| x as u32)
+            .collect::<Vec<u32>>();
         at.into_iter().map(move |x| (x, y as u32, DVec3::ZERO))
     };
     rows.iter().enumerate().flat_map(row).collect()
 }
 
-/// Judges the grey picture with these changes; the verdict, the share, and the message if there is one.
-fn check(changes: &[(u32, u32, DVec3)], answer: &ImageAnswer, expected: (Verdict, u32, Option<&str>)) {
+/// Judges the grey picture with these changes; the verdict, the share, and the message if there is
+/// one.
+fn check(
+    changes: &[(u32, u32, DVec3)],
+    answer: &ImageAnswer,
+    expected: (Verdict, u32, Option<&str>),
+) {
     let judgement = picture(&grey(changes), answer);
     let message = judgement.finding.as_ref().map(|finding| finding.message.as_str());
     assert_eq!((judgement.verdict, judgement.share, message), expected, "{changes:?}");
@@ -58,7 +68,8 @@ fn both_the_largest_cluster_and_the_count_are_limited() {
                    yours 0 0 0, expected 128 128 128";
     check(&apart, &answer(1, 7), (Verdict::Partial, 840, Some(message)));
     check(&touching, &answer(4, 8), RIGHT);
-    let message = "4 pixels of 100 differ, 4 of them side by side (columns 0 to 3, rows 0 to 2), most at (0, 0): \
+    let message = "4 pixels of 100 differ, 4 of them side by side (columns 0 to 3, rows 0 to 2), \
+        most at (0, 0): \
                    yours 0 0 0, expected 128 128 128";
     check(&touching, &answer(3, 8), (Verdict::Partial, 900, Some(message)));
 }
@@ -67,11 +78,14 @@ fn both_the_largest_cluster_and_the_count_are_limited() {
 fn a_part_of_the_points_is_earned_by_weight() {
     let mut heavy = answer(0, 0);
     heavy.weight = (0..100).map(|n| if n < 10 { 200 } else { 0 }).collect();
-    let message = "9 pixels of 100 differ, 5 of them side by side (columns 0 to 4, rows 0 to 9), most at (0, 0): \
+    let message = "9 pixels of 100 differ, 5 of them side by side (columns 0 to 4, rows 0 to 9), \
+        most at (0, 0): \
                    yours 0 0 0, expected 128 128 128";
     let four = [(0, 9), (1, 9), (2, 9), (3, 9)].map(|(x, y)| (x, y, DVec3::ZERO));
     let changes = [black(&["#####"]), four.to_vec()].concat();
-    let message_of = |share: u32| (if share > 0 { Verdict::Partial } else { Verdict::Fail }, share, Some(message));
+    let message_of = |share: u32| {
+        (if share > 0 { Verdict::Partial } else { Verdict::Fail }, share, Some(message))
+    };
     check(&changes, &heavy, message_of(0));
     heavy.limits.unearned = 0.2;
     check(&changes, &heavy, message_of(375));
@@ -101,7 +115,8 @@ fn a_picture_of_one_colour_earns_nothing_and_is_called_so() {
     let mut nearly = answer(0, 0);
     nearly.expected = grey(&[(5, 5, DVec3::ZERO)]);
     (nearly.lo[55], nearly.hi[55]) = ([0; 3], [0; 3]);
-    let message = "1 pixel of 100 differs (columns 5 to 5, rows 5 to 5), most at (5, 5): yours 128 128 128, expected 0 0 0; \
+    let message = "1 pixel of 100 differs (columns 5 to 5, rows 5 to 5), most at (5, 5): yours \
+        128 128 128, expected 0 0 0; \
                    yours is one colour all over, which earns nothing";
     check(&[], &nearly, (Verdict::Fail, 0, Some(message)));
     check(&[], &answer(0, 0), RIGHT);
@@ -118,20 +133,26 @@ fn contested() -> ImageAnswer {
 
 #[test]
 fn what_differs_on_contested_pixels_only_is_for_a_person_to_look_at() {
-    let message = "3 pixels of 100 differ, 2 of them side by side (columns 0 to 3, rows 0 to 0), most at (0, 0): \
-                   yours 0 0 0, expected 128 128 128, allowed 31 31 31 to 212 212 212; but right tracers differ on all of these \
-                   pixels (10.0 % of the picture are such), so it counts as right, and a person should look at it";
+    let message = "3 pixels of 100 differ, 2 of them side by side (columns 0 to 3, rows 0 to 0), \
+        most at (0, 0): \
+                   yours 0 0 0, expected 128 128 128, allowed 31 31 31 to 212 212 212; but right \
+                   tracers differ on all of these \
+                   pixels (10.0 % of the picture are such), so it counts as right, and a person \
+                   should look at it";
     check(&black(&["##.#"]), &contested(), (Verdict::Pass, 0, Some(message)));
     let judgement = picture(&grey(&black(&["##.#"])), &contested());
     let finding = judgement.finding.unwrap();
-    let numbers = (finding.kind, finding.wrong_pixels, finding.wrong_contested, finding.largest_cluster);
+    let numbers =
+        (finding.kind, finding.wrong_pixels, finding.wrong_contested, finding.largest_cluster);
     assert_eq!(numbers, (FindingKind::Contested, Some(3), Some(3), Some(2)));
 }
 
 #[test]
 fn one_pixel_more_is_no_longer_excused() {
-    let message = "4 pixels of 100 differ, 3 of them side by side (columns 0 to 3, rows 0 to 1), most at (1, 1): \
-                   yours 0 0 0, expected 128 128 128; on 3 of them right tracers differ too (on 10.0 % of the picture)";
+    let message = "4 pixels of 100 differ, 3 of them side by side (columns 0 to 3, rows 0 to 1), \
+        most at (1, 1): \
+                   yours 0 0 0, expected 128 128 128; on 3 of them right tracers differ too (on \
+                   10.0 % of the picture)";
     check(&black(&["##.#", ".#"]), &contested(), (Verdict::Partial, 900, Some(message)));
 }
 
@@ -165,12 +186,14 @@ fn what_rasters_differ_by_is_said_with_the_digits_that_tell_something() {
         &[257.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1e12],
         &[258.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
     );
-    let message = "2 pixels of 3 differ (columns 0 to 2, rows 0 to 0), most at (2, 0) by 3.89e9 levels: \
+    let message = "2 pixels of 3 differ (columns 0 to 2, rows 0 to 0), most at (2, 0) by 3.89e9 \
+        levels: \
                    first 0 0 -3.89e9, second 0 0 0";
     assert_eq!(compared.finish().text, message);
     let mut compared = RowsCompared::new(1, 0.0);
     compared.take_words(&[257.0, 128.5, 0.0], &[258.0, 128.5, 0.0]);
-    let message = "1 pixel of 1 differs, most at (0, 0) by 3.89e-3 levels: first 1 0.5 0, second 1.004 0.5 0";
+    let message =
+        "1 pixel of 1 differs, most at (0, 0) by 3.89e-3 levels: first 1 0.5 0, second 1.004 0.5 0";
     assert_eq!(compared.finish().text, message);
     let mut compared = RowsCompared::new(1, 255.0);
     compared.take_words(&[f64::NAN, 0.0, f64::INFINITY], &[f64::NAN, 0.0, f64::INFINITY]);

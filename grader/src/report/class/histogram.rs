@@ -33,7 +33,8 @@ pub(super) fn of(title: String, scores: impl Iterator<Item = (u64, u64)>) -> His
     let most = counts.iter().copied().max().unwrap_or(0).max(1);
     let bar = |(n, count): (usize, &usize)| {
         let height = (*count as f64 / most as f64 * 54.0 * 10.0).round() / 10.0;
-        let label = if n == 10 { "all".to_owned() } else { format!("{}–{} %", n * 10, n * 10 + 9) };
+        let label =
+            if n == 10 { "all".to_owned() } else { format!("{}–{} %", n * 10, n * 10 + 9) };
         Bar { count: *count, label, x: n * 20, y: 70.0 - height, height }
     };
     Histogram { title, bars: counts.iter().enumerate().map(bar).collect() }

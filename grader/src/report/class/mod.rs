@@ -1,4 +1,5 @@
-//! The table of a class: a row for each submission, as CSV and as a page that sorts, filters and links to the reports.
+//! The table of a class: a row for each submission, as CSV and as a page that sorts, filters and
+//! links to the reports.
 //!
 //! Nothing in it depends on time, machine or order of work: the same records give the same bytes.
 
@@ -42,7 +43,9 @@ pub fn csv(entries: &[Entry]) -> String {
     let head = head
         .chain(stages.iter().map(|stage| cell(&shown(stage.id))))
         .chain(KINDS.iter().map(|kind| words::finding(*kind).to_owned()));
-    let mut write = |record: Vec<String>| out.write_record(record).expect("a vector takes all rows, all of one length");
+    let mut write = |record: Vec<String>| {
+        out.write_record(record).expect("a vector takes all rows, all of one length")
+    };
     write(head.collect());
     for row in &rows {
         write(cells(row));
@@ -64,9 +67,14 @@ fn cells(row: &rows::Row) -> Vec<String> {
     head.into_iter().chain(row.stages.iter().map(points)).chain(counts).collect()
 }
 
-/// A spreadsheet takes a text that begins so for a formula, which could send the class's data elsewhere.
+/// A spreadsheet takes a text that begins so for a formula, which could send the class's data
+/// elsewhere.
 fn cell(text: &str) -> String {
-    if text.starts_with(['=', '+', '-', '@', '\t', '\r', '\n']) { format!("'{text}") } else { text.to_owned() }
+    if text.starts_with(['=', '+', '-', '@', '\t', '\r', '\n']) {
+        format!("'{text}")
+    } else {
+        text.to_owned()
+    }
 }
 
 /// The table as a page; its links lead to `reports/ID.html` beside it.

@@ -32,8 +32,14 @@ pub(super) struct Row<'a> {
 /// The stages that occur, in order, and the rows, ordered by name.
 pub(super) fn of(entries: &[Entry]) -> (Vec<Stage<'_>>, Vec<Row<'_>>) {
     let mut stages = BTreeMap::new();
-    for stage in entries.iter().filter_map(|entry| entry.record.as_ref()).flat_map(|record| &record.stages) {
-        stages.entry(&*stage.id).or_insert(Stage { id: &stage.id, title: &stage.title, possible: stage.possible });
+    for stage in
+        entries.iter().filter_map(|entry| entry.record.as_ref()).flat_map(|record| &record.stages)
+    {
+        stages.entry(&*stage.id).or_insert(Stage {
+            id: &stage.id,
+            title: &stage.title,
+            possible: stage.possible,
+        });
     }
     let stages: Vec<Stage> = stages.into_values().collect();
     let mut rows: Vec<Row> = entries.iter().map(|entry| row(entry, &stages)).collect();
@@ -43,7 +49,8 @@ pub(super) fn of(entries: &[Entry]) -> (Vec<Stage<'_>>, Vec<Row<'_>>) {
 
 fn row<'a>(entry: &'a Entry, stages: &[Stage]) -> Row<'a> {
     let record = entry.record.as_ref();
-    let earned_in = |id: &str| record?.stages.iter().find(|stage| stage.id == id).map(|stage| stage.earned);
+    let earned_in =
+        |id: &str| record?.stages.iter().find(|stage| stage.id == id).map(|stage| stage.earned);
     Row {
         id: &entry.id,
         name: &entry.name,
@@ -61,7 +68,11 @@ fn row<'a>(entry: &'a Entry, stages: &[Stage]) -> Row<'a> {
 }
 
 fn findings(record: &Record) -> Counts {
-    let of_checks = record.stages.iter().flat_map(|stage| &stage.checks).filter_map(|check| check.finding.as_ref());
+    let of_checks = record
+        .stages
+        .iter()
+        .flat_map(|stage| &stage.checks)
+        .filter_map(|check| check.finding.as_ref());
     let mut counts = Counts::new();
     for finding in of_checks.chain(&record.build.finding) {
         *counts.entry(finding.kind).or_default() += 1;

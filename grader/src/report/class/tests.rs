@@ -31,7 +31,10 @@ fn table(entries: &[Entry]) -> Vec<Vec<String>> {
 #[test]
 fn the_table_says_what_the_records_say() {
     let table = table(&entries());
-    assert_eq!(table[0][..7], ["id", "name", "points", "possible", "build", "01_ray_casting", "wrong"]);
+    assert_eq!(
+        table[0][..7],
+        ["id", "name", "points", "possible", "build", "01_ray_casting", "wrong"]
+    );
     assert_eq!(table[1][..7], ["alice", "alice", "6.75", "16", "worked", "6.75", "3"]);
     assert_eq!(table[2][..6], ["bob", "bob", "16", "16", "worked", "16"]);
     assert_eq!(table[3][..6], ["carol", "carol", "0", "16", "failed", "0"]);
@@ -88,7 +91,8 @@ fn the_page_links_to_the_reports_and_names_who_is_missing() {
     assert!(page.contains("3 submissions"));
     assert!(page.contains("To be looked at: 3"));
     assert!(page.contains(
-        "<a href=\"reports/alice.html#01_ray_casting&#x2f;contested\">alice: 01_ray_casting&#x2f;contested</a>"
+        "<a href=\"reports/alice.html#01_ray_casting&#x2f;contested\">alice: \
+            01_ray_casting&#x2f;contested</a>"
     ));
     assert!(page.contains("0 of 3, 3 partly"));
 }
@@ -97,8 +101,8 @@ fn the_page_links_to_the_reports_and_names_who_is_missing() {
 fn the_page_counts_the_mistakes_that_are_made() {
     let mut entries = entries();
     entries[2].record.as_mut().unwrap().diagnoses.clear();
-    let row =
-        "<tr><th scope=\"row\">the one is &lt;wrong&gt;</th><td class=\"number\">3</td><td class=\"number\">2</td>";
+    let row = "<tr><th scope=\"row\">the one is &lt;wrong&gt;</th><td class=\"number\">3</td><td \
+        class=\"number\">2</td>";
     assert!(page(&entries).contains(row));
     assert!(!page(&[]).contains("The most common mistakes"));
 }

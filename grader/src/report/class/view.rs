@@ -84,12 +84,17 @@ pub(super) fn class(entries: &[Entry]) -> Class {
     };
     let mut histograms = vec![histogram::of("All stages".to_owned(), totals)];
     histograms.extend(stages.iter().enumerate().map(|(n, stage)| of_stage(n, stage)));
-    let mut epochs: Vec<String> = entries.iter().flat_map(|entry| &entry.record).map(|one| shown(&one.epoch)).collect();
+    let mut epochs: Vec<String> =
+        entries.iter().flat_map(|entry| &entry.record).map(|one| shown(&one.epoch)).collect();
     epochs.sort();
     epochs.dedup();
     Class {
         n_graded: rows.iter().filter(|row| row.earned.is_some()).count(),
-        missing: rows.iter().filter(|row| row.earned.is_none()).map(|row| shown(row.name)).collect(),
+        missing: rows
+            .iter()
+            .filter(|row| row.earned.is_none())
+            .map(|row| shown(row.name))
+            .collect(),
         epochs,
         median: median(rows.iter().filter_map(|row| row.earned).collect()).map(words::points),
         histograms,
@@ -108,7 +113,11 @@ fn median(mut values: Vec<u64>) -> Option<u64> {
 }
 
 fn stage(stage: &rows::Stage) -> Stage {
-    Stage { id: shown(stage.id), title: shown(stage.title), possible: words::points(stage.possible) }
+    Stage {
+        id: shown(stage.id),
+        title: shown(stage.title),
+        possible: words::points(stage.possible),
+    }
 }
 
 fn row(row: &rows::Row) -> Row {
@@ -116,7 +125,8 @@ fn row(row: &rows::Row) -> Row {
         value: value.unwrap_or(0),
         text: value.map_or_else(|| "–".to_owned(), words::points),
     };
-    let findings = row.findings.iter().map(|(kind, count)| format!("{count} × {}", words::finding(*kind)));
+    let findings =
+        row.findings.iter().map(|(kind, count)| format!("{count} × {}", words::finding(*kind)));
     Row {
         id: shown(row.id),
         name: shown(row.name),
@@ -130,10 +140,13 @@ fn row(row: &rows::Row) -> Row {
 
 /// The pictures of a submission that differ on contested pixels only.
 fn flagged(entries: &[Entry], row: &rows::Row) -> Vec<Flagged> {
-    let record = entries.iter().find(|entry| entry.id == row.id).and_then(|entry| entry.record.as_ref());
-    let checks = record.into_iter().flat_map(|record| &record.stages).flat_map(|stage| &stage.checks);
+    let record =
+        entries.iter().find(|entry| entry.id == row.id).and_then(|entry| entry.record.as_ref());
+    let checks =
+        record.into_iter().flat_map(|record| &record.stages).flat_map(|stage| &stage.checks);
     let flag = |check: &CheckRecord| {
-        let finding = check.finding.as_ref().filter(|finding| finding.kind == FindingKind::Contested)?;
+        let finding =
+            check.finding.as_ref().filter(|finding| finding.kind == FindingKind::Contested)?;
         let (id, name) = (shown(row.id), shown(row.name));
         Some(Flagged { id, name, check: shown(&check.id), message: shown(&finding.message) })
     };
@@ -152,18 +165,23 @@ fn checks(entries: &[Entry]) -> Vec<Check> {
         count.n_asked += 1;
     }
     let mut checks: Vec<Check> = counts.into_values().collect();
-    checks.sort_by(|a, b| (a.n_right * b.n_asked).cmp(&(b.n_right * a.n_asked)).then_with(|| a.id.cmp(&b.id)));
+    checks.sort_by(|a, b| {
+        (a.n_right * b.n_asked).cmp(&(b.n_right * a.n_asked)).then_with(|| a.id.cmp(&b.id))
+    });
     checks
 }
 
 /// The mistakes that most make first. Where several may be meant, the first of them counts.
 fn mistakes(entries: &[Entry]) -> Vec<Mistake> {
     let records = entries.iter().filter_map(|entry| entry.record.as_ref());
-    let named = records.flat_map(|record| &record.diagnoses).filter_map(|diagnosis| diagnosis.mistakes.first());
+    let named = records
+        .flat_map(|record| &record.diagnoses)
+        .filter_map(|diagnosis| diagnosis.mistakes.first());
     let mut counts: BTreeMap<(u8, &str), usize> = BTreeMap::new();
     named.for_each(|mistake| *counts.entry((mistake.rule, &mistake.says)).or_default() += 1);
     let mistake = |((rule, says), n): ((u8, &str), usize)| Mistake { says: shown(says), rule, n };
     let mut mistakes: Vec<Mistake> = counts.into_iter().map(mistake).collect();
-    mistakes.sort_by_key(|mistake| std::cmp::Reverse(mistake.n)); // stable: by rule where as many make both
+    // stable: by rule where as many make both
+    mistakes.sort_by_key(|mistake| std::cmp::Reverse(mistake.n));
     mistakes
 }

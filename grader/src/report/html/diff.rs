@@ -34,7 +34,10 @@ pub(super) fn lines(expected: &str, actual: &str) -> Vec<Line> {
                 ChangeTag::Delete => ("expected", '-'),
                 ChangeTag::Insert => ("actual", '+'),
             };
-            let part = |(differs, text): (bool, &str)| Part { differs, text: text.trim_end_matches('\n').to_owned() };
+            let part = |(differs, text): (bool, &str)| Part {
+                differs,
+                text: text.trim_end_matches('\n').to_owned(),
+            };
             let parts = change.values().iter().map(|(differs, text)| part((*differs, text)));
             Line { side, sign, parts: parts.filter(|part| !part.text.is_empty()).collect() }
         })

@@ -1,4 +1,5 @@
-//! The student's time and error among what the reference measured of its own settings: a small plot, both axes logarithmic.
+//! The student's time and error among what the reference measured of its own settings: a small
+//! plot, both axes logarithmic.
 
 use cases::front::{FrontPoint, on_front, rmse_levels};
 use cases::maths;
@@ -55,14 +56,25 @@ pub(super) fn view(pictures: &Pictures, time_s: f64) -> Option<FrontView> {
     if !same_size || front.points.is_empty() || !are_times {
         return None;
     }
-    let yours = FrontPoint { setting: "yours".to_owned(), time_s, rmse_levels: rmse_levels(expected, actual) };
+    let yours = FrontPoint {
+        setting: "yours".to_owned(),
+        time_s,
+        rmse_levels: rmse_levels(expected, actual),
+    };
     let times = || front.points.iter().chain([&yours]).map(|point| point.time_s);
     let (least, most) = (times().fold(f64::INFINITY, f64::min), times().fold(0.0, f64::max));
     let decades = decades(least, most);
-    let at = |point: &FrontPoint| (along(point.time_s, decades) * WIDTH, down(point.rmse_levels) * HEIGHT);
+    let at = |point: &FrontPoint| {
+        (along(point.time_s, decades) * WIDTH, down(point.rmse_levels) * HEIGHT)
+    };
     let mark = |point: &FrontPoint, is_on_front: bool| {
         let (x, y) = at(point);
-        let title = format!("{}: {}, {}", shown(&point.setting), seconds(point.time_s), error(point.rmse_levels));
+        let title = format!(
+            "{}: {}, {}",
+            shown(&point.setting),
+            seconds(point.time_s),
+            error(point.rmse_levels)
+        );
         Mark { x: place(x), y: place(y), is_on_front, title }
     };
     let is_front = on_front(&front.points);
@@ -74,16 +86,25 @@ pub(super) fn view(pictures: &Pictures, time_s: f64) -> Option<FrontView> {
         width: WIDTH,
         height: HEIGHT,
         points: front.points.iter().zip(is_front).map(|(point, is)| mark(point, is)).collect(),
-        line: line.iter().map(|(x, y)| format!("{},{}", place(*x), place(*y))).collect::<Vec<_>>().join(" "),
+        line: line
+            .iter()
+            .map(|(x, y)| format!("{},{}", place(*x), place(*y)))
+            .collect::<Vec<_>>()
+            .join(" "),
         yours: mark(&yours, false),
-        x_ticks: (decades.0..=decades.1).map(|n| tick(along(power(n), decades) * WIDTH, seconds(power(n)))).collect(),
-        y_ticks: [0.0, 0.01, 1.0, 100.0].map(|error| tick(down(error) * HEIGHT, error.to_string())).into(),
+        x_ticks: (decades.0..=decades.1)
+            .map(|n| tick(along(power(n), decades) * WIDTH, seconds(power(n))))
+            .collect(),
+        y_ticks: [0.0, 0.01, 1.0, 100.0]
+            .map(|error| tick(down(error) * HEIGHT, error.to_string()))
+            .into(),
         sentence,
         machine: shown(&front.machine),
     })
 }
 
-/// What the plot says, in words: the student's point, and the quickest setting of the reference that is exact.
+/// What the plot says, in words: the student's point, and the quickest setting of the reference
+/// that is exact.
 fn sentence(yours: &FrontPoint, points: &[FrontPoint], is_front: &[bool]) -> String {
     let best = points.iter().zip(is_front).filter(|(_, is)| **is).map(|(point, _)| point);
     let best = best.min_by(|a, b| a.rmse_levels.total_cmp(&b.rmse_levels));
@@ -95,11 +116,19 @@ fn sentence(yours: &FrontPoint, points: &[FrontPoint], is_front: &[bool]) -> Str
             error(best.rmse_levels)
         )
     });
-    format!("Yours took {}, its start included, {}{of_best}.", seconds(yours.time_s), error(yours.rmse_levels))
+    format!(
+        "Yours took {}, its start included, {}{of_best}.",
+        seconds(yours.time_s),
+        error(yours.rmse_levels)
+    )
 }
 
 fn error(rmse_levels: f64) -> String {
-    if rmse_levels == 0.0 { "without error".to_owned() } else { format!("{rmse_levels:.2} levels off (RMSE)") }
+    if rmse_levels == 0.0 {
+        "without error".to_owned()
+    } else {
+        format!("{rmse_levels:.2} levels off (RMSE)")
+    }
 }
 
 /// The powers of ten around the times.

@@ -1,4 +1,5 @@
-//! The report of one submission as a page that needs nothing else: no network, no neighbour, no server.
+//! The report of one submission as a page that needs nothing else: no network, no neighbour, no
+//! server.
 //!
 //! | file | holds |
 //! |---|---|
@@ -9,8 +10,9 @@
 //! | `page.rs` | the template engine, the policy that lets only our script run |
 //! | `submission.html`, `submission.js`, `../style.css` | how it looks and moves |
 //!
-//! What a student's program wrote is hostile here: it goes through [`plain::shown`](crate::plain::shown), is escaped by
-//! the template engine, and could not run if it got through, for the policy names the hash of the one script allowed.
+//! What a student's program wrote is hostile here: it goes through
+//! [`plain::shown`](crate::plain::shown), is escaped by the template engine, and could not run if
+//! it got through, for the policy names the hash of the one script allowed.
 
 use std::io;
 use std::path::Path;

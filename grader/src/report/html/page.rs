@@ -8,14 +8,21 @@ use minijinja::{AutoEscape, Environment, context};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-/// The page that `template` makes of `view`, with `style` and `script` in it and allowed by their hashes alone.
-pub(in crate::report) fn render(template: &str, style: &str, script: &str, view: &impl Serialize) -> String {
+/// The page that `template` makes of `view`, with `style` and `script` in it and allowed by their
+/// hashes alone.
+pub(in crate::report) fn render(
+    template: &str,
+    style: &str,
+    script: &str,
+    view: &impl Serialize,
+) -> String {
     let syntax = SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build();
     let mut engine = Environment::new();
     engine.set_auto_escape_callback(|_| AutoEscape::Html);
     engine.set_syntax(syntax.expect("the delimiters are the usual ones"));
     let policy = format!(
-        "default-src 'none'; img-src data:; style-src '{}'; script-src '{}'; base-uri 'none'; form-action 'none'",
+        "default-src 'none'; img-src data:; style-src '{}'; script-src '{}'; base-uri 'none'; \
+            form-action 'none'",
         hash(style),
         hash(script)
     );

@@ -18,7 +18,8 @@ const NOT_A_NUMBER: u8 = 128;
 const OUT_AND_CONTESTED: u8 = 192;
 const OUT: u8 = 255;
 
-/// What a pixel may be, as distances from the expected one, which are small nearly everywhere and so take little room.
+/// What a pixel may be, as distances from the expected one, which are small nearly everywhere and
+/// so take little room.
 #[derive(Serialize)]
 pub(super) struct Allowed {
     below: String,
@@ -27,26 +28,29 @@ pub(super) struct Allowed {
 
 /// The picture in 8-bit levels.
 pub(super) fn colours(image: &Image) -> String {
-    let bytes: Vec<u8> = image.pixels().iter().flat_map(|pixel| pixel.to_array().map(film::byte)).collect();
+    let bytes: Vec<u8> =
+        image.pixels().iter().flat_map(|pixel| pixel.to_array().map(film::byte)).collect();
     data_uri(&bytes, image, ExtendedColorType::Rgb8)
 }
 
 /// By how many levels each channel differs, times [`GAIN`].
 pub(super) fn difference(expected: &Image, actual: &Image) -> String {
     let channel = |a: f64, b: f64| film::byte(a).abs_diff(film::byte(b)).saturating_mul(GAIN);
-    let bytes: Vec<u8> = pairs(expected, actual).flat_map(|(a, b)| [0, 1, 2].map(|c| channel(a[c], b[c]))).collect();
+    let bytes: Vec<u8> =
+        pairs(expected, actual).flat_map(|(a, b)| [0, 1, 2].map(|c| channel(a[c], b[c]))).collect();
     data_uri(&bytes, expected, ExtendedColorType::Rgb8)
 }
 
 /// Which pixels are wrong, and on which right tracers differ.
 pub(super) fn marks(answer: &ImageAnswer, actual: &Image) -> String {
-    let mark = |(n, colour): (usize, &DVec3)| match (answer.is_out(n, *colour), answer.is_contested(n)) {
-        _ if !colour.is_finite() => NOT_A_NUMBER,
-        (true, true) => OUT_AND_CONTESTED,
-        (true, false) => OUT,
-        (false, true) => CONTESTED,
-        (false, false) => 0,
-    };
+    let mark =
+        |(n, colour): (usize, &DVec3)| match (answer.is_out(n, *colour), answer.is_contested(n)) {
+            _ if !colour.is_finite() => NOT_A_NUMBER,
+            (true, true) => OUT_AND_CONTESTED,
+            (true, false) => OUT,
+            (false, true) => CONTESTED,
+            (false, false) => 0,
+        };
     let bytes: Vec<u8> = actual.pixels().iter().enumerate().map(mark).collect();
     data_uri(&bytes, actual, ExtendedColorType::L8)
 }

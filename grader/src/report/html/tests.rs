@@ -14,9 +14,14 @@ fn has(page: &str, text: &str) {
 #[test]
 fn the_page_says_what_the_record_says() {
     let page = page();
-    for text in
-        ["<title>6.75 / 16 ", "Ray casting", "timeouts+rlimits", "epoch-1", "d1935e57", "1200 pixels out of tolerance"]
-    {
+    for text in [
+        "<title>6.75 / 16 ",
+        "Ray casting",
+        "timeouts+rlimits",
+        "epoch-1",
+        "d1935e57",
+        "1200 pixels out of tolerance",
+    ] {
         has(&page, text);
     }
     has(&page, "worst at column 61, row 60");
@@ -39,8 +44,10 @@ fn the_page_names_the_mistakes_with_their_rules_and_beside_what_they_explain() {
     has(&page, "<summary>Rule 14: the sphere</summary><pre>    (d·d) t² + 2 (f·d) t");
     has(&page, "It explains 1 of 3 failed pictures and 1 of 1 failed unit check");
     has(&page, "<li><a href=\"#01_ray_casting&#x2f;shifted\">");
-    let beside =
-        page.matches("<p class=\"likely\">Most likely <a href=\"#mistake-one\">the one is &lt;wrong&gt;</a>.</p>");
+    let beside = page.matches(
+        "<p class=\"likely\">Most likely <a href=\"#mistake-one\">the one is \
+            &lt;wrong&gt;</a>.</p>",
+    );
     assert_eq!(beside.count(), 2);
 }
 
@@ -50,8 +57,10 @@ fn a_picture_stands_among_the_settings_of_the_reference() {
     has(&page, "<title>f32 &lt;plain&gt;: 2 ms, 0.50 levels off (RMSE)</title>");
     has(&page, "without error; the reference at best (f64) 4 ms, without error.");
     has(&page, "measured on two &lt;cores&gt;, rendering alone");
-    // Three settings a case; the slow one is beaten, so two of three lie on the front. No plot where there is no picture.
-    let (all, on_front) = (page.matches("<circle").count(), page.matches("<circle class=\"on\"").count());
+    // Three settings a case; the slow one is beaten, so two of three lie on the front. No plot
+    // where there is no picture.
+    let (all, on_front) =
+        (page.matches("<circle").count(), page.matches("<circle class=\"on\"").count());
     assert_eq!((all, on_front), (12, 8));
 }
 
@@ -72,7 +81,8 @@ fn no_text_of_a_student_becomes_markup() {
     has(&page, "{{ 7*7 }}");
     has(&page, "&lt;script&gt;document.title=&#x27;owned&#x27;");
     has(&page, "\\u{202e}\\u{1b}[2J\\u{0}&amp;lt;");
-    let hidden: Vec<char> = page.chars().filter(|c| crate::plain::is_hidden(*c) && *c != '\n').collect();
+    let hidden: Vec<char> =
+        page.chars().filter(|c| crate::plain::is_hidden(*c) && *c != '\n').collect();
     assert!(hidden.is_empty(), "{hidden:?}");
 }
 
@@ -82,7 +92,10 @@ fn the_page_needs_nothing_from_elsewhere() {
     for (at, _) in page.match_indices("src=\"") {
         assert!(page[at..].starts_with("src=\"data:image/png;base64,"), "{}", &page[at..at + 60]);
     }
-    assert!(!page.contains("http:") && !page.contains("https:") && !page.contains("url("), "a reference to elsewhere");
+    assert!(
+        !page.contains("http:") && !page.contains("https:") && !page.contains("url("),
+        "a reference to elsewhere"
+    );
 }
 
 #[test]
@@ -90,15 +103,22 @@ fn the_policy_names_the_hashes_of_what_is_inline() {
     use base64::Engine;
     use sha2::Digest;
     let page = page();
-    let between = |from: &str, to: &str| page.split(from).nth(1).unwrap().split(to).next().unwrap().to_owned();
+    let between = |from: &str, to: &str| {
+        page.split(from).nth(1).unwrap().split(to).next().unwrap().to_owned()
+    };
     let policy = between("http-equiv=\"Content-Security-Policy\" content=\"", "\">");
     let hash = |text: String| base64::prelude::BASE64_STANDARD.encode(sha2::Sha256::digest(text));
-    let inline =
-        [("style-src", hash(between("<style>", "</style>"))), ("script-src", hash(between("<script>", "</script>")))];
+    let inline = [
+        ("style-src", hash(between("<style>", "</style>"))),
+        ("script-src", hash(between("<script>", "</script>"))),
+    ];
     for (what, hash) in inline {
         let escaped = hash.replace('/', "&#x2f;");
         has(&policy, what);
-        assert!(policy.contains(&hash) || policy.contains(&escaped), "{what} {hash} is not in {policy}");
+        assert!(
+            policy.contains(&hash) || policy.contains(&escaped),
+            "{what} {hash} is not in {policy}"
+        );
     }
     has(&policy, "default-src &#x27;none&#x27;");
     assert!(!policy.contains("unsafe"));
@@ -107,11 +127,17 @@ fn the_policy_names_the_hashes_of_what_is_inline() {
 #[test]
 fn answers_differ_by_the_part_of_the_line_that_differs() {
     let lines = diff::lines("hit\n  t 0.5\n", "hit\n  t -0.5\n");
-    let text = |line: &diff::Line| line.parts.iter().map(|part| part.text.as_str()).collect::<String>();
-    let shown: Vec<String> = lines.iter().map(|line| format!("{}{}", line.sign, text(line))).collect();
+    let text =
+        |line: &diff::Line| line.parts.iter().map(|part| part.text.as_str()).collect::<String>();
+    let shown: Vec<String> =
+        lines.iter().map(|line| format!("{}{}", line.sign, text(line))).collect();
     assert_eq!(shown, [" hit", "-  t 0.5", "+  t -0.5"]);
-    let marked: Vec<&str> =
-        lines.iter().flat_map(|line| &line.parts).filter(|part| part.differs).map(|part| &*part.text).collect();
+    let marked: Vec<&str> = lines
+        .iter()
+        .flat_map(|line| &line.parts)
+        .filter(|part| part.differs)
+        .map(|part| &*part.text)
+        .collect();
     assert!(marked.iter().all(|text| !text.contains('t')), "{marked:?}");
     assert!(!marked.is_empty());
 }
@@ -120,23 +146,35 @@ fn answers_differ_by_the_part_of_the_line_that_differs() {
 fn a_flood_of_lines_is_cut() {
     let lines = diff::lines("a\n", &"b\n".repeat(10_000));
     assert!(lines.len() < 210, "{}", lines.len());
-    assert!(lines.iter().any(|line| line.parts.iter().any(|part| part.text.contains("9800 more lines"))));
+    assert!(
+        lines
+            .iter()
+            .any(|line| line.parts.iter().any(|part| part.text.contains("9800 more lines")))
+    );
 }
 
 #[test]
 fn pictures_are_png_of_the_levels_that_are_judged() {
-    let both = sample::pictures(true, |i| cases::glam::DVec3::splat(if i == 3 { 0.1 } else { 0.0 }));
+    let both =
+        sample::pictures(true, |i| cases::glam::DVec3::splat(if i == 3 { 0.1 } else { 0.0 }));
     let actual = both.actual.clone().unwrap();
     let marks = decoded(&picture::marks(&both.answer, &actual)).into_luma8();
     let count = |i, mark| (0..120).filter(|j| marks.get_pixel(i, *j).0 == [mark]).count();
     assert_eq!((count(2, 255), count(3, 255), count(4, 255)), (0, 119, 0));
-    assert_eq!((count(3, 64), count(3, 0)), (1, 0), "what is off by 26 levels is right where 212 is allowed");
+    assert_eq!(
+        (count(3, 64), count(3, 0)),
+        (1, 0),
+        "what is off by 26 levels is right where 212 is allowed"
+    );
     let shown = decoded(&picture::colours(&actual)).into_rgb8();
     let pixel = actual.pixel(80, 60).to_array().map(cases::film::byte);
     assert_eq!(shown.get_pixel(80, 60).0, pixel);
     let difference = decoded(&picture::difference(&both.answer.expected, &actual)).into_rgb8();
     assert_eq!(difference.get_pixel(2, 110).0, [0, 0, 0]);
-    assert!(difference.get_pixel(3, 110).0.iter().all(|level| (96..=108).contains(level)), "26 levels or so, times 4");
+    assert!(
+        difference.get_pixel(3, 110).0.iter().all(|level| (96..=108).contains(level)),
+        "26 levels or so, times 4"
+    );
 }
 
 #[test]
@@ -150,7 +188,8 @@ fn what_is_allowed_and_what_counts_are_stored_beside() {
     let allowed = serde_json::to_value(picture::allowed(&both.answer)).unwrap();
     let plane = |name: &str| decoded(allowed[name].as_str().unwrap()).into_rgb8();
     let expected = both.answer.expected.pixel(3, 5).to_array().map(cases::film::byte);
-    let above: Vec<u8> = expected.iter().zip(plane("above").get_pixel(3, 5).0).map(|(e, more)| e + more).collect();
+    let above: Vec<u8> =
+        expected.iter().zip(plane("above").get_pixel(3, 5).0).map(|(e, more)| e + more).collect();
     assert_eq!(above, [214; 3], "212 and the slack of 2");
     let light = cases::film::level(both.answer.expected.pixel(80, 60).x);
     let below = f64::from(plane("below").get_pixel(80, 60).0[0]);
@@ -159,7 +198,9 @@ fn what_is_allowed_and_what_counts_are_stored_beside() {
 
 fn decoded(uri: &str) -> image::DynamicImage {
     use base64::Engine;
-    let bytes = base64::prelude::BASE64_STANDARD.decode(uri.strip_prefix("data:image/png;base64,").unwrap()).unwrap();
+    let bytes = base64::prelude::BASE64_STANDARD
+        .decode(uri.strip_prefix("data:image/png;base64,").unwrap())
+        .unwrap();
     image::load_from_memory(&bytes).unwrap()
 }
 

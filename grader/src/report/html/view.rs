@@ -1,4 +1,5 @@
-//! The record turned into what the template shows: texts made harmless, numbers in words, nothing decided.
+//! The record turned into what the template shows: texts made harmless, numbers in words, nothing
+//! decided.
 
 use cases::answer::Mistake;
 use serde::Serialize;
@@ -7,7 +8,8 @@ use super::{diff, front, picture};
 use crate::graded::{Graded, Pictures};
 use crate::plain::shown;
 use crate::record::{
-    Build, CheckKind, CheckRecord, Diagnosis, Finding, FindingKind, Record, Score, StageRecord, Verdict,
+    Build, CheckKind, CheckRecord, Diagnosis, Finding, FindingKind, Record, Score, StageRecord,
+    Verdict,
 };
 use crate::report::{mistakes, words};
 
@@ -176,13 +178,22 @@ fn diagnosis(record: &Record, diagnosis: &Diagnosis) -> DiagnosisView {
 
 fn points(score: Score) -> Points {
     let Score { earned, possible } = score;
-    Points { earned: words::points(earned), possible: words::points(possible), earned_n: earned, possible_n: possible }
+    Points {
+        earned: words::points(earned),
+        possible: words::points(possible),
+        earned_n: earned,
+        possible_n: possible,
+    }
 }
 
 fn build(build: &Build) -> BuildView {
     BuildView {
         verdict: class(build.verdict),
-        words: if build.verdict == Verdict::Pass { "worked" } else { words::verdict(build.verdict) },
+        words: if build.verdict == Verdict::Pass {
+            "worked"
+        } else {
+            words::verdict(build.verdict)
+        },
         seconds: words::seconds(build.time_s),
         finding: build.finding.as_ref().map(|one| finding(None, one)),
         warnings: build.warnings.iter().map(|text| shown(text)).collect(),
@@ -193,8 +204,9 @@ fn build(build: &Build) -> BuildView {
 fn stage(stage: &StageRecord, graded: &Graded) -> Stage {
     let record = &graded.record;
     let of_kind = |kind: CheckKind| stage.checks.iter().filter(move |one| one.kind == kind);
-    let cases: Vec<Check> =
-        of_kind(CheckKind::Image).map(|one| check(record, one, graded.pictures.get(&one.id))).collect();
+    let cases: Vec<Check> = of_kind(CheckKind::Image)
+        .map(|one| check(record, one, graded.pictures.get(&one.id)))
+        .collect();
     let (unit_passed, unit_failed) =
         of_kind(CheckKind::Unit).map(|one| check(record, one, None)).partition(|one| one.is_right);
     Stage {
@@ -202,7 +214,9 @@ fn stage(stage: &StageRecord, graded: &Graded) -> Stage {
         title: shown(&stage.title),
         score: points(Score { earned: stage.earned, possible: stage.possible }),
         n_cases_right: cases.iter().filter(|one| one.is_right).count(),
-        n_cases_partly: of_kind(CheckKind::Image).filter(|one| one.verdict == Verdict::Partial).count(),
+        n_cases_partly: of_kind(CheckKind::Image)
+            .filter(|one| one.verdict == Verdict::Partial)
+            .count(),
         remarks: stage.remarks.iter().map(|text| shown(text)).collect(),
         cases,
         unit_failed,
@@ -219,10 +233,14 @@ fn check(record: &Record, check: &CheckRecord, pictures: Option<&Pictures>) -> C
         verdict: class(check.verdict),
         words: words::verdict(check.verdict),
         is_right: check.verdict == Verdict::Pass,
-        is_flagged: check.finding.as_ref().is_some_and(|finding| finding.kind == FindingKind::Contested),
+        is_flagged: check
+            .finding
+            .as_ref()
+            .is_some_and(|finding| finding.kind == FindingKind::Contested),
         score: points(Score { earned: check.earned, possible: check.possible }),
         seconds: words::seconds(check.time_s),
-        megabytes: (check.peak_bytes > 0).then(|| format!("{:.0} MB", check.peak_bytes as f64 / 1e6)),
+        megabytes: (check.peak_bytes > 0)
+            .then(|| format!("{:.0} MB", check.peak_bytes as f64 / 1e6)),
         finding: check.finding.as_ref().map(|one| finding(Some(record), one)),
         pictures: pictures.map(|pictures| both(pictures, check.finding.is_some())),
         front: pictures.and_then(|pictures| front::view(pictures, check.time_s)),
@@ -242,10 +260,16 @@ fn finding(record: Option<&Record>, finding: &Finding) -> FindingView {
         wrong_pixels: finding.wrong_pixels,
         wrong_contested: finding.wrong_contested,
         largest_cluster: finding.largest_cluster,
-        share: finding.share.map(|thousandths| format!("{}.{}", thousandths / 10, thousandths % 10)),
+        share: finding
+            .share
+            .map(|thousandths| format!("{}.{}", thousandths / 10, thousandths % 10)),
         worst: finding.worst,
         asked: asked.map(|asked| shown(&asked)),
-        diff: if is_compared { diff::lines(&text(&finding.expected), &text(&finding.actual)) } else { Vec::new() },
+        diff: if is_compared {
+            diff::lines(&text(&finding.expected), &text(&finding.actual))
+        } else {
+            Vec::new()
+        },
         stderr: finding.stderr.as_deref().map(shown).filter(|text| !text.trim().is_empty()),
     }
 }
@@ -254,7 +278,9 @@ fn finding(record: Option<&Record>, finding: &Finding) -> FindingView {
 fn both(pictures: &Pictures, is_explained: bool) -> PicturesView {
     let Pictures { answer, actual, .. } = pictures;
     let expected = &answer.expected;
-    let same_size = |one: &&cases::film::Image| (one.width(), one.height()) == (expected.width(), expected.height());
+    let same_size = |one: &&cases::film::Image| {
+        (one.width(), one.height()) == (expected.width(), expected.height())
+    };
     let actual = actual.as_ref().filter(same_size).map(|actual| Actual {
         picture: picture::colours(actual),
         difference: picture::difference(expected, actual),

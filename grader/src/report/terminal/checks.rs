@@ -20,15 +20,18 @@ const MOST_OF_A_MESSAGE: usize = 180;
 /// Names of checks that are listed of a group.
 const MOST_NAMED: usize = 3;
 
-/// Writes what there is to say of all checks: in full where that is wanted, else an example of each group.
+/// Writes what there is to say of all checks: in full where that is wanted, else an example of each
+/// group.
 pub(super) fn write(record: &Record, look: Look, text: &mut String) {
     let groups = groups::of(record);
-    let are_answers_wrong = groups.iter().any(|group| is_of_a_function(group) && !is_of_a_composed_one(group));
+    let are_answers_wrong =
+        groups.iter().any(|group| is_of_a_function(group) && !is_of_a_composed_one(group));
     let mut n_differences = 0;
     for group in groups.iter().filter(|group| !matches!(group.cause, Cause::NotRun(..))) {
         match group.cause {
             _ if look.is_verbose => group.checks.iter().for_each(|one| in_full(record, one, text)),
-            // A wrong function makes pictures wrong, and the functions that call it: one line will do.
+            // A wrong function makes pictures wrong, and the functions that call it: one line will
+            // do.
             Cause::Pictures(_) if are_answers_wrong => {
                 in_short(&count(group.checks.len(), "wrong picture"), group, text);
             }
@@ -41,7 +44,9 @@ pub(super) fn write(record: &Record, look: Look, text: &mut String) {
     }
     still_to_be_written(&groups, text);
     not_run(&groups, text);
-    for (stage, remark) in record.stages.iter().flat_map(|stage| stage.remarks.iter().map(|one| (&stage.id, one))) {
+    for (stage, remark) in
+        record.stages.iter().flat_map(|stage| stage.remarks.iter().map(|one| (&stage.id, one)))
+    {
         line(text, &format!("{ODD}{}{ODD:#}  {}", shown(stage), shown(remark)));
     }
 }
@@ -58,7 +63,8 @@ fn is_of_a_composed_one(group: &Group) -> bool {
 
 /// One check of a group with what is wrong with it, and the names of the others.
 fn by_example(record: &Record, group: &Group, n_differences: &mut usize, text: &mut String) {
-    let has_answers = |one: &&&CheckRecord| one.finding.as_ref().is_some_and(|it| it.expected.is_some());
+    let has_answers =
+        |one: &&&CheckRecord| one.finding.as_ref().is_some_and(|it| it.expected.is_some());
     // An answer says more than a picture.
     let example = group.checks.iter().find(has_answers).unwrap_or(&group.checks[0]);
     headline(record, example, text);
@@ -76,7 +82,9 @@ fn in_short(what: &str, group: &Group, text: &mut String) {
 
 /// The first names of checks, without their stage, and how many more there are.
 fn named(checks: &[&CheckRecord]) -> String {
-    let behind = |one: &&CheckRecord| shown(one.id.split_once('/').map_or(one.id.as_str(), |(_, behind)| behind));
+    let behind = |one: &&CheckRecord| {
+        shown(one.id.split_once('/').map_or(one.id.as_str(), |(_, behind)| behind))
+    };
     let names = checks.iter().take(MOST_NAMED).map(behind).collect::<Vec<_>>().join(", ");
     let rest = checks.len().saturating_sub(MOST_NAMED);
     if rest == 0 { names } else { format!("{names} and {rest} more (-v)") }
@@ -100,7 +108,8 @@ fn headline(record: &Record, check: &CheckRecord, text: &mut String) {
 
 /// How many other checks a group has, and the first of their names.
 fn more(group: &Group, example: &CheckRecord, text: &mut String) {
-    let others: Vec<&CheckRecord> = group.checks.iter().copied().filter(|one| one.id != example.id).collect();
+    let others: Vec<&CheckRecord> =
+        group.checks.iter().copied().filter(|one| one.id != example.id).collect();
     let what = match group.cause {
         _ if others.is_empty() => return,
         Cause::Mistake(_) => "the same explains",
@@ -127,19 +136,26 @@ fn details(check: &CheckRecord, finding: &Finding, text: &mut String) {
     }
 }
 
-/// Expected and actual answer, line by line; unless `is_whole`, only the first lines that differ, side by side.
+/// Expected and actual answer, line by line; unless `is_whole`, only the first lines that differ,
+/// side by side.
 fn differences(check: &CheckRecord, is_whole: bool, text: &mut String) {
-    let Some((expected, actual)) = check.finding.as_ref().and_then(|it| it.expected.as_ref().zip(it.actual.as_ref()))
+    let Some((expected, actual)) =
+        check.finding.as_ref().and_then(|it| it.expected.as_ref().zip(it.actual.as_ref()))
     else {
         return;
     };
-    let lines = |answer: &str| answer.lines().take(MOST_COMPARED).map(|one| shown(one) + "\n").collect::<String>();
+    let lines = |answer: &str| {
+        answer.lines().take(MOST_COMPARED).map(|one| shown(one) + "\n").collect::<String>()
+    };
     let (expected, actual) = (lines(expected), lines(actual));
     let diff = TextDiff::from_lines(expected.as_str(), actual.as_str());
-    let changes: Vec<_> =
-        diff.iter_all_changes().filter(|change| is_whole || change.tag() != ChangeTag::Equal).collect();
+    let changes: Vec<_> = diff
+        .iter_all_changes()
+        .filter(|change| is_whole || change.tag() != ChangeTag::Equal)
+        .collect();
     let most = if is_whole { usize::MAX } else { MOST_DIFFERENT };
-    for same in changes[..changes.len().min(most)].chunk_by(|a, b| !is_whole && a.tag() == b.tag()) {
+    for same in changes[..changes.len().min(most)].chunk_by(|a, b| !is_whole && a.tag() == b.tag())
+    {
         let (sign, style) = match same[0].tag() {
             ChangeTag::Delete => ("- expected ", GOOD),
             ChangeTag::Insert => ("+ yours    ", BAD),
@@ -153,15 +169,22 @@ fn differences(check: &CheckRecord, is_whole: bool, text: &mut String) {
     }
 }
 
-/// The functions that are still to be written, in the order of the stages, each with the checks that wait for it.
+/// The functions that are still to be written, in the order of the stages, each with the checks
+/// that wait for it.
 fn still_to_be_written(groups: &[Group], text: &mut String) {
     let mut waiting: Vec<(usize, &str, &Group)> = groups.iter().filter_map(waiting).collect();
     waiting.sort_by_key(|(place, ..)| *place);
     if !waiting.is_empty() {
-        line(text, &format!("{ODD}still to be written{ODD:#} (each function, or one that it calls)"));
+        line(
+            text,
+            &format!("{ODD}still to be written{ODD:#} (each function, or one that it calls)"),
+        );
     }
     for (_, message, group) in waiting {
-        line(text, &format!("    {}: {}", shown(functions::subject(message)), counts(&group.checks)));
+        line(
+            text,
+            &format!("    {}: {}", shown(functions::subject(message)), counts(&group.checks)),
+        );
     }
 }
 
@@ -176,7 +199,10 @@ fn waiting<'a>(group: &'a Group<'a>) -> Option<(usize, &'a str, &'a Group<'a>)> 
 fn not_run(groups: &[Group], text: &mut String) {
     for group in groups {
         if let (Cause::NotRun(_, why), None) = (group.cause, waiting(group)) {
-            line(text, &format!("{ODD}not run{ODD:#}  {}: {}", counts(&group.checks), short(&shown(why))));
+            line(
+                text,
+                &format!("{ODD}not run{ODD:#}  {}: {}", counts(&group.checks), short(&shown(why))),
+            );
         }
     }
 }
@@ -185,13 +211,15 @@ fn not_run(groups: &[Group], text: &mut String) {
 fn counts(checks: &[&CheckRecord]) -> String {
     let n = |kind| checks.iter().filter(|check| check.kind == kind).count();
     let kinds = [(n(CheckKind::Image), "picture"), (n(CheckKind::Unit), "unit check")];
-    let kinds: Vec<String> = kinds.iter().filter(|(n, _)| *n > 0).map(|(n, what)| count(*n, what)).collect();
+    let kinds: Vec<String> =
+        kinds.iter().filter(|(n, _)| *n > 0).map(|(n, what)| count(*n, what)).collect();
     format!("{} of {}", kinds.join(" and "), place(checks))
 }
 
 /// The stage of checks, or how many stages they are of.
 fn place(checks: &[&CheckRecord]) -> String {
-    let mut stages: Vec<&str> = checks.iter().filter_map(|check| check.id.split('/').next()).collect();
+    let mut stages: Vec<&str> =
+        checks.iter().filter_map(|check| check.id.split('/').next()).collect();
     stages.dedup();
     match stages.as_slice() {
         [one] => shown(one),

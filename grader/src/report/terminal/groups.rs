@@ -1,4 +1,5 @@
-//! The checks that did not pass, put together by what is wrong with them, so that one bug takes a few lines.
+//! The checks that did not pass, put together by what is wrong with them, so that one bug takes a
+//! few lines.
 
 use std::collections::BTreeMap;
 
@@ -31,7 +32,9 @@ pub(super) enum Cause<'a> {
 pub(super) fn of(record: &Record) -> Vec<Group<'_>> {
     let mut groups: Vec<Group> = vec![];
     let mut places: BTreeMap<Cause, usize> = BTreeMap::new();
-    for (stage, check) in record.stages.iter().flat_map(|stage| stage.checks.iter().map(move |check| (stage, check))) {
+    for (stage, check) in
+        record.stages.iter().flat_map(|stage| stage.checks.iter().map(move |check| (stage, check)))
+    {
         let Some(cause) = cause(&stage.id, check) else { continue };
         let place = *places.entry(cause).or_insert(groups.len());
         if place == groups.len() {
@@ -44,16 +47,21 @@ pub(super) fn of(record: &Record) -> Vec<Group<'_>> {
 
 fn cause<'a>(stage: &'a str, check: &'a CheckRecord) -> Option<Cause<'a>> {
     let kind = check.finding.as_ref().map_or(FindingKind::Remark, |finding| finding.kind);
-    let message = check.finding.as_ref().map_or("no reason is given", |finding| finding.message.as_str());
+    let message =
+        check.finding.as_ref().map_or("no reason is given", |finding| finding.message.as_str());
     let diagnosis = check.finding.as_ref().and_then(|finding| finding.diagnosis.as_deref());
     match (check.verdict, kind, check.kind) {
         (Verdict::Pass, ..) => check.finding.as_ref().map(|_| Cause::Remark(kind, message)),
         (Verdict::NotRun, ..) => Some(Cause::NotRun(kind, message)),
-        (Verdict::Partial | Verdict::Fail, ..) if diagnosis.is_some() => diagnosis.map(Cause::Mistake),
+        (Verdict::Partial | Verdict::Fail, ..) if diagnosis.is_some() => {
+            diagnosis.map(Cause::Mistake)
+        }
         (Verdict::Fail | Verdict::Partial, FindingKind::Wrong, CheckKind::Unit) => {
             Some(Cause::Answers(function(check).unwrap_or(&check.id)))
         }
-        (Verdict::Fail | Verdict::Partial, FindingKind::Wrong, CheckKind::Image) => Some(Cause::Pictures(stage)),
+        (Verdict::Fail | Verdict::Partial, FindingKind::Wrong, CheckKind::Image) => {
+            Some(Cause::Pictures(stage))
+        }
         _ => Some(Cause::Ending(kind, message)),
     }
 }

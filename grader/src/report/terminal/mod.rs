@@ -1,4 +1,5 @@
-//! The report for a terminal: what is wrong, where and why; then a table of stages, and what to do next.
+//! The report for a terminal: what is wrong, where and why; then a table of stages, and what to do
+//! next.
 //!
 //! | file | holds |
 //! |---|---|
@@ -36,7 +37,12 @@ pub fn render(record: &Record, look: Look) -> String {
         text.push('\n');
     }
     if record.interrupted {
-        line(&mut text, &format!("{BAD}Interrupted{BAD:#}: not everything was run, so the points are not final."));
+        line(
+            &mut text,
+            &format!(
+                "{BAD}Interrupted{BAD:#}: not everything was run, so the points are not final."
+            ),
+        );
     }
     table::write(record, look, &mut text);
     record.diagnoses.iter().for_each(|one| diagnosis(record, one, &mut text));
@@ -50,7 +56,8 @@ pub fn render(record: &Record, look: Look) -> String {
 fn diagnosis(record: &Record, diagnosis: &Diagnosis, text: &mut String) {
     let mut lead = format!("{BOLD}Most likely{BOLD:#}");
     for mistake in &diagnosis.mistakes {
-        let see = mistakes::rule(mistake.rule).map_or(String::new(), |rule| format!("; see {}", rule.link()));
+        let see = mistakes::rule(mistake.rule)
+            .map_or(String::new(), |rule| format!("; see {}", rule.link()));
         line(text, &format!("{lead}  {} [rule {}]", shown(&mistake.says), mistake.rule));
         line(text, &format!("    look at {}{see}", mistakes::place(mistake)));
         lead = format!("{BOLD}or{BOLD:#}");

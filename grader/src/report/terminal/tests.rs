@@ -19,7 +19,14 @@ fn has(text: &str, parts: &[&str]) {
 #[test]
 fn says_what_is_wrong_and_how_many_points_that_makes() {
     let shown = text(&sample::record("somebody"), false);
-    let parts = ["left aside", "1 warning (-v", "[rule 3] [rule 14]", "- expected ", "+ yours    ", " points"];
+    let parts = [
+        "left aside",
+        "1 warning (-v",
+        "[rule 3] [rule 14]",
+        "- expected ",
+        "+ yours    ",
+        " points",
+    ];
     has(&shown, &parts);
     has(&shown, &["  0.75 of 2 points, wrong: ", "look at this: ", "\n6.75 of 16 points\n"]);
     assert!(!shown.contains("protection"), "{shown}");
@@ -29,10 +36,11 @@ fn says_what_is_wrong_and_how_many_points_that_makes() {
 #[test]
 fn names_the_mistakes_that_explain_what_is_wrong() {
     let shown = text(&sample::record("somebody"), false);
-    let end = "\nMost likely  the one is <wrong> [rule 3]\n    look at sphere.rs, function intersect_sphere; see \
-               docs/shading-model.md#rule-3-direct-light\nor  the other is <wrong> [rule 14]\n    \
-               look at sphere.rs, function intersect_sphere; see docs/shading-model.md#rule-14-the-sphere\n    \
-               It explains 1 of 3 failed pictures and 1 of 1 failed unit check.\n";
+    let end = "\nMost likely  the one is <wrong> [rule 3]\n    look at sphere.rs, function \
+        intersect_sphere; see docs/shading-model.md#rule-3-direct-light\n\
+        or  the other is <wrong> [rule 14]\n    look at sphere.rs, function intersect_sphere; see \
+        docs/shading-model.md#rule-14-the-sphere\n    It explains 1 of 3 failed pictures and 1 of \
+        1 failed unit check.\n";
     assert!(shown.ends_with(end), "{shown}");
     // The two that it explains are one group, with the unit check as its example.
     assert_eq!(shown.matches("    most likely the one is <wrong>\n").count(), 1, "{shown}");
@@ -52,19 +60,22 @@ fn record_of(checks: Vec<CheckRecord>) -> Record {
 /// A check of the sample, under another name.
 fn check(sample: &str, name: &str) -> CheckRecord {
     let checks = sample::record("somebody").stages.remove(0).checks;
-    let mut check = checks.into_iter().find(|check| check.id.ends_with(sample)).expect("a check of the sample");
+    let mut check =
+        checks.into_iter().find(|check| check.id.ends_with(sample)).expect("a check of the sample");
     check.id = format!("01_ray_casting/{name}");
     if let Some(finding) = &mut check.finding {
         finding.diagnosis = None;
         finding.stderr = None;
-        finding.actual = finding.actual.as_ref().map(|_| "hit\n  t       -0.5\n  normal  0 0 1\n".to_owned());
+        finding.actual =
+            finding.actual.as_ref().map(|_| "hit\n  t       -0.5\n  normal  0 0 1\n".to_owned());
     }
     check
 }
 
 #[test]
 fn one_wrong_function_does_not_fill_the_screen() {
-    let record = record_of((0..9).map(|n| check("sphere/inside", &format!("sphere/{n}"))).collect());
+    let record =
+        record_of((0..9).map(|n| check("sphere/inside", &format!("sphere/{n}"))).collect());
     let shown = text(&record, false);
     has(&shown, &["    wrong as well: sphere/1, sphere/2, sphere/3 and 5 more (-v)\n"]);
     assert_eq!((shown.matches("- expected").count(), shown.lines().count()), (1, 7), "{shown}");
@@ -79,7 +90,12 @@ fn pictures_and_functions_that_call_others_stand_behind_a_wrong_function() {
         wrong
     };
     let picture = || check("shifted", "boxes");
-    let record = record_of(vec![picture(), of("trace", "trace/a"), of("trace", "trace/b"), of("sphere", "sphere/a")]);
+    let record = record_of(vec![
+        picture(),
+        of("trace", "trace/a"),
+        of("trace", "trace/b"),
+        of("sphere", "sphere/a"),
+    ]);
     let shown = text(&record, false);
     has(
         &shown,
@@ -91,7 +107,10 @@ fn pictures_and_functions_that_call_others_stand_behind_a_wrong_function() {
     );
     assert_eq!(shown.matches("- expected").count(), 1, "{shown}");
     let shown = text(&record_of(vec![picture(), of("trace", "trace/a")]), false);
-    has(&shown, &["01_ray_casting/boxes  wrong: ", "01_ray_casting/trace/a  wrong: ", "- expected"]);
+    has(
+        &shown,
+        &["01_ray_casting/boxes  wrong: ", "01_ray_casting/trace/a  wrong: ", "- expected"],
+    );
 }
 
 #[test]
@@ -105,7 +124,8 @@ fn every_function_wrong_in_many_ways_takes_a_few_lines_each() {
         finding.message = "m".repeat(5000);
         wrong
     };
-    let record = record_of((0..26).flat_map(|function| (0..20).map(move |n| wrong(function, n))).collect());
+    let record =
+        record_of((0..26).flat_map(|function| (0..20).map(move |n| wrong(function, n))).collect());
     let shown = text(&record, false);
     assert!(shown.lines().count() < 150, "{} lines of 520 wrong answers", shown.lines().count());
     assert!(shown.lines().all(|line| line.chars().count() <= 100), "{shown}");
@@ -123,7 +143,10 @@ fn what_is_still_to_be_written_is_named_by_function_and_file() {
     };
     let mut picture = check("ball", "boxes");
     picture.verdict = Verdict::NotRun;
-    picture.finding = Some(Finding::new(FindingKind::Todo, "still to be written: eye_ray [rule 1]: src/camera.rs"));
+    picture.finding = Some(Finding::new(
+        FindingKind::Todo,
+        "still to be written: eye_ray [rule 1]: src/camera.rs",
+    ));
     let record = record_of(vec![
         picture,
         check("sphere/tangent", "reflect/a"),
@@ -138,7 +161,8 @@ fn what_is_still_to_be_written_is_named_by_function_and_file() {
             "still to be written (each function, or one that it calls)\n",
             "    `intersect_sphere` in src/sphere.rs: 2 unit checks of 01_ray_casting\n",
             "    a function that `trace` in src/trace.rs calls: 1 unit check of 01_ray_casting\n",
-            "not run  1 picture of 01_ray_casting: still to be written: eye_ray [rule 1]: src/camera.rs\n",
+            "not run  1 picture of 01_ray_casting: still to be written: eye_ray [rule 1]: \
+                src/camera.rs\n",
             "\nNext  write `intersect_sphere` in src/sphere.rs\n",
         ],
     );
@@ -177,7 +201,10 @@ fn an_interrupt_is_said_before_the_points() {
     let mut record = record_of(vec![check("ball", "ball")]);
     record.interrupted = true;
     let shown = text(&record, false);
-    has(&shown, &["Interrupted: not everything was run, so the points are not final.\n01_ray_casting"]);
+    has(
+        &shown,
+        &["Interrupted: not everything was run, so the points are not final.\n01_ray_casting"],
+    );
     assert!(!shown.contains("Next"));
 }
 

@@ -43,7 +43,9 @@ const KILLED: Outcome = Outcome::Signalled(libc::SIGKILL);
 
 #[test]
 fn a_machine_that_has_enough_is_not_to_blame() {
-    for outcome in [CRASH, KILLED, Outcome::Exited(0), Outcome::OutOfMemory, Outcome::TimedOut(Clock::Cpu)] {
+    for outcome in
+        [CRASH, KILLED, Outcome::Exited(0), Outcome::OutOfMemory, Outcome::TimedOut(Clock::Cpu)]
+    {
         check(&well(), outcome, "");
     }
 }
@@ -51,7 +53,11 @@ fn a_machine_that_has_enough_is_not_to_blame() {
 #[test]
 fn a_full_disk_is_the_machines_unless_the_program_filled_it() {
     let no_space = || Err("No space left on device".to_owned());
-    check(&Machine { fits: no_space(), ..well() }, CRASH, "no room for 100000 bytes (No space left");
+    check(
+        &Machine { fits: no_space(), ..well() },
+        CRASH,
+        "no room for 100000 bytes (No space left",
+    );
     check(&Machine { fits: no_space(), ..well() }, Outcome::Exited(0), "no room");
     let much = Room { bytes: SMALL.folder_size + 1, files: 1 };
     check(&Machine { fits: no_space(), taken: much, ..well() }, CRASH, "disk");
@@ -66,8 +72,16 @@ fn a_full_disk_is_the_machines_unless_the_program_filled_it() {
 
 #[test]
 fn exhausted_descriptors_processes_and_memory_are_the_machines() {
-    check(&Machine { can_open: Err("Too many open files".to_owned()), ..well() }, CRASH, "ulimit -n");
-    check(&Machine { can_start: Err("Resource temporarily".to_owned()), ..well() }, CRASH, "ulimit -u");
+    check(
+        &Machine { can_open: Err("Too many open files".to_owned()), ..well() },
+        CRASH,
+        "ulimit -n",
+    );
+    check(
+        &Machine { can_start: Err("Resource temporarily".to_owned()), ..well() },
+        CRASH,
+        "ulimit -u",
+    );
     let little = Machine { memory: Some(100 << 20), ..well() };
     check(&little, Outcome::OutOfMemory, "100 MiB of memory left, less than the 200 MiB");
     check(&little, CRASH, "");
@@ -84,7 +98,8 @@ fn a_limit_of_our_own_is_not_the_programs() {
         lowered: vec![Granted { resource, wanted: 1 << 40, allowed, is_enough, hard: allowed }],
         ..well()
     };
-    let (out_of_time, full_file) = (Outcome::TimedOut(Clock::Cpu), Outcome::TooMuchOutput(Stream::File));
+    let (out_of_time, full_file) =
+        (Outcome::TimedOut(Clock::Cpu), Outcome::TooMuchOutput(Stream::File));
     check(&lowered(Resource::Descriptors, 20, false), CRASH, "20 open files");
     check(&lowered(Resource::Descriptors, 200, true), CRASH, "");
     check(&lowered(Resource::AddressSpace, 1 << 20, false), CRASH, "address space");
@@ -95,7 +110,11 @@ fn a_limit_of_our_own_is_not_the_programs() {
     check(&lowered(Resource::Cpu, 5, false), out_of_time.clone(), "5 s of CPU time");
     check(&lowered(Resource::Descriptors, 200, true), full_file, "");
     let used_up = Finished { cpu: SMALL.cpu, ..ended(out_of_time) };
-    assert_eq!(lowered(Resource::Cpu, 5, true).cause(&used_up, &SMALL, NEEDED), None, "its own time was over");
+    assert_eq!(
+        lowered(Resource::Cpu, 5, true).cause(&used_up, &SMALL, NEEDED),
+        None,
+        "its own time was over"
+    );
 }
 
 #[test]

@@ -40,7 +40,12 @@ pub enum Format {
 ///
 /// # Errors
 /// See [`ArchiveError`].
-pub fn unpack(bytes: &[u8], format: Format, into: &Path, limits: &Limits) -> Result<Vec<Aside>, ArchiveError> {
+pub fn unpack(
+    bytes: &[u8],
+    format: Format,
+    into: &Path,
+    limits: &Limits,
+) -> Result<Vec<Aside>, ArchiveError> {
     let mut unpacking = Unpacking::new(into, limits, bytes.len() as u64);
     match format {
         Format::Zip => zip::unpack(bytes, &mut unpacking)?,

@@ -23,7 +23,8 @@ pub(super) fn unpack_gz(bytes: &[u8], to: &mut Unpacking) -> Result<(), ArchiveE
 pub(super) fn unpack(from: impl Read, to: &mut Unpacking) -> Result<(), ArchiveError> {
     let allowance = Cell::new(HEADER_BYTES);
     let all = to.limits.inflated_bytes;
-    let mut tar = ::tar::Archive::new(Metered { inner: from, allowance: &allowance, all, left: all });
+    let mut tar =
+        ::tar::Archive::new(Metered { inner: from, allowance: &allowance, all, left: all });
     for entry in tar.entries().map_err(broken)? {
         let mut entry = entry.map_err(|why| match to.n_looked_at {
             0 => broken(format!("there is no tar archive in it: {why}")),
@@ -32,7 +33,11 @@ pub(super) fn unpack(from: impl Read, to: &mut Unpacking) -> Result<(), ArchiveE
         let kind = entry.header().entry_type();
         // This entry as it is stored may be read, and the headers of the next one. A sparse file is
         // longer than it is stored.
-        let stored = if kind.is_gnu_sparse() { entry.header().entry_size().map_err(broken)? } else { entry.size() };
+        let stored = if kind.is_gnu_sparse() {
+            entry.header().entry_size().map_err(broken)?
+        } else {
+            entry.size()
+        };
         allowance.set(stored.saturating_add(HEADER_BYTES));
         if kind.is_pax_global_extensions() {
             to.count_look()?; // what git writes first: a comment, no file
@@ -49,7 +54,8 @@ pub(super) fn unpack(from: impl Read, to: &mut Unpacking) -> Result<(), ArchiveE
 fn kind_of(kind: EntryType, name: &[u8]) -> Kind {
     match kind {
         EntryType::Directory => Kind::Folder,
-        EntryType::Regular if name.ends_with(b"/") => Kind::Folder, // as the oldest archives have it
+        // as the oldest archives have it
+        EntryType::Regular if name.ends_with(b"/") => Kind::Folder,
         EntryType::Regular | EntryType::Continuous => Kind::File,
         EntryType::Symlink | EntryType::Link => Kind::Link,
         _ => Kind::Special,
@@ -69,9 +75,12 @@ struct Metered<'a, R> {
 impl<R: Read> Read for Metered<'_, R> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let got = self.inner.read(buffer)?;
-        let rest = |of: u64, what: String| of.checked_sub(got as u64).ok_or_else(|| io::Error::other(what));
+        let rest = |of: u64, what: String| {
+            of.checked_sub(got as u64).ok_or_else(|| io::Error::other(what))
+        };
         self.left = rest(self.left, format!("it inflates to more than {}", size(self.all)))?;
-        self.allowance.set(rest(self.allowance.get(), "the headers of an entry are too long".to_owned())?);
+        self.allowance
+            .set(rest(self.allowance.get(), "the headers of an entry are too long".to_owned())?);
         Ok(got)
     }
 }

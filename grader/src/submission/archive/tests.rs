@@ -1,4 +1,5 @@
-//! Every rule has an archive that breaks it and nothing else, and good archives come out as they went in.
+//! Every rule has an archive that breaks it and nothing else, and good archives come out as they
+//! went in.
 
 use std::fs;
 
@@ -32,7 +33,11 @@ fn unpacked(bytes: &[u8], format: Format, limits: &Limits) -> Result<Unpacked, A
     let into = place.path().join("into");
     fs::create_dir(&into).unwrap();
     let outcome = unpack(bytes, format, &into, limits);
-    assert_eq!(fs::read_dir(place.path()).unwrap().count(), 1, "something came out beside the folder");
+    assert_eq!(
+        fs::read_dir(place.path()).unwrap().count(),
+        1,
+        "something came out beside the folder"
+    );
     let mut found = vec![];
     gather(&into, &into, &mut found);
     found.sort();
@@ -43,11 +48,18 @@ fn gather(root: &Path, at: &Path, found: &mut Vec<(String, Vec<u8>)>) {
     for entry in fs::read_dir(at).unwrap() {
         let path = entry.unwrap().path();
         let kind = path.symlink_metadata().unwrap().file_type();
-        assert!(kind.is_dir() || kind.is_file(), "{} is neither a file nor a folder", path.display());
+        assert!(
+            kind.is_dir() || kind.is_file(),
+            "{} is neither a file nor a folder",
+            path.display()
+        );
         if kind.is_dir() {
             gather(root, &path, found);
         } else {
-            found.push((path.strip_prefix(root).unwrap().to_str().unwrap().to_owned(), fs::read(&path).unwrap()));
+            found.push((
+                path.strip_prefix(root).unwrap().to_str().unwrap().to_owned(),
+                fs::read(&path).unwrap(),
+            ));
         }
     }
 }
@@ -65,7 +77,8 @@ fn check(entries: &[Entry], expected: &[&str], aside: &[&str]) {
 }
 
 fn check_one(format: Format, bytes: &[u8], expected: &[&str], aside: &[&str]) {
-    let (found, left) = unpacked(bytes, format, &SMALL).unwrap_or_else(|why| panic!("{format:?}: {why}"));
+    let (found, left) =
+        unpacked(bytes, format, &SMALL).unwrap_or_else(|why| panic!("{format:?}: {why}"));
     let paths: Vec<&str> = found.iter().map(|(path, _)| path.as_str()).collect();
     assert_eq!(paths, expected, "{format:?}");
     assert_eq!(left, aside, "{format:?}");
@@ -81,7 +94,9 @@ fn refused(entries: &[Entry], words: &str) {
 fn refused_one(format: Format, bytes: &[u8], limits: &Limits, words: &str) {
     match unpacked(bytes, format, limits) {
         Ok(found) => panic!("{format:?} should be refused ({words}), came out as {found:?}"),
-        Err(why) => assert!(why.to_string().contains(words), "{format:?}: {why}\nshould speak of: {words}"),
+        Err(why) => {
+            assert!(why.to_string().contains(words), "{format:?}: {why}\nshould speak of: {words}")
+        }
     }
 }
 
@@ -96,7 +111,11 @@ fn good_archives_come_out_as_they_went_in() {
     let expected = [("Lies.md", "Zoë"), ("empty", ""), ("src/main.rs", "fn main() {}")]
         .map(|(name, data)| (name.to_owned(), data.as_bytes().to_owned()));
     for (format, bytes) in all(&entries) {
-        assert_eq!(unpacked(&bytes, format, &SMALL).unwrap(), (expected.to_vec(), vec![]), "{format:?}");
+        assert_eq!(
+            unpacked(&bytes, format, &SMALL).unwrap(),
+            (expected.to_vec(), vec![]),
+            "{format:?}"
+        );
     }
 }
 
@@ -118,8 +137,14 @@ fn an_odd_entry_costs_itself_alone() {
         (file("a/../../x", b"x"), "a/../../x: leaves the folder (`..`)"),
         (file("C:/x", b"x"), "C:/x: has a backslash or a colon in its name"),
         (file("a\\b", b"x"), "a\\b: has a backslash or a colon in its name"),
-        (file("Icon\r", b""), "Icon\\u{d}: has a control character or an invisible one in its name"),
-        (file("\u{202e}sr", b""), "\\u{202e}sr: has a control character or an invisible one in its name"),
+        (
+            file("Icon\r", b""),
+            "Icon\\u{d}: has a control character or an invisible one in its name",
+        ),
+        (
+            file("\u{202e}sr", b""),
+            "\\u{202e}sr: has a control character or an invisible one in its name",
+        ),
         (file("a/b/c/d", b"x"), "a/b/c/d: lies 4 names deep; 3 are read"),
     ] {
         check(&[file("a1", b"1"), odd, file("z", b"2")], &["a1", "z"], &[why]);
@@ -150,7 +175,11 @@ fn a_path_comes_once() {
     check(&[file("a", b"1"), file("./a", b"2")], &["a"], &[&format!("a: {twice}")]);
     check(&[file("a", b"1"), file("a/b", b"2")], &["a"], &[&format!("a/b: {twice}")]);
     check(&[file("a/b", b"1"), file("a", b"2")], &["a/b"], &[&format!("a: {twice}")]);
-    check(&[file("src/Ray.rs", b"1"), file("src/ray.rs", b"2")], &["src/Ray.rs", "src/ray.rs"], &[]);
+    check(
+        &[file("src/Ray.rs", b"1"), file("src/ray.rs", b"2")],
+        &["src/Ray.rs", "src/ray.rs"],
+        &[],
+    );
     // The writer of zip archives refuses equal names, so the second is patched in.
     let zip = make::patched(&zipped(&[file("a.rs", b"1"), file("#.rs", b"2")]), b"#.rs", b"a.rs");
     check_one(Format::Zip, &zip, &["a.rs"], &["a.rs: comes twice"]);
@@ -185,9 +214,14 @@ fn amounts_are_limited() {
     let names = ["1", "2", "3", "4", "5", "6", "7"];
     refused(&names.map(|name| file(name, b"")), "more than 6 files and folders");
     refused(&names.map(link), "more than 6 files and folders");
-    let noise: Vec<u8> = (0..2_u64 << 20).map(|n| (n.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 56) as u8 & 3).collect();
+    let noise: Vec<u8> =
+        (0..2_u64 << 20).map(|n| (n.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 56) as u8 & 3).collect();
     let large = [&noise[..], b"x"].concat();
-    check(&[file("b", &large), file("c", b"")], &["c"], &["b: has 2097153 bytes; 2097152 bytes are read"]);
+    check(
+        &[file("b", &large), file("c", b"")],
+        &["c"],
+        &["b: has 2097153 bytes; 2097152 bytes are read"],
+    );
     refused(&[file("a", &noise), file("b", &noise)], "have more than 3 MiB; 3 MiB are read");
 }
 
@@ -195,10 +229,20 @@ fn amounts_are_limited() {
 fn a_bomb_is_stopped_while_it_inflates() {
     let zeros = vec![0; (1 << 20) + 1];
     let tight = Limits { ratio: 10, ..SMALL };
-    for (format, bytes) in [(Format::TarGz, tgz(&[file("a", &zeros)])), (Format::Zip, zipped(&[file("a", &zeros)]))] {
-        assert!(unpacked(&bytes, format, &Limits { ratio: 1200, ..SMALL }).is_ok(), "{format:?}: the control");
+    for (format, bytes) in
+        [(Format::TarGz, tgz(&[file("a", &zeros)])), (Format::Zip, zipped(&[file("a", &zeros)]))]
+    {
+        assert!(
+            unpacked(&bytes, format, &Limits { ratio: 1200, ..SMALL }).is_ok(),
+            "{format:?}: the control"
+        );
         refused_one(format, &bytes, &tight, "inflates to more than 10 times its size");
     }
     let skipped = tgz(&[file("target/x", &zeros)]);
-    refused_one(Format::TarGz, &skipped, &Limits { inflated_bytes: 1 << 20, ..SMALL }, "inflates to more than 1 MiB");
+    refused_one(
+        Format::TarGz,
+        &skipped,
+        &Limits { inflated_bytes: 1 << 20, ..SMALL },
+        "inflates to more than 1 MiB",
+    );
 }

@@ -45,7 +45,12 @@ impl<'a> Unpacking<'a> {
     ///
     /// Returns the path to write to if the entry is a file that is taken. A skipped entry counts
     /// only among those that are looked at.
-    pub(super) fn admit(&mut self, name: &[u8], kind: Kind, size: u64) -> Result<Option<PathBuf>, ArchiveError> {
+    pub(super) fn admit(
+        &mut self,
+        name: &[u8],
+        kind: Kind,
+        size: u64,
+    ) -> Result<Option<PathBuf>, ArchiveError> {
         self.count_look()?;
         if is_skipped(name, kind == Kind::Folder) {
             return Ok(None);
@@ -53,7 +58,9 @@ impl<'a> Unpacking<'a> {
         self.n_entries += 1;
         if self.n_entries > self.limits.entries {
             let most = self.limits.entries;
-            return Err(ArchiveError::TooMuch(format!("the archive has more than {most} files and folders")));
+            return Err(ArchiveError::TooMuch(format!(
+                "the archive has more than {most} files and folders"
+            )));
         }
         match self.place(name, kind, size) {
             Err(why) => {
@@ -87,7 +94,10 @@ impl<'a> Unpacking<'a> {
             Kind::Special => return Err(Why::Special),
             Kind::File if names.is_empty() => return Err(Why::Nameless),
             Kind::File if size > self.limits.file_bytes => {
-                return Err(Why::TooLarge(Excess { found: Some(size), limit: self.limits.file_bytes }));
+                return Err(Why::TooLarge(Excess {
+                    found: Some(size),
+                    limit: self.limits.file_bytes,
+                }));
             }
             Kind::File | Kind::Folder => {}
         }
@@ -106,7 +116,12 @@ impl<'a> Unpacking<'a> {
     }
 
     /// Makes the folder that the entry is or lies in, and returns the path of a file.
-    fn make_folder(&mut self, name: &[u8], path: PathBuf, kind: Kind) -> Result<Option<PathBuf>, ArchiveError> {
+    fn make_folder(
+        &mut self,
+        name: &[u8],
+        path: PathBuf,
+        kind: Kind,
+    ) -> Result<Option<PathBuf>, ArchiveError> {
         let folder = if kind == Kind::Folder { &path } else { path.parent().unwrap_or(self.into) };
         match std::fs::create_dir_all(folder) {
             Ok(()) => Ok((kind == Kind::File).then_some(path)),
@@ -119,7 +134,12 @@ impl<'a> Unpacking<'a> {
     }
 
     /// Writes what `from` gives to the new file `path`. A file that proves too large is left aside.
-    pub(super) fn write(&mut self, name: &[u8], path: &Path, from: &mut impl Read) -> Result<(), ArchiveError> {
+    pub(super) fn write(
+        &mut self,
+        name: &[u8],
+        path: &Path,
+        from: &mut impl Read,
+    ) -> Result<(), ArchiveError> {
         let mut file = match File::create_new(path) {
             Ok(file) => file,
             Err(why) if is_taken(&why) => {
@@ -142,7 +162,10 @@ impl<'a> Unpacking<'a> {
             self.left = self.left.checked_sub(got as u64).ok_or_else(|| self.too_much())?;
             if written > self.limits.file_bytes {
                 std::fs::remove_file(path).map_err(ArchiveError::Machine)?;
-                self.leave(name, Why::TooLarge(Excess { found: None, limit: self.limits.file_bytes }));
+                self.leave(
+                    name,
+                    Why::TooLarge(Excess { found: None, limit: self.limits.file_bytes }),
+                );
                 return Ok(());
             }
             file.write_all(&buffer[..got]).map_err(ArchiveError::Machine)?;
@@ -154,10 +177,14 @@ impl<'a> Unpacking<'a> {
         let Limits { all_bytes, ratio, .. } = *self.limits;
         if self.archive_bytes.saturating_mul(ratio) >= all_bytes {
             let most = size(all_bytes);
-            return ArchiveError::TooMuch(format!("the files of the archive have more than {most}; {most} are read"));
+            return ArchiveError::TooMuch(format!(
+                "the files of the archive have more than {most}; {most} are read"
+            ));
         }
         let packed = size(self.archive_bytes);
-        ArchiveError::TooMuch(format!("the archive of {packed} inflates to more than {ratio} times its size"))
+        ArchiveError::TooMuch(format!(
+            "the archive of {packed} inflates to more than {ratio} times its size"
+        ))
     }
 }
 
@@ -168,7 +195,8 @@ fn is_taken(error: &io::Error) -> bool {
 
 /// Says whether the entry lies in a folder that is skipped, or is a file of a system.
 fn is_skipped(name: &[u8], is_folder: bool) -> bool {
-    let mut names: Vec<&[u8]> = name.split(|byte| *byte == b'/').filter(|name| !name.is_empty()).collect();
+    let mut names: Vec<&[u8]> =
+        name.split(|byte| *byte == b'/').filter(|name| !name.is_empty()).collect();
     let file = if is_folder { None } else { names.pop() };
     names.iter().any(|name| SKIPPED.iter().any(|skipped| skipped.as_bytes() == *name))
         || file.and_then(|name| str::from_utf8(name).ok()).is_some_and(is_of_system)

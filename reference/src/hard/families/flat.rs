@@ -13,21 +13,32 @@ pub(super) fn plane_near_parallel(draws: &mut Draws) -> Question {
     let normal = draws.direction();
     let slope = draws.sign() * draws.power(-14.0, -1.0);
     let direction = along(draws.across(normal), normal, slope);
-    Question::Plane { line: Line { origin: draws.point(10.0), direction }, normal, k: draws.between(-5.0, 5.0) }
+    Question::Plane {
+        line: Line { origin: draws.point(10.0), direction },
+        normal,
+        k: draws.between(-5.0, 5.0),
+    }
 }
 
 /// A million units from the origin, a line that starts a few units away from it.
 pub(super) fn plane_offset(draws: &mut Draws) -> Question {
     let normal = draws.direction();
-    let foot = along(draws.direction().map(|x| x * 1e6), normal, draws.sign() * draws.power(-3.0, 1.0));
+    let foot =
+        along(draws.direction().map(|x| x * 1e6), normal, draws.sign() * draws.power(-3.0, 1.0));
     let k = foot.iter().zip(normal).map(|(x, n)| x * n).sum::<f64>() + draws.between(-5.0, 5.0);
     Question::Plane { line: Line { origin: foot, direction: draws.direction() }, normal, k }
 }
 
 pub(super) fn plane_scale(draws: &mut Draws) -> Question {
-    let Question::Plane { line, normal, k } = plane(draws) else { unreachable!("a plane was drawn") };
+    let Question::Plane { line, normal, k } = plane(draws) else {
+        unreachable!("a plane was drawn")
+    };
     let size = draws.power(-draws.decades, draws.decades);
-    Question::Plane { line: Line { origin: line.origin.map(|x| x * size), ..line }, normal, k: k * size }
+    Question::Plane {
+        line: Line { origin: line.origin.map(|x| x * size), ..line },
+        normal,
+        k: k * size,
+    }
 }
 
 /// A line towards `target`, from somewhere around.
@@ -55,7 +66,12 @@ fn inside([a, b, c]: [[f64; 3]; 3], beta: f64, gamma: f64) -> [f64; 3] {
     along(along(a, minus(b, a), beta), minus(c, a), gamma)
 }
 
-fn triangle_at(draws: &mut Draws, corners: [[f64; 3]; 3], target: [f64; 3], distance: f64) -> Question {
+fn triangle_at(
+    draws: &mut Draws,
+    corners: [[f64; 3]; 3],
+    target: [f64; 3],
+    distance: f64,
+) -> Question {
     let origin = along(target, draws.direction(), distance);
     Question::Triangle { line: Line { origin, direction: unit(minus(target, origin)) }, corners }
 }
@@ -68,7 +84,11 @@ fn aimed(draws: &mut Draws, corners: [[f64; 3]; 3], distance: f64) -> Question {
 
 fn corners(draws: &mut Draws, size: f64) -> [[f64; 3]; 3] {
     let a = draws.point(3.0);
-    [a, along(a, draws.direction(), size), along(a, draws.direction(), size * draws.between(0.3, 1.0))]
+    [
+        a,
+        along(a, draws.direction(), size),
+        along(a, draws.direction(), size * draws.between(0.3, 1.0)),
+    ]
 }
 
 pub(super) fn triangle(draws: &mut Draws) -> Question {
@@ -106,7 +126,8 @@ pub(super) fn triangle_offset(draws: &mut Draws) -> Question {
 
 /// One corner a million times nearer than the others.
 pub(super) fn mixed_scale(draws: &mut Draws) -> Question {
-    let corners = [draws.point(1.0), draws.direction().map(|x| x * 1e6), draws.direction().map(|x| x * 1e6)];
+    let corners =
+        [draws.point(1.0), draws.direction().map(|x| x * 1e6), draws.direction().map(|x| x * 1e6)];
     let (beta, gamma) = (draws.power(-7.0, 0.0), draws.power(-7.0, 0.0));
     let target = inside(corners, beta, gamma);
     let distance = draws.power(0.0, 6.0);
@@ -121,7 +142,8 @@ pub(super) fn at_corner(draws: &mut Draws) -> Question {
 
 pub(super) fn at_edge(draws: &mut Draws) -> Question {
     let corners = corners(draws, 2.0);
-    let (from, share, distance) = (draws.index(3), draws.between(0.0, 1.0), draws.between(1.0, 10.0));
+    let (from, share, distance) =
+        (draws.index(3), draws.between(0.0, 1.0), draws.between(1.0, 10.0));
     let target = along(corners[from], minus(corners[(from + 1) % 3], corners[from]), share);
     triangle_at(draws, corners, target, distance)
 }
@@ -139,8 +161,13 @@ pub(super) fn edge_on(draws: &mut Draws) -> Question {
 }
 
 pub(super) fn triangle_scale(draws: &mut Draws) -> Question {
-    let Question::Triangle { line, corners } = triangle(draws) else { unreachable!("a triangle was drawn") };
+    let Question::Triangle { line, corners } = triangle(draws) else {
+        unreachable!("a triangle was drawn")
+    };
     let (size, length) = (draws.power(-draws.decades, draws.decades), draws.power(-4.0, 4.0));
-    let line = Line { origin: line.origin.map(|x| x * size), direction: line.direction.map(|x| x * length) };
+    let line = Line {
+        origin: line.origin.map(|x| x * size),
+        direction: line.direction.map(|x| x * length),
+    };
     Question::Triangle { line, corners: corners.map(|corner| corner.map(|x| x * size)) }
 }

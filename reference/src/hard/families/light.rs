@@ -28,7 +28,8 @@ fn refracted(draws: &mut Draws, cosine: f64, eta_i: f64, eta_t: f64) -> Question
 }
 
 pub(super) fn refract(draws: &mut Draws) -> Question {
-    let (cosine, eta_i, eta_t) = (draws.between(0.02, 1.0), draws.between(1.0, 2.5), draws.between(1.0, 2.5));
+    let (cosine, eta_i, eta_t) =
+        (draws.between(0.02, 1.0), draws.between(1.0, 2.5), draws.between(1.0, 2.5));
     refracted(draws, cosine, eta_i, eta_t)
 }
 
@@ -49,7 +50,11 @@ pub(super) fn refract_grazing(draws: &mut Draws) -> Question {
 /// Indices that are equal, or nearly.
 pub(super) fn equal_index(draws: &mut Draws) -> Question {
     let (cosine, eta_i) = (draws.power(-3.0, 0.0), draws.between(1.0, 2.5));
-    let eta_t = if draws.sign() > 0.0 { eta_i } else { eta_i * (1.0 + draws.sign() * draws.power(-15.0, -3.0)) };
+    let eta_t = if draws.sign() > 0.0 {
+        eta_i
+    } else {
+        eta_i * (1.0 + draws.sign() * draws.power(-15.0, -3.0))
+    };
     refracted(draws, cosine, eta_i, eta_t)
 }
 
@@ -102,7 +107,8 @@ fn moved_sphere(draws: &mut Draws, scales: [f64; 3], reach: f64) -> Question {
     let moved = |p: [f64; 3]| -> [f64; 3] {
         std::array::from_fn(|n| (0..3).map(|m| rows[n][m] * p[m]).sum::<f64>() + translation[n])
     };
-    let (inside, outside) = (draws.direction().map(|x| x * reach), draws.direction().map(|x| x * 3.0));
+    let (inside, outside) =
+        (draws.direction().map(|x| x * reach), draws.direction().map(|x| x * 3.0));
     let (origin, target) = (moved(outside), moved(inside));
     let direction = unit(std::array::from_fn(|n| target[n] - origin[n]));
     Question::TransformedSphere { line: Line { origin, direction }, rows, translation }

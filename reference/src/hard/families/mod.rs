@@ -8,7 +8,8 @@ mod spheres;
 use super::draws::Draws;
 use super::question::Question;
 
-/// The greatest error of t, relative, and of the normal, the direction or the weights, as a vector against 1.
+/// The greatest error of t, relative, and of the normal, the direction or the weights, as a vector
+/// against 1.
 pub type Bound = [f64; 2];
 
 /// A kind of hard question.
@@ -22,7 +23,8 @@ pub struct Family {
     pub draw: fn(&mut Draws) -> Question,
     /// What the reference keeps to in double precision: some ten times the worst of 10⁶ draws.
     pub double: Bound,
-    /// The same in single precision. `None` where that cannot hold the question: the inverse of such a matrix, rounded, is that of another.
+    /// The same in single precision. `None` where that cannot hold the question: the inverse of
+    /// such a matrix, rounded, is that of another.
     pub single: Option<Bound>,
 }
 

@@ -16,14 +16,16 @@ pub(super) fn cuboid(draws: &mut Draws) -> Question {
     Question::Cuboid { line: Line { origin, direction: unit(minus(target, origin)) }, min, max }
 }
 
-/// The line runs within the plane of a face, or beside it by a rounding; the direction has one or two zeros of either sign.
+/// The line runs within the plane of a face, or beside it by a rounding; the direction has one or
+/// two zeros of either sign.
 pub(super) fn in_slab(draws: &mut Draws) -> Question {
     let (min, max) = corners(draws);
     let (axis, is_max) = (draws.index(3), draws.sign() > 0.0);
     let mut origin = draws.point(8.0);
     let face = if is_max { max[axis] } else { min[axis] };
     origin[axis] = [face, face.next_up(), face.next_down()][draws.index(3)];
-    let target: [f64; 3] = std::array::from_fn(|n| min[n] + draws.between(-0.2, 1.2) * (max[n] - min[n]));
+    let target: [f64; 3] =
+        std::array::from_fn(|n| min[n] + draws.between(-0.2, 1.2) * (max[n] - min[n]));
     let mut direction = minus(target, origin);
     direction[axis] = 0.0 * draws.sign();
     if draws.sign() > 0.0 {
@@ -37,7 +39,8 @@ pub(super) fn in_slab(draws: &mut Draws) -> Question {
 /// A line to a point of an edge.
 pub(super) fn at_edge(draws: &mut Draws) -> Question {
     let (min, max) = corners(draws);
-    let mut target: [f64; 3] = std::array::from_fn(|n| if draws.sign() > 0.0 { max[n] } else { min[n] });
+    let mut target: [f64; 3] =
+        std::array::from_fn(|n| if draws.sign() > 0.0 { max[n] } else { min[n] });
     let free = draws.index(3);
     target[free] = draws.between(min[free], max[free]);
     let origin = draws.point(8.0);
@@ -46,7 +49,9 @@ pub(super) fn at_edge(draws: &mut Draws) -> Question {
 
 /// A million units from the origin.
 pub(super) fn cuboid_offset(draws: &mut Draws) -> Question {
-    let Question::Cuboid { line, min, max } = cuboid(draws) else { unreachable!("a box was drawn") };
+    let Question::Cuboid { line, min, max } = cuboid(draws) else {
+        unreachable!("a box was drawn")
+    };
     let by = draws.direction().map(|x| x * 1e6);
     let line = Line { origin: along(line.origin, by, 1.0), ..line };
     Question::Cuboid { line, min: along(min, by, 1.0), max: along(max, by, 1.0) }
@@ -72,9 +77,15 @@ pub(super) fn cylinder(draws: &mut Draws) -> Question {
 pub(super) fn along_axis(draws: &mut Draws) -> Question {
     let (height, tilt) = (draws.power(0.0, 3.0), draws.power(-8.0, -1.0));
     let direction = along([0.0, 0.0, draws.sign()], draws.across([0.0, 0.0, 1.0]), tilt);
-    let origin = [draws.between(-1.1, 1.1), draws.between(-1.1, 1.1), draws.between(-2.0, 2.0) * height];
+    let origin =
+        [draws.between(-1.1, 1.1), draws.between(-1.1, 1.1), draws.between(-2.0, 2.0) * height];
     let is_capped = draws.sign() > 0.0;
-    Question::Round { line: Line { origin, direction }, radii: [1.0; 2], ends: [-height, height], is_capped }
+    Question::Round {
+        line: Line { origin, direction },
+        radii: [1.0; 2],
+        ends: [-height, height],
+        is_capped,
+    }
 }
 
 /// Aimed at the rim: of side and disc one is met, or neither.
@@ -92,10 +103,19 @@ pub(super) fn touching(draws: &mut Draws) -> Question {
     let radius = draws.power(-1.0, 1.0);
     let across = draws.across([0.0, 0.0, 1.0]);
     let gap = draws.sign() * draws.power(-16.0, -1.0);
-    let target = [across[0] * radius * (1.0 + gap), across[1] * radius * (1.0 + gap), draws.between(0.0, 1.0)];
+    let target = [
+        across[0] * radius * (1.0 + gap),
+        across[1] * radius * (1.0 + gap),
+        draws.between(0.0, 1.0),
+    ];
     let direction = draws.across(across);
     let origin = along(target, direction, -draws.between(1.0, 10.0));
-    Question::Round { line: Line { origin, direction }, radii: [radius; 2], ends: [0.0, 1.0], is_capped: false }
+    Question::Round {
+        line: Line { origin, direction },
+        radii: [radius; 2],
+        ends: [0.0, 1.0],
+        is_capped: false,
+    }
 }
 
 pub(super) fn cone(draws: &mut Draws) -> Question {
@@ -112,12 +132,22 @@ pub(super) fn along_side(draws: &mut Draws) -> Question {
     let direction = along([side[0], side[1], 1.0], draws.direction(), tilt);
     let target = [draws.between(-1.0, 1.0), draws.between(-1.0, 1.0), draws.between(0.1, 0.9)];
     let origin = along(target, direction, -draws.between(0.0, 5.0));
-    Question::Round { line: Line { origin, direction }, radii: [0.0, 1.0], ends: [0.0, 1.0], is_capped: false }
+    Question::Round {
+        line: Line { origin, direction },
+        radii: [0.0, 1.0],
+        ends: [0.0, 1.0],
+        is_capped: false,
+    }
 }
 
 /// Aimed at the tip, but for up to a thousandth of its height.
 pub(super) fn tip(draws: &mut Draws) -> Question {
     let off = draws.power(-16.0, -3.0);
     let target = draws.point(1.0).map(|x| x * off);
-    Question::Round { line: line_to(draws, target), radii: [0.0, 1.0], ends: [0.0, 1.0], is_capped: true }
+    Question::Round {
+        line: line_to(draws, target),
+        radii: [0.0, 1.0],
+        ends: [0.0, 1.0],
+        is_capped: true,
+    }
 }

@@ -72,16 +72,24 @@ pub(super) fn coordinates(draws: &mut Draws) -> Question {
 
 /// A scene of generic size a million units from the origin.
 pub(super) fn offset(draws: &mut Draws) -> Question {
-    let Question::Sphere { line, center, radius } = generic(draws) else { unreachable!("a sphere was drawn") };
+    let Question::Sphere { line, center, radius } = generic(draws) else {
+        unreachable!("a sphere was drawn")
+    };
     let by = draws.direction().map(|x| x * 1e6);
     let line = Line { origin: along(line.origin, by, 1.0), ..line };
     sphere(line, along(center, by, 1.0), radius)
 }
 
-/// All lengths multiplied by up to 10 to the ± of what the precision holds; the direction by another number.
+/// All lengths multiplied by up to 10 to the ± of what the precision holds; the direction by
+/// another number.
 pub(super) fn scale(draws: &mut Draws) -> Question {
-    let Question::Sphere { line, center, radius } = generic(draws) else { unreachable!("a sphere was drawn") };
+    let Question::Sphere { line, center, radius } = generic(draws) else {
+        unreachable!("a sphere was drawn")
+    };
     let (size, length) = (draws.power(-draws.decades, draws.decades), draws.power(-4.0, 4.0));
-    let line = Line { origin: line.origin.map(|x| x * size), direction: line.direction.map(|x| x * length) };
+    let line = Line {
+        origin: line.origin.map(|x| x * size),
+        direction: line.direction.map(|x| x * length),
+    };
     sphere(line, center.map(|x| x * size), radius * size)
 }

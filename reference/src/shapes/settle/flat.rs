@@ -1,4 +1,5 @@
-//! Plane, square and box in two words: comparisons of quotients, with the denominators multiplied out. [rule 15]
+//! Plane, square and box in two words: comparisons of quotients, with the denominators multiplied
+//! out. [rule 15]
 
 use super::line::{Line, coordinates, double, times};
 use crate::ray::Ray;
@@ -24,7 +25,8 @@ pub(in crate::shapes) fn plane<T: Real>(normal: &Vec3<T>, k: T, ray: &Ray<T>) ->
     (slope != Two::ZERO).then(|| line.t((Two::of(k) - along).certain(k.abs() + terms) / slope))
 }
 
-/// Whether the ray's line passes the plane of the square within `half` of both axes; not for a ray along it.
+/// Whether the ray's line passes the plane of the square within `half` of both axes; not for a ray
+/// along it.
 #[cold]
 #[inline(never)]
 pub(in crate::shapes) fn square<T: Real>(half: T, ray: &Ray<T>) -> bool {
@@ -59,7 +61,11 @@ impl Passing {
 /// the face.
 #[cold]
 #[inline(never)]
-pub(in crate::shapes) fn cuboid<T: Real>(least: &Vec3<T>, most: &Vec3<T>, ray: &Ray<T>) -> Option<[(T, u32); 2]> {
+pub(in crate::shapes) fn cuboid<T: Real>(
+    least: &Vec3<T>,
+    most: &Vec3<T>,
+    ray: &Ray<T>,
+) -> Option<[(T, u32); 2]> {
     let line = Line::new(ray, coordinates([*least, *most]), ROOM)?;
     let (min, max) = (line.point(*least), line.point(*most));
     let (mut enter, mut leave): (Option<Passing>, Option<Passing>) = (None, None);
@@ -74,7 +80,11 @@ pub(in crate::shapes) fn cuboid<T: Real>(least: &Vec3<T>, most: &Vec3<T>, ray: &
         let passing = |face: Vec3<f64>, is_max: bool| {
             let way = Two::sum(face[axis], -line.origin[axis]);
             let way = if along > T::ZERO { way } else { -way };
-            Passing { way, along: line.direction[axis].abs(), part: 2 * axis as u32 + u32::from(is_max) }
+            Passing {
+                way,
+                along: line.direction[axis].abs(),
+                part: 2 * axis as u32 + u32::from(is_max),
+            }
         };
         let (lower, upper) = (passing(min, false), passing(max, true));
         let (first, last) = if along > T::ZERO { (lower, upper) } else { (upper, lower) };

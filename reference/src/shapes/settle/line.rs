@@ -20,11 +20,19 @@ impl Line {
     /// is greater, is some 2^`room`, and the greatest one of its direction some 1.
     pub(super) fn new<T: Real>(ray: &Ray<T>, size: f64, room: i32) -> Option<Self> {
         let (origin, direction) = (double(ray.origin), double(ray.direction));
-        let (length, way) = (exponent(greatest(&[coordinates([origin]), size])), exponent(coordinates([direction])));
+        let (length, way) = (
+            exponent(greatest(&[coordinates([origin]), size])),
+            exponent(coordinates([direction])),
+        );
         let is_finite = length < 1024 && way < 1024;
         let (lengths, ways) = (room - length, -way);
         let is_ray = direction != Vec3::ZERO && is_finite;
-        is_ray.then(|| Self { origin: times(origin, lengths), direction: times(direction, ways), lengths, ways })
+        is_ray.then(|| Self {
+            origin: times(origin, lengths),
+            direction: times(direction, ways),
+            lengths,
+            ways,
+        })
     }
 
     /// Returns a point of the scene in these units.

@@ -21,7 +21,11 @@ impl Coil {
     /// of their own; `None` where the ray has no direction, or something is not finite.
     #[cold]
     #[inline(never)]
-    pub(in crate::shapes) fn new<T: Real>(radii: &[T; 2], ends: &[T; 2], ray: &Ray<T>) -> Option<Self> {
+    pub(in crate::shapes) fn new<T: Real>(
+        radii: &[T; 2],
+        ends: &[T; 2],
+        ray: &Ray<T>,
+    ) -> Option<Self> {
         let lengths = [radii[0], radii[1], ends[0], ends[1]].map(T::f64);
         let line = Line::new(ray, greatest(&lengths), ROOM)?;
         let [bottom, top, z_min, z_max] = lengths.map(|x| line.length(x));
@@ -47,7 +51,8 @@ impl Coil {
             (p - q, thick * d_x.abs() + q.f64().abs())
         };
         let (x, y) = (along(o.x, d.x), along(o.y, d.y));
-        let terms: f64 = [x, y, across].iter().map(|(root, terms)| 2.0 * root.f64().abs() * terms).sum();
+        let terms: f64 =
+            [x, y, across].iter().map(|(root, terms)| 2.0 * root.f64().abs() * terms).sum();
         let disc = (x.0 * x.0 + y.0 * y.0 - across.0 * across.0).certain(terms);
         let a = (dd - gg).certain((dd + gg).f64());
         let c = (oo - rr).certain(oo.f64() + thick * thick);
@@ -65,7 +70,8 @@ impl Coil {
         above(self.ends[0]) >= Two::ZERO && above(self.ends[1]) <= Two::ZERO
     }
 
-    /// Where the line meets the disc at the lower end, 0, or the upper one, 1; its rim belongs to it.
+    /// Where the line meets the disc at the lower end, 0, or the upper one, 1; its rim belongs to
+    /// it.
     pub(in crate::shapes) fn cap(&self, end: usize) -> Option<Two> {
         let (o, d, radius) = (self.line.origin, self.line.direction, self.radii[end]);
         let way = Two::sum(self.ends[end], -o.z);

@@ -7,7 +7,8 @@ use crate::roots;
 use crate::two::{Two, Two3};
 use crate::vec3::Vec3;
 
-/// Where coordinates begin: squares of lengths stay well within what Dekker's product can take, and so do those 2^500 times smaller.
+/// Where coordinates begin: squares of lengths stay well within what Dekker's product can take, and
+/// so do those 2^500 times smaller.
 const ROOM: i32 = 200;
 
 /// A sphere and a ray's line.
@@ -23,7 +24,11 @@ impl Ball {
     /// direction, or something is not finite.
     #[cold]
     #[inline(never)]
-    pub(in crate::shapes) fn new<T: Real>(center: &Vec3<T>, radius: &T, ray: &Ray<T>) -> Option<Self> {
+    pub(in crate::shapes) fn new<T: Real>(
+        center: &Vec3<T>,
+        radius: &T,
+        ray: &Ray<T>,
+    ) -> Option<Self> {
         let size = greatest(&[coordinates([*center]), radius.f64()]);
         let line = Line::new(ray, size, ROOM)?;
         Some(Self {
@@ -36,25 +41,32 @@ impl Ball {
 
     /// Both roots in ascending order, in units of this line.
     ///
-    /// The discriminant is (d·d) r² − ‖f × d‖²: with the products of the cross product nearly exact it keeps its digits however far the sphere is.
+    /// The discriminant is (d·d) r² − ‖f × d‖²: with the products of the cross product nearly exact
+    /// it keeps its digits however far the sphere is.
     fn roots(&self) -> Option<[Two; 2]> {
         let (f, d) = (self.from_center, self.direction);
         let (a, ff, rr) = (d.dot(d), f.dot(f), Two::product(self.radius, self.radius));
         let moment = f.cross(d);
         let (f1, d1, m) = (f.f64().abs(), d.f64().abs(), moment.f64().abs());
-        let terms = Vec3::new(f1.y * d1.z + f1.z * d1.y, f1.z * d1.x + f1.x * d1.z, f1.x * d1.y + f1.y * d1.x);
+        let terms = Vec3::new(
+            f1.y * d1.z + f1.z * d1.y,
+            f1.z * d1.x + f1.x * d1.z,
+            f1.x * d1.y + f1.y * d1.x,
+        );
         let disc = (a * rr - moment.dot(moment)).certain((a * rr).f64() + 2.0 * m.dot(terms));
         roots::ascending(a, -f.dot(d), (ff - rr).certain((ff + rr).f64()), disc)
     }
 
-    /// Both roots in ascending order, along the ray as given; `None` where the ray's line passes the sphere by.
+    /// Both roots in ascending order, along the ray as given; `None` where the ray's line passes
+    /// the sphere by.
     #[cold]
     #[inline(never)]
     pub(in crate::shapes) fn ts<T: Real>(&self) -> Option<[T; 2]> {
         self.roots().map(|roots| roots.map(|t| self.line.t(t)))
     }
 
-    /// The outward direction at the root nearest to `t`, of some length; `None` where there is no root, 0 where the sphere has no radius.
+    /// The outward direction at the root nearest to `t`, of some length; `None` where there is no
+    /// root, 0 where the sphere has no radius.
     #[cold]
     #[inline(never)]
     pub(in crate::shapes) fn outwards<T: Real>(&self, t: T) -> Option<Vec3<f64>> {

@@ -6,10 +6,12 @@ use crate::real::{Real, exponent};
 use crate::two::{Two, Two3};
 use crate::vec3::Vec3;
 
-/// Where coordinates begin: products of three stay within what Dekker's product can take, and so do corners 2^1000 times nearer to the ray.
+/// Where coordinates begin: products of three stay within what Dekker's product can take, and so do
+/// corners 2^1000 times nearer to the ray.
 const ROOM: i32 = 300;
 
-/// A corner as seen along the ray: moved and sheared, times d_z; beside it what the terms of x and y amount to.
+/// A corner as seen along the ray: moved and sheared, times d_z; beside it what the terms of x and
+/// y amount to.
 #[derive(Clone, Copy)]
 struct Corner {
     x: Two,
@@ -19,7 +21,8 @@ struct Corner {
     terms: [f64; 2],
 }
 
-/// t, and the weights (α, β, γ), where the ray's line meets the triangle; the edge BC need not be tested.
+/// t, and the weights (α, β, γ), where the ray's line meets the triangle; the edge BC need not be
+/// tested.
 ///
 /// `axes` are those of the shear. A triangle seen edge on is not met.
 #[cold]
@@ -41,19 +44,22 @@ pub(in crate::shapes) fn triangle<T: Real>(
     });
     let (u, v, w) = (area(b, c), area(c, a), area(a, b));
     let tested = if tests_bc { [u, v, w] } else { [v, v, w] };
-    let is_outside = tested.iter().any(|e| e.0 < Two::ZERO) && tested.iter().any(|e| e.0 > Two::ZERO);
+    let is_outside =
+        tested.iter().any(|e| e.0 < Two::ZERO) && tested.iter().any(|e| e.0 > Two::ZERO);
     let sum = u.0 + v.0 + w.0;
     if is_outside || sum == Two::ZERO || !sum.f64().is_finite() {
         return None;
     }
     let along = u.0 * a.z + v.0 * b.z + w.0 * c.z;
-    let terms = [(u, a), (v, b), (w, c)].map(|(e, corner)| (e.0.f64().abs() + e.1) * corner.z.f64().abs());
+    let terms =
+        [(u, a), (v, b), (w, c)].map(|(e, corner)| (e.0.f64().abs() + e.1) * corner.z.f64().abs());
     let t = along.certain(terms[0] + terms[1] + terms[2]) / (sum * Two::of(z));
     let weight = |e: (Two, f64)| T::of((e.0 / sum).f64());
     Some((line.t(t), Vec3::new(weight(u), weight(v), weight(w))))
 }
 
-/// p × q, 0 where its sign is in doubt; and what its error may amount to in units of [`DOUBT`](crate::two::DOUBT).
+/// p × q, 0 where its sign is in doubt; and what its error may amount to in units of
+/// [`DOUBT`](crate::two::DOUBT).
 fn area(p: Corner, q: Corner) -> (Two, f64) {
     let of = |x: Two, y: Two, in_x: f64, in_y: f64| x.f64().abs() * in_y + in_x * y.f64().abs();
     let terms = of(p.x, q.y, p.terms[0], q.terms[1]) + of(q.x, p.y, q.terms[0], p.terms[1]);

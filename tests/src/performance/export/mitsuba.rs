@@ -9,8 +9,9 @@ use cases::{Light, Material, Scene};
 use super::{File, Known};
 use crate::performance::ply;
 
-/// `scene.xml` and its meshes: one ray a pixel, a shadow ray from what it meets to each light on average, or, where something
-/// reflects or refracts, one branch at random. Ellipsoids become spheres of the same volume, ambient light and background are left out.
+/// `scene.xml` and its meshes: one ray a pixel, a shadow ray from what it meets to each light on
+/// average, or, where something reflects or refracts, one branch at random. Ellipsoids become
+/// spheres of the same volume, ambient light and background are left out.
 ///
 /// # Errors
 /// Names an object of another shape than sphere or mesh.
@@ -32,8 +33,12 @@ pub fn export(scene: &Scene) -> Result<Vec<File>, String> {
             }
             Known::Sphere { center, radius } => {
                 let (c, radius) = super::as_sphere(object, center, radius);
-                let place = format!("<point name=\"center\" x=\"{}\" y=\"{}\" z=\"{}\"/>", c.x, c.y, c.z);
-                write!(out, "<shape type=\"sphere\">{place}<float name=\"radius\" value=\"{radius}\"/>")
+                let place =
+                    format!("<point name=\"center\" x=\"{}\" y=\"{}\" z=\"{}\"/>", c.x, c.y, c.z);
+                write!(
+                    out,
+                    "<shape type=\"sphere\">{place}<float name=\"radius\" value=\"{radius}\"/>"
+                )
             }
         };
         let _ = writeln!(out, "<ref id=\"m{}\"/></shape>", object.material);
@@ -45,25 +50,31 @@ pub fn export(scene: &Scene) -> Result<Vec<File>, String> {
 
 fn head(scene: &Scene) -> String {
     let camera = &scene.camera;
-    let spawns = |m: &Material| scene.render.max_depth > 0 && (m.kr != DVec3::ZERO || m.kt != DVec3::ZERO);
+    let spawns =
+        |m: &Material| scene.render.max_depth > 0 && (m.kr != DVec3::ZERO || m.kt != DVec3::ZERO);
     let integrator = if scene.materials.iter().any(spawns) {
         // its depth counts the eye ray, and Russian roulette would end paths early
         let depth = scene.render.max_depth + 1;
         format!(
-            "<integrator type=\"path\"><integer name=\"max_depth\" value=\"{depth}\"/><integer name=\"rr_depth\" value=\"1000\"/></integrator>"
+            "<integrator type=\"path\"><integer name=\"max_depth\" value=\"{depth}\"/><integer \
+                name=\"rr_depth\" value=\"1000\"/></integrator>"
         )
     } else {
         let n = scene.lights.len();
         format!(
-            "<integrator type=\"direct\"><integer name=\"emitter_samples\" value=\"{n}\"/><integer name=\"bsdf_samples\" value=\"0\"/></integrator>"
+            "<integrator type=\"direct\"><integer name=\"emitter_samples\" \
+                value=\"{n}\"/><integer name=\"bsdf_samples\" value=\"0\"/></integrator>"
         )
     };
     format!(
-        "<scene version=\"3.0.0\">\n{integrator}\n<sensor type=\"perspective\">\n<float name=\"fov\" value=\"{}\"/><string name=\"fov_axis\" value=\"y\"/>\n\
+        "<scene version=\"3.0.0\">\n{integrator}\n<sensor type=\"perspective\">\n\
+            <float name=\"fov\" value=\"{}\"/><string name=\"fov_axis\" value=\"y\"/>\n\
          <transform name=\"to_world\"><lookat origin=\"{}\" target=\"{}\" up=\"{}\"/></transform>\n\
-         <film type=\"hdrfilm\"><integer name=\"width\" value=\"{}\"/><integer name=\"height\" value=\"{}\"/>\
+         <film type=\"hdrfilm\"><integer name=\"width\" value=\"{}\"/><integer name=\"height\" \
+         value=\"{}\"/>\
          <string name=\"pixel_format\" value=\"rgb\"/><rfilter type=\"box\"/></film>\n\
-         <sampler type=\"independent\"><integer name=\"sample_count\" value=\"1\"/></sampler>\n</sensor>\n",
+         <sampler type=\"independent\"><integer name=\"sample_count\" value=\"1\"/></sampler>\n\
+         </sensor>\n",
         camera.fov_y_deg,
         v(camera.eye),
         v(camera.eye + camera.forward),
@@ -73,18 +84,21 @@ fn head(scene: &Scene) -> String {
     )
 }
 
-/// Light falls off with the square of the distance there; it is as bright as the scene's at the distance of the origin.
+/// Light falls off with the square of the distance there; it is as bright as the scene's at the
+/// distance of the origin.
 fn emitter(light: &Light) -> String {
     match light {
         Light::Point { position, colour, .. } => format!(
-            "<emitter type=\"point\"><point name=\"position\" x=\"{}\" y=\"{}\" z=\"{}\"/><rgb name=\"intensity\" value=\"{}\"/></emitter>\n",
+            "<emitter type=\"point\"><point name=\"position\" x=\"{}\" y=\"{}\" z=\"{}\"/><rgb \
+                name=\"intensity\" value=\"{}\"/></emitter>\n",
             position.x,
             position.y,
             position.z,
             v(*colour * PI * position.length_squared()),
         ),
         Light::Directional { direction, colour, .. } => format!(
-            "<emitter type=\"directional\"><vector name=\"direction\" x=\"{}\" y=\"{}\" z=\"{}\"/><rgb name=\"irradiance\" value=\"{}\"/></emitter>\n",
+            "<emitter type=\"directional\"><vector name=\"direction\" x=\"{}\" y=\"{}\" \
+                z=\"{}\"/><rgb name=\"irradiance\" value=\"{}\"/></emitter>\n",
             direction.x,
             direction.y,
             direction.z,
@@ -97,14 +111,17 @@ fn emitter(light: &Light) -> String {
 fn bsdf(n: usize, m: &Material) -> String {
     if m.kt != DVec3::ZERO {
         let index = super::relative_index(m);
-        let indices = format!("<float name=\"int_ior\" value=\"{index}\"/><float name=\"ext_ior\" value=\"1\"/>");
+        let indices = format!(
+            "<float name=\"int_ior\" value=\"{index}\"/><float name=\"ext_ior\" value=\"1\"/>"
+        );
         return format!("<bsdf type=\"dielectric\" id=\"m{n}\">{indices}</bsdf>\n");
     }
     let (kind, name, colour) = match super::mean(m.kr) > 0.5 {
         true => ("conductor", "specular_reflectance", m.kr),
         false => ("diffuse", "reflectance", m.kd),
     };
-    let inner = format!("<bsdf type=\"{kind}\"><rgb name=\"{name}\" value=\"{}\"/></bsdf>", v(colour));
+    let inner =
+        format!("<bsdf type=\"{kind}\"><rgb name=\"{name}\" value=\"{}\"/></bsdf>", v(colour));
     format!("<bsdf type=\"twosided\" id=\"m{n}\">{inner}</bsdf>\n")
 }
 

@@ -1,4 +1,5 @@
-//! A scene in the formats of other renderers, as near as each comes: the same camera, shapes, lights and depth.
+//! A scene in the formats of other renderers, as near as each comes: the same camera, shapes,
+//! lights and depth.
 
 pub mod mitsuba;
 pub mod pov;
@@ -16,7 +17,8 @@ enum Known<'a> {
     Mesh(&'a cases::Mesh),
 }
 
-/// The shape of an object. Errs where the benchmark's scenes have no such shape, or a mesh that is moved.
+/// The shape of an object. Errs where the benchmark's scenes have no such shape, or a mesh that is
+/// moved.
 fn known<'a>(scene: &'a Scene, object: &Object) -> Result<Known<'a>, String> {
     match object.shape {
         Shape::Sphere { center, radius } => Ok(Known::Sphere { center, radius }),
@@ -69,20 +71,26 @@ mod tests {
 
     use super::*;
 
-    /// Eye at (0, 0, 5), looking along −z, upright; half the height of the view plane is 1; a triangle, a moved sphere, glass.
+    /// Eye at (0, 0, 5), looking along −z, upright; half the height of the view plane is 1; a
+    /// triangle, a moved sphere, glass.
     const TINY: &str = "
         [render]\nsize = [8, 4]\nmax_depth = 3\n[scene]\nbackground = [0.5, 0, 0.25]
         [scene.camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 90
         [scene.materials]\nchalk = { kd = [0.5, 0.25, 0.75] }
-        glass = { kd = [0.2, 0.2, 0.2], ks = [0.5, 0.5, 0.5], ns = 50, kt = [0.75, 0.75, 0.75], index = 1.50045 }
-        [[scene.lights]]\npoint = { position = [1, 2, 3], colour = [1, 0.5, 0.25], ambient = [0.125, 0, 0] }
+        glass = { kd = [0.2, 0.2, 0.2], ks = [0.5, 0.5, 0.5], ns = 50, kt = [0.75, 0.75, 0.75], \
+        index = 1.50045 }
+        [[scene.lights]]\npoint = { position = [1, 2, 3], colour = [1, 0.5, 0.25], ambient = \
+        [0.125, 0, 0] }
         [[scene.lights]]\ndirectional = { direction = [0, -2, 0], colour = [0.5, 0.5, 0.5] }
-        [[scene.objects]]\nmesh = { vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles = [[0, 1, 2]] }\nmaterial = \"chalk\"
-        [[scene.objects]]\nsphere = {}\nmaterial = \"glass\"\ntransforms = [{ scale = [1, 2, 4] }, { translate = [7, 8, 9] }]
+        [[scene.objects]]\nmesh = { vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles = \
+        [[0, 1, 2]] }\nmaterial = \"chalk\"
+        [[scene.objects]]\nsphere = {}\nmaterial = \"glass\"\n\
+        transforms = [{ scale = [1, 2, 4] }, { translate = [7, 8, 9] }]
     ";
 
     fn text(export: fn(&Scene) -> Result<Vec<File>, String>) -> String {
-        let scene = cases::scene::parse("tiny", TINY, Path::new("."), &cases::Course::default()).expect("it is valid");
+        let scene = cases::scene::parse("tiny", TINY, Path::new("."), &cases::Course::default())
+            .expect("it is valid");
         let files = export(&scene).expect("it can be exported");
         String::from_utf8(files.into_iter().next().expect("a scene").1).expect("text")
     }
@@ -91,7 +99,10 @@ mod tests {
     fn check(text: &str, parts: &[&str]) {
         let mut rest = text;
         for part in parts {
-            rest = rest.split_once(part).unwrap_or_else(|| panic!("no `{part}` in the rest:\n{rest}")).1;
+            rest = rest
+                .split_once(part)
+                .unwrap_or_else(|| panic!("no `{part}` in the rest:\n{rest}"))
+                .1;
         }
     }
 
@@ -135,7 +146,9 @@ mod tests {
             "SPHERE CENTER 7 8 -9 RAD 1",
         ];
         check(
-            &text(tachyon::export).replace("0.5000000000000001", "0.5").replace("0.49999999999999994", "0.5"),
+            &text(tachyon::export)
+                .replace("0.5000000000000001", "0.5")
+                .replace("0.49999999999999994", "0.5"),
             &parts,
         );
     }
@@ -160,7 +173,8 @@ mod tests {
     #[test]
     fn a_shape_that_the_others_lack_is_refused() {
         let text = TINY.replace("sphere = {}", "square = {}");
-        let scene = cases::scene::parse("tiny", &text, Path::new("."), &cases::Course::default()).expect("it is valid");
+        let scene = cases::scene::parse("tiny", &text, Path::new("."), &cases::Course::default())
+            .expect("it is valid");
         for export in [pov::export, tachyon::export, mitsuba::export] {
             assert!(export(&scene).expect_err("it has a square").contains("objects[1]"));
         }

@@ -10,7 +10,8 @@ use super::{File, Known};
 /// A directional light is one this far away, its rays parallel.
 const FAR: f64 = 1e6;
 
-/// One file, `scene.pov`: ellipsoids, refraction, tinted shadows and half-vector highlights as in the scene.
+/// One file, `scene.pov`: ellipsoids, refraction, tinted shadows and half-vector highlights as in
+/// the scene.
 ///
 /// # Errors
 /// Names an object of another shape than sphere or mesh.
@@ -19,7 +20,9 @@ pub fn export(scene: &Scene) -> Result<Vec<File>, String> {
     for light in &scene.lights {
         let colour = v(light.colour());
         let _ = match light {
-            Light::Point { position, .. } => writeln!(out, "light_source {{ {} color rgb {colour} }}", v(*position)),
+            Light::Point { position, .. } => {
+                writeln!(out, "light_source {{ {} color rgb {colour} }}", v(*position))
+            }
             Light::Directional { direction, .. } => writeln!(
                 out,
                 "light_source {{ {} color rgb {colour} parallel point_at <0,0,0> }}",
@@ -36,8 +39,13 @@ pub fn export(scene: &Scene) -> Result<Vec<File>, String> {
                 let _ = write!(out, "sphere {{ {}, {radius} {looks}", v(center));
                 if !object.is_untransformed() {
                     let m = object.world_from_object;
-                    let columns = [m.matrix3.x_axis, m.matrix3.y_axis, m.matrix3.z_axis, m.translation];
-                    let _ = write!(out, " matrix <{}>", columns.map(|c| super::numbers(c, ",")).join(","));
+                    let columns =
+                        [m.matrix3.x_axis, m.matrix3.y_axis, m.matrix3.z_axis, m.translation];
+                    let _ = write!(
+                        out,
+                        " matrix <{}>",
+                        columns.map(|c| super::numbers(c, ",")).join(",")
+                    );
                 }
                 out += " }\n";
             }
@@ -51,8 +59,10 @@ fn head(scene: &Scene) -> String {
     // exact where the tangent is
     let half = if (half - 1.0).abs() < 1e-15 { 1.0 } else { half };
     format!(
-        "#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout 0 ambient_light rgb 1 }}\n\
-         background {{ color rgb {} }}\ncamera {{ perspective location {} right {} up {} direction {} }}\n",
+        "#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout 0 \
+            ambient_light rgb 1 }}\n\
+         background {{ color rgb {} }}\n\
+         camera {{ perspective location {} right {} up {} direction {} }}\n",
         // its level is our depth: the same reflected and refracted rays are cast
         scene.render.max_depth.max(1),
         v(scene.background),
@@ -63,7 +73,8 @@ fn head(scene: &Scene) -> String {
     )
 }
 
-/// Texture and interior. POV-Ray takes the transmitted share off diffuse light, which is made up for.
+/// Texture and interior. POV-Ray takes the transmitted share off diffuse light, which is made up
+/// for.
 fn looks(scene: &Scene, m: &Material) -> String {
     let kt = super::mean(m.kt);
     let mut text = format!(
@@ -89,8 +100,12 @@ fn mesh(mesh: &Mesh, looks: &str) -> String {
         let all: Vec<String> = vectors.iter().map(|one| v(single(*one))).collect();
         format!("{{ {}, {} }}", vectors.len(), all.join(", "))
     };
-    let faces: Vec<String> = mesh.triangles.iter().map(|[a, b, c]| format!("<{a},{b},{c}>")).collect();
-    let normals = mesh.normals.as_ref().map_or_else(String::new, |all| format!("normal_vectors {}\n", list(all)));
+    let faces: Vec<String> =
+        mesh.triangles.iter().map(|[a, b, c]| format!("<{a},{b},{c}>")).collect();
+    let normals = mesh
+        .normals
+        .as_ref()
+        .map_or_else(String::new, |all| format!("normal_vectors {}\n", list(all)));
     format!(
         "mesh2 {{ vertex_vectors {}\n{normals}face_indices {{ {}, {} }}\n{looks} }}\n",
         list(&mesh.vertices),

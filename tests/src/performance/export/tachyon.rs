@@ -7,7 +7,8 @@ use cases::{Light, Material, Mesh, Scene};
 
 use super::{File, Known};
 
-/// One file, `scene.dat`. Tachyon knows no ellipsoids, which become spheres of the same volume, and no refraction: rays go straight through.
+/// One file, `scene.dat`. Tachyon knows no ellipsoids, which become spheres of the same volume, and
+/// no refraction: rays go straight through.
 ///
 /// # Errors
 /// Names an object of another shape than sphere or mesh.
@@ -16,7 +17,9 @@ pub fn export(scene: &Scene) -> Result<Vec<File>, String> {
     for light in &scene.lights {
         let colour = super::numbers(light.colour(), " ");
         let _ = match light {
-            Light::Point { position, .. } => writeln!(out, "LIGHT CENTER {} RAD 0 COLOR {colour}", v(*position)),
+            Light::Point { position, .. } => {
+                writeln!(out, "LIGHT CENTER {} RAD 0 COLOR {colour}", v(*position))
+            }
             Light::Directional { direction, .. } => {
                 writeln!(out, "DIRECTIONAL_LIGHT DIRECTION {} COLOR {colour}", v(*direction))
             }
@@ -31,7 +34,8 @@ pub fn export(scene: &Scene) -> Result<Vec<File>, String> {
             Known::Mesh(mesh) => triangles(&mut out, mesh, object.material),
             Known::Sphere { center, radius } => {
                 let (center, radius) = super::as_sphere(object, center, radius);
-                let _ = writeln!(out, "SPHERE CENTER {} RAD {radius} m{}", v(center), object.material);
+                let _ =
+                    writeln!(out, "SPHERE CENTER {} RAD {radius} m{}", v(center), object.material);
             }
         }
     }
@@ -42,7 +46,8 @@ pub fn export(scene: &Scene) -> Result<Vec<File>, String> {
 fn head(scene: &Scene) -> String {
     let camera = &scene.camera;
     format!(
-        "BEGIN_SCENE\nRESOLUTION {} {}\nCAMERA\nZOOM {}\nASPECTRATIO 1\nANTIALIASING 0\nRAYDEPTH {}\nCENTER {}\nVIEWDIR {}\nUPDIR {}\nEND_CAMERA\n",
+        "BEGIN_SCENE\nRESOLUTION {} {}\nCAMERA\nZOOM {}\nASPECTRATIO 1\nANTIALIASING 0\n\
+            RAYDEPTH {}\nCENTER {}\nVIEWDIR {}\nUPDIR {}\nEND_CAMERA\n",
         scene.render.width,
         scene.render.height,
         0.5 / super::half_height(scene),

@@ -37,7 +37,8 @@ fn mesh(obj: &Obj) -> Result<Mesh, Fault> {
     for face in &obj.faces {
         face_corners.clear();
         for (n, corner) in obj.corners[start..face.end].iter().enumerate() {
-            face_corners.push(vertices.number(*corner).map_err(|fault| at_corner(obj, fault, face.at, n))?);
+            face_corners
+                .push(vertices.number(*corner).map_err(|fault| at_corner(obj, fault, face.at, n))?);
         }
         faces.push(&face_corners, face.at);
         start = face.end;

@@ -83,7 +83,8 @@ impl<'a> Scan<'a> {
     /// Passes over the rest of a comment, or of a statement that is not used.
     ///
     /// If the line ends with `\`, the next line is passed over too, unless it is a statement that
-    /// is used: such a comment can end with the name of a folder, and no vertex must be lost for it.
+    /// is used: such a comment can end with the name of a folder, and no vertex must be lost for
+    /// it.
     pub(super) fn skip(&mut self) {
         while self.skip_line() {
             let mut next = *self;

@@ -44,7 +44,14 @@ pub(super) struct Face {
 impl<'a> Obj<'a> {
     /// Returns the statements of the file; the normals are read only if they are wanted.
     pub(super) fn read(bytes: &'a [u8], with_normals: bool) -> Result<Self, Fault> {
-        let mut obj = Self { bytes, positions: vec![], normals: vec![], corners: vec![], faces: vec![], other: None };
+        let mut obj = Self {
+            bytes,
+            positions: vec![],
+            normals: vec![],
+            corners: vec![],
+            faces: vec![],
+            other: None,
+        };
         let mut scan = Scan::new(bytes, beginning(bytes)?);
         while let Some(keyword) = scan.keyword() {
             match keyword.text {
@@ -61,7 +68,12 @@ impl<'a> Obj<'a> {
     }
 
     /// Adds a face with the corners that come next.
-    fn face(&mut self, scan: &mut Scan<'a>, keyword: Word<'a>, with_normals: bool) -> Result<(), Fault> {
+    fn face(
+        &mut self,
+        scan: &mut Scan<'a>,
+        keyword: Word<'a>,
+        with_normals: bool,
+    ) -> Result<(), Fault> {
         let start = self.corners.len();
         while let Some(word) = scan.word() {
             let mut parts = word.text.split(|byte| *byte == b'/');
@@ -92,17 +104,22 @@ impl<'a> Obj<'a> {
         let of_lower_case = text.to_ascii_lowercase();
         match text {
             b"l" | b"p" | b"curv" | b"curv2" | b"surf" => self.other = self.other.or(Some(keyword)),
-            b"call" => return Err(keyword.fault("reads another file", "put everything into one file")),
+            b"call" => {
+                return Err(keyword.fault("reads another file", "put everything into one file"));
+            }
             _ if text.contains(&0) => {
-                let help = "the file is damaged, binary or UTF-16; save it as UTF-8, or as plain ASCII";
+                let help =
+                    "the file is damaged, binary or UTF-16; save it as UTF-8, or as plain ASCII";
                 return Err(keyword.fault("holds a NUL byte", help));
             }
             [b'0'..=b'9' | b'+' | b'-' | b'.', ..] => {
-                let help = "a line begins with a keyword such as v, vn or f, unless the line before it ends with \\";
+                let help = "a line begins with a keyword such as v, vn or f, unless the line \
+                    before it ends with \\";
                 return Err(keyword.fault("is not a keyword", help));
             }
             _ if !text.is_ascii() => {
-                let help = "write keywords in plain ASCII; a byte order mark belongs at the start of the file";
+                let help = "write keywords in plain ASCII; a byte order mark belongs at the start \
+                    of the file";
                 return Err(keyword.fault("is not a keyword", help));
             }
             _ if of_lower_case != text && is_used(&of_lower_case) => {
@@ -143,7 +160,8 @@ fn vector(scan: &mut Scan<'_>, keyword: Word<'_>) -> Result<DVec3, Fault> {
     while let Some(word) = scan.word() {
         n_behind += 1;
         if n_behind > MOST_BEHIND || real(word.text).is_none() {
-            let help = "begin a new line for each statement, without \\ at the end of the line before it";
+            let help =
+                "begin a new line for each statement, without \\ at the end of the line before it";
             return Err(word.fault("does not belong to this statement", help));
         }
     }
@@ -163,7 +181,8 @@ fn three(scan: &mut Scan<'_>, keyword: Word<'_>) -> Result<DVec3, Fault> {
                 format!("`{name}` needs three numbers, such as `{name} 0 0.5 -1e3`"),
             ));
         };
-        *number = real(word.text).ok_or_else(|| word.fault("is not a number", "write it as 1, -2.5 or 1e-3"))?;
+        *number = real(word.text)
+            .ok_or_else(|| word.fault("is not a number", "write it as 1, -2.5 or 1e-3"))?;
     }
     Ok(DVec3::from_array(numbers))
 }
@@ -179,7 +198,13 @@ fn index(word: Word<'_>, part: Option<&[u8]>, kind: &str, n_before: usize) -> Re
         1.. => Some(number - 1),
         _ => Some(n_before as i64 + number).filter(|index| *index >= 0),
     };
-    index.and_then(|index| u32::try_from(index).ok()).filter(|index| *index != NONE).ok_or_else(|| {
-        Fault::at(word.at, format!("there is no {kind} {number}: {n_before} come before this face"), INDICES)
-    })
+    index.and_then(|index| u32::try_from(index).ok()).filter(|index| *index != NONE).ok_or_else(
+        || {
+            Fault::at(
+                word.at,
+                format!("there is no {kind} {number}: {n_before} come before this face"),
+                INDICES,
+            )
+        },
+    )
 }

@@ -34,7 +34,10 @@ impl<'a> Vertices<'a> {
         let Corner { position, normal } = corner;
         let n_positions = self.latest.len();
         let Some(latest) = self.latest.get_mut(position as usize) else {
-            let what = format!("there is no vertex {}: the file has {n_positions}", u64::from(position) + 1);
+            let what = format!(
+                "there is no vertex {}: the file has {n_positions}",
+                u64::from(position) + 1
+            );
             return Err(Fault::of_file(what, INDICES));
         };
         if latest.1 != Self::UNSEEN {
@@ -67,9 +70,11 @@ impl Obj<'_> {
         }
         let Some(vector) = self.normals.get(normal as usize) else {
             let n_normals = self.normals.len();
-            let what = format!("there is no normal {}: the file has {n_normals}", u64::from(normal) + 1);
+            let what =
+                format!("there is no normal {}: the file has {n_normals}", u64::from(normal) + 1);
             return Err(Fault::of_file(what, help));
         };
-        checked_normal(*vector).map_err(|fault| Fault { place: self.statement(b"vn", normal), ..fault })
+        checked_normal(*vector)
+            .map_err(|fault| Fault { place: self.statement(b"vn", normal), ..fault })
     }
 }

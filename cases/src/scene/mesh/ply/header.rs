@@ -115,35 +115,51 @@ impl<'a> Header<'a> {
         let mut lines = Lines::new(bytes, beginning(bytes)?);
         let first = lines.next_words();
         if !first.as_ref().is_some_and(|words| matches!(words[..], [Word { text: b"ply", .. }])) {
-            return Err(Fault::at(0, "the first line is not `ply`", "only PLY files have names that end in .ply"));
+            return Err(Fault::at(
+                0,
+                "the first line is not `ply`",
+                "only PLY files have names that end in .ply",
+            ));
         }
         let (mut encoding, mut elements) = (None, vec![]);
         loop {
             let start = lines.at;
             let Some(words) = lines.next_words() else {
-                return Err(Fault::at(start, "the header does not end", "close it with a line `end_header`"));
+                return Err(Fault::at(
+                    start,
+                    "the header does not end",
+                    "close it with a line `end_header`",
+                ));
             };
             match words[..] {
                 [] => {}
                 [Word { text: b"comment" | b"obj_info", .. }, ..] => {}
-                [Word { text: b"format", .. }, ref rest @ ..] => encoding = Some(format(&words[0], rest)?),
-                [Word { text: b"element", .. }, name, count] => elements.push(element(name, count)?),
+                [Word { text: b"format", .. }, ref rest @ ..] => {
+                    encoding = Some(format(&words[0], rest)?)
+                }
+                [Word { text: b"element", .. }, name, count] => {
+                    elements.push(element(name, count)?)
+                }
                 [Word { text: b"property", .. }, ref rest @ ..] => {
                     let Some(element) = elements.last_mut() else {
-                        return Err(words[0].fault("stands before all elements", "declare its element first"));
+                        return Err(words[0]
+                            .fault("stands before all elements", "declare its element first"));
                     };
                     element.properties.push(property(&words[0], rest)?);
                 }
                 [Word { text: b"end_header", .. }] => break,
                 [first, ..] => {
-                    let help = "a line of a header is `format`, `element NAME COUNT`, `property TYPE NAME`, \
+                    let help = "a line of a header is `format`, `element NAME COUNT`, `property \
+                        TYPE NAME`, \
                         `property list TYPE TYPE NAME`, `comment`, `obj_info` or `end_header`";
                     return Err(first.fault("begins no line of a header", help));
                 }
             }
         }
-        let help = "add `format ascii 1.0`, `format binary_little_endian 1.0` or `format binary_big_endian 1.0`";
-        let encoding = encoding.ok_or_else(|| Fault::of_file("the header does not name a format", help))?;
+        let help = "add `format ascii 1.0`, `format binary_little_endian 1.0` or `format \
+            binary_big_endian 1.0`";
+        let encoding =
+            encoding.ok_or_else(|| Fault::of_file("the header does not name a format", help))?;
         Ok(Self { encoding, elements, end: lines.at })
     }
 
@@ -155,7 +171,9 @@ impl<'a> Header<'a> {
         let mut found = self.elements.iter().filter(|element| element.name.text == name.as_bytes());
         let first = found.next();
         match found.next() {
-            Some(second) => Err(second.fault("is declared twice", "declare it once, with all of its records")),
+            Some(second) => {
+                Err(second.fault("is declared twice", "declare it once, with all of its records"))
+            }
             None => Ok(first),
         }
     }
@@ -184,16 +202,23 @@ impl<'a> Lines<'a> {
     fn next_words(&mut self) -> Option<Vec<Word<'a>>> {
         let (start, rest) = (self.at, &self.bytes[self.at..]);
         let length = rest.iter().position(|byte| is_end(*byte))?;
-        self.at += length + if !self.ends_with_cr && rest[length..].starts_with(b"\r\n") { 2 } else { 1 };
+        self.at +=
+            length + if !self.ends_with_cr && rest[length..].starts_with(b"\r\n") { 2 } else { 1 };
         let line = &rest[..length];
         let offset = |word: &[u8]| word.as_ptr().addr() - line.as_ptr().addr();
         let words = line.split(|byte| is_blank(*byte)).filter(|word| !word.is_empty());
-        Some(words.take(Self::MOST_WORDS).map(|text| Word { at: start + offset(text), text }).collect())
+        Some(
+            words
+                .take(Self::MOST_WORDS)
+                .map(|text| Word { at: start + offset(text), text })
+                .collect(),
+        )
     }
 }
 
 fn format(line: &Word<'_>, rest: &[Word<'_>]) -> Result<Encoding, Fault> {
-    let help = "write `format ascii 1.0`, `format binary_little_endian 1.0` or `format binary_big_endian 1.0`";
+    let help = "write `format ascii 1.0`, `format binary_little_endian 1.0` or `format \
+        binary_big_endian 1.0`";
     match rest.iter().map(|word| word.text).collect::<Vec<_>>()[..] {
         [b"ascii", b"1.0"] => Ok(Encoding::Text),
         [b"binary_little_endian", b"1.0"] => Ok(Encoding::LittleEndian),
@@ -203,9 +228,12 @@ fn format(line: &Word<'_>, rest: &[Word<'_>]) -> Result<Encoding, Fault> {
 }
 
 fn element<'a>(name: Word<'a>, count: Word<'a>) -> Result<Element<'a>, Fault> {
-    let digits = std::str::from_utf8(count.text).ok().filter(|text| text.bytes().all(|byte| byte.is_ascii_digit()));
-    let digits =
-        digits.ok_or_else(|| count.fault("is not a number of records", "give a whole number of at least 0"))?;
+    let digits = std::str::from_utf8(count.text)
+        .ok()
+        .filter(|text| text.bytes().all(|byte| byte.is_ascii_digit()));
+    let digits = digits.ok_or_else(|| {
+        count.fault("is not a number of records", "give a whole number of at least 0")
+    })?;
     // No file can hold the largest number of records either, so a larger one need not be exact.
     let n = digits.parse().unwrap_or(usize::MAX);
     Ok(Element { name, count: n, written: count, properties: vec![] })
@@ -216,12 +244,20 @@ fn property<'a>(line: &Word<'a>, rest: &[Word<'a>]) -> Result<Property<'a>, Faul
         [Word { text: b"list", .. }, count, entry, name, ..] => {
             let is_whole = |kind: &Kind| kind.range().is_some();
             let count_kind = Some(kind(count)?).filter(is_whole).ok_or_else(|| {
-                count.fault("cannot count the entries of a list", "use a type of whole numbers, such as uchar")
+                count.fault(
+                    "cannot count the entries of a list",
+                    "use a type of whole numbers, such as uchar",
+                )
             })?;
             Ok(Property { name: name.text, kind: kind(entry)?, count: Some(count_kind) })
         }
-        [of, name, ..] if of.text != b"list" => Ok(Property { name: name.text, kind: kind(of)?, count: None }),
-        _ => Err(line.fault("lacks a type or a name", "write `property TYPE NAME` or `property list TYPE TYPE NAME`")),
+        [of, name, ..] if of.text != b"list" => {
+            Ok(Property { name: name.text, kind: kind(of)?, count: None })
+        }
+        _ => Err(line.fault(
+            "lacks a type or a name",
+            "write `property TYPE NAME` or `property list TYPE TYPE NAME`",
+        )),
     }
 }
 
@@ -231,6 +267,9 @@ fn kind(word: Word<'_>) -> Result<Kind, Fault> {
         let names = KINDS.map(|(name, _)| name);
         let all = format!("the types are {}", listed(names));
         let meant = did_you_mean(&String::from_utf8_lossy(word.text), names);
-        word.fault("is not a type", meant.map_or(all.clone(), |meant| format!("did you mean `{meant}`? {all}")))
+        word.fault(
+            "is not a type",
+            meant.map_or(all.clone(), |meant| format!("did you mean `{meant}`? {all}")),
+        )
     })
 }

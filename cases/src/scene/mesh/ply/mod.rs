@@ -62,8 +62,11 @@ struct Plan<'a> {
 
 impl<'a> Plan<'a> {
     fn of(header: &'a Header<'a>, with_normals: bool) -> Result<Self, Fault> {
-        let missing = |name: &str, help: &str| Fault::of_file(format!("the header has no element `{name}`"), help);
-        let vertex = header.element("vertex")?.ok_or_else(|| missing("vertex", "a mesh needs vertices"))?;
+        let missing = |name: &str, help: &str| {
+            Fault::of_file(format!("the header has no element `{name}`"), help)
+        };
+        let vertex =
+            header.element("vertex")?.ok_or_else(|| missing("vertex", "a mesh needs vertices"))?;
         let mut n_normals = 0;
         for name in NORMAL.iter().filter(|_| with_normals) {
             n_normals += usize::from(position(vertex, name)?.is_some());
@@ -76,8 +79,14 @@ impl<'a> Plan<'a> {
         let mut of_vertex = vec![Use::Skip; vertex.properties.len()];
         for (n, name) in POSITION.iter().chain(NORMAL.iter().filter(|_| has_normals)).enumerate() {
             match position(vertex, name)? {
-                Some(at) if vertex.properties[at].count.is_none() => of_vertex[at] = Use::Coordinate(n),
-                Some(_) => return Err(vertex.fault(&format!("has a list as its `{name}`"), "make it a number")),
+                Some(at) if vertex.properties[at].count.is_none() => {
+                    of_vertex[at] = Use::Coordinate(n)
+                }
+                Some(_) => {
+                    return Err(
+                        vertex.fault(&format!("has a list as its `{name}`"), "make it a number")
+                    );
+                }
                 None => {
                     let what = format!("has no property `{name}`");
                     return Err(vertex.fault(&what, "a vertex needs x, y and z"));
@@ -118,18 +127,26 @@ impl<'a> Plan<'a> {
         let surplus = values.surplus();
         if surplus > 0 {
             let (at, what) = (values.at(), format!("bytes behind the last element: {surplus}"));
-            let help = "the header does not describe the file: correct its counts and types, or cut the rest off";
-            return Err(Fault { place: values.place(at, "the end".to_owned()), what, help: help.to_owned() });
+            let help = "the header does not describe the file: correct its counts and types, or \
+                cut the rest off";
+            return Err(Fault {
+                place: values.place(at, "the end".to_owned()),
+                what,
+                help: help.to_owned(),
+            });
         }
         let at_vertex = |(n, fault)| {
-            let element = self.header.elements.iter().find(|element| element.name.text == b"vertex");
+            let element =
+                self.header.elements.iter().find(|element| element.name.text == b"vertex");
             let mut vertices_at = vertices_at.clone();
             let passed = element.map(|element| skip(element, &mut vertices_at, n));
-            let at = if matches!(passed, Some(Ok(()))) { vertices_at.at() } else { self.header.end };
+            let at =
+                if matches!(passed, Some(Ok(()))) { vertices_at.at() } else { self.header.end };
             Fault { place: values.place(at, format!("vertex {n}")), ..fault }
         };
         settle(&mut vertices, faces.corners(), checked_position, DVec3::ZERO).map_err(at_vertex)?;
-        let triangles = faces.triangulate(&vertices, |n, at| values.place(at, format!("face {n}")))?;
+        let triangles =
+            faces.triangulate(&vertices, |n, at| values.place(at, format!("face {n}")))?;
         if self.has_normals {
             let corners = triangles.iter().flatten().copied();
             settle(&mut normals, corners, checked_normal, DVec3::Z).map_err(at_vertex)?;
@@ -139,14 +156,20 @@ impl<'a> Plan<'a> {
 
     /// Returns the positions of all vertices, and their normals as they stand in the file if they
     /// are wanted.
-    fn vertices(&self, element: &Element<'_>, values: &mut impl Values) -> Result<(Vec<DVec3>, Vec<DVec3>), Fault> {
+    fn vertices(
+        &self,
+        element: &Element<'_>,
+        values: &mut impl Values,
+    ) -> Result<(Vec<DVec3>, Vec<DVec3>), Fault> {
         let mut vertices = Vec::with_capacity(element.count);
         let mut normals = Vec::with_capacity(if self.has_normals { element.count } else { 0 });
         for n in 0..element.count {
             let mut numbers = [0.0; 6];
             for (property, used) in element.properties.iter().zip(&self.vertex) {
                 match used {
-                    Use::Coordinate(at) => values.real(property.kind).map(|number| numbers[*at] = number),
+                    Use::Coordinate(at) => {
+                        values.real(property.kind).map(|number| numbers[*at] = number)
+                    }
                     _ => pass(property, values),
                 }
                 .map_err(|fault| within(fault, element, n, values))?;
@@ -167,7 +190,9 @@ impl<'a> Plan<'a> {
             let start = values.at();
             for (property, used) in element.properties.iter().zip(&self.face) {
                 match (used, property.count) {
-                    (Use::Corners, Some(count)) => self.corners(property, count, values, &mut corners),
+                    (Use::Corners, Some(count)) => {
+                        self.corners(property, count, values, &mut corners)
+                    }
                     _ => pass(property, values),
                 }
                 .map_err(|fault| within(fault, element, n, values))?;
@@ -175,7 +200,8 @@ impl<'a> Plan<'a> {
             if corners.len() < 3 {
                 // Counts that do not fit the data are more likely than a face without an area.
                 let what = format!("the number of corners of this face is {}", corners.len());
-                let help = "give a face three corners or more, and correct the counts of the header";
+                let help =
+                    "give a face three corners or more, and correct the counts of the header";
                 return Err(within(Fault::at(start, what, help), element, n, values));
             }
             faces.push(&corners, start);
@@ -198,8 +224,10 @@ impl<'a> Plan<'a> {
             match u32::try_from(index) {
                 Ok(vertex) if (vertex as usize) < self.n_vertices => corners.push(vertex),
                 _ => {
-                    let what =
-                        format!("a corner is vertex {index}, and the vertices are 0 to {}", self.n_vertices as i64 - 1);
+                    let what = format!(
+                        "a corner is vertex {index}, and the vertices are 0 to {}",
+                        self.n_vertices as i64 - 1
+                    );
                     return Err(Fault::at(at, what, "indices count from 0"));
                 }
             }
@@ -210,7 +238,8 @@ impl<'a> Plan<'a> {
 
 /// Returns the number of the property of that name, if the element has one.
 fn position(element: &Element<'_>, name: &str) -> Result<Option<usize>, Fault> {
-    let mut found = (0..element.properties.len()).filter(|n| element.properties[*n].name == name.as_bytes());
+    let mut found =
+        (0..element.properties.len()).filter(|n| element.properties[*n].name == name.as_bytes());
     match (found.next(), found.next()) {
         (_, Some(_)) => Err(element.fault(&format!("declares `{name}` twice"), "declare it once")),
         (first, None) => Ok(first),

@@ -7,7 +7,8 @@ use crate::scene::mesh::fault::{Fault, Place};
 /// Refuses an element that promises more records than the rest of the file can hold.
 pub(super) fn check_count(element: &Element<'_>, values: &mut impl Values) -> Result<(), Fault> {
     let least = |property: &Property<'_>| property.count.unwrap_or(property.kind);
-    let per_record = element.properties.iter().map(|property| 1.0 / values.most(least(property)) as f64);
+    let per_record =
+        element.properties.iter().map(|property| 1.0 / values.most(least(property)) as f64);
     // A record takes this share of what is left, or more.
     let share: f64 = per_record.sum();
     if share > 0.0 && element.count as f64 * share > 1.0 + 1e-9 {
@@ -40,16 +41,25 @@ pub(super) fn pass(property: &Property<'_>, values: &mut impl Values) -> Result<
 }
 
 /// Returns the number of entries of a list, which are known to fit into the rest of the file.
-pub(super) fn n_entries(property: &Property<'_>, count: Kind, values: &mut impl Values) -> Result<usize, Fault> {
+pub(super) fn n_entries(
+    property: &Property<'_>,
+    count: Kind,
+    values: &mut impl Values,
+) -> Result<usize, Fault> {
     let at = values.at();
     let n = values.whole(count)?;
     match usize::try_from(n) {
         Ok(n) if n <= values.most(property.kind) => Ok(n),
         Ok(n) => {
-            let what = format!("a list of {n} entries begins here, and the file ends before they do");
+            let what =
+                format!("a list of {n} entries begins here, and the file ends before they do");
             Err(Fault::at(at, what, "write the file again, or correct the number of entries"))
         }
-        Err(_) => Err(Fault::at(at, format!("a list cannot have {n} entries"), "correct the number of entries")),
+        Err(_) => Err(Fault::at(
+            at,
+            format!("a list cannot have {n} entries"),
+            "correct the number of entries",
+        )),
     }
 }
 
@@ -57,7 +67,9 @@ pub(super) fn n_entries(property: &Property<'_>, count: Kind, values: &mut impl 
 pub(super) fn within(fault: Fault, element: &Element<'_>, n: usize, values: &impl Values) -> Fault {
     let name = String::from_utf8_lossy(&element.name.text[..element.name.text.len().min(40)]);
     match fault.place {
-        Place::Text(at) => Fault { place: values.place(at, format!("{} {n}", name.escape_debug())), ..fault },
+        Place::Text(at) => {
+            Fault { place: values.place(at, format!("{} {n}", name.escape_debug())), ..fault }
+        }
         _ => fault,
     }
 }

@@ -28,7 +28,8 @@ pub(super) trait Values {
     fn surplus(&mut self) -> usize;
 }
 
-const HELP_SHORT: &str = "the header promises more than the file holds: write the file again, or correct the counts";
+const HELP_SHORT: &str =
+    "the header promises more than the file holds: write the file again, or correct the counts";
 
 fn short(at: usize) -> Fault {
     Fault::at(at, "the file ends here", HELP_SHORT)
@@ -49,13 +50,18 @@ impl<'a> Text<'a> {
     fn word(&mut self) -> Result<&'a [u8], Fault> {
         let start = self.at();
         let rest = &self.bytes[start..];
-        let length = rest.iter().position(|byte| is_blank(*byte) || is_end(*byte)).unwrap_or(rest.len());
+        let length =
+            rest.iter().position(|byte| is_blank(*byte) || is_end(*byte)).unwrap_or(rest.len());
         self.at = start + length;
         if length == 0 { Err(short(start)) } else { Ok(&rest[..length]) }
     }
 
     fn wrong(&self, word: &[u8], what: &str) -> Fault {
-        Fault::at(self.at - word.len(), format!("{} is not {what}", quoted(word)), "correct the number")
+        Fault::at(
+            self.at - word.len(),
+            format!("{} is not {what}", quoted(word)),
+            "correct the number",
+        )
     }
 }
 
@@ -77,7 +83,10 @@ impl Values for Text<'_> {
         }
         let word = self.word()?;
         let number = match kind {
-            Kind::Float32 => std::str::from_utf8(word).ok().and_then(|word| word.parse::<f32>().ok()).map(f64::from),
+            Kind::Float32 => std::str::from_utf8(word)
+                .ok()
+                .and_then(|word| word.parse::<f32>().ok())
+                .map(f64::from),
             _ => real(word),
         };
         number.ok_or_else(|| self.wrong(word, "a number"))
@@ -87,7 +96,8 @@ impl Values for Text<'_> {
         let word = self.word()?;
         let (least, most) = kind.range().unwrap_or((i64::MIN, i64::MAX));
         // `3.0` is a whole number as well.
-        let as_real = || real(word).filter(|x| x.fract() == 0.0 && x.abs() < 1e15).map(|x| x as i64);
+        let as_real =
+            || real(word).filter(|x| x.fract() == 0.0 && x.abs() < 1e15).map(|x| x as i64);
         whole(word)
             .or_else(as_real)
             .filter(|number| (least..=most).contains(number))

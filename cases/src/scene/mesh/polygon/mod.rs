@@ -30,7 +30,8 @@ pub(super) enum PolygonError {
     #[error("crosses or touches itself")]
     Crosses,
     /// The corners are too far from lying in one plane.
-    #[error("is not flat: a corner lies {:.1} % of the face's size off the mean plane, and {:.0} % is allowed",
+    #[error("is not flat: a corner lies {:.1} % of the face's size off the mean plane, and {:.0} \
+        % is allowed",
         .0 * 100.0, MOST_BENT * 100.0)]
     Bent(f64),
 }
@@ -53,7 +54,9 @@ pub(super) fn triangulate(corners: &[DVec3]) -> Result<Vec<[usize; 3]>, PolygonE
     }
     let plane = Plane::of(&flat);
     match sweep::triangles(&plane) {
-        Some(triangles) if shape.is_unfolded(corners, &plane) => shape.check_bend(corners).map(|()| triangles),
+        Some(triangles) if shape.is_unfolded(corners, &plane) => {
+            shape.check_bend(corners).map(|()| triangles)
+        }
         _ if is_thin(corners) => Ok(vec![]),
         _ => shape.check_bend(corners).and(Err(PolygonError::Crosses)),
     }
@@ -65,7 +68,8 @@ pub(super) fn triangulate(corners: &[DVec3]) -> Result<Vec<[usize; 3]>, PolygonE
 /// 2¹⁰⁰⁰ times smaller than the largest one.
 fn scaled(corners: &[DVec3]) -> Vec<DVec3> {
     const EXPONENT: u64 = 0x7ff << 52;
-    let largest = corners.iter().fold(0.0, |largest, corner| f64::max(largest, corner.abs().max_element()));
+    let largest =
+        corners.iter().fold(0.0, |largest, corner| f64::max(largest, corner.abs().max_element()));
     let unit = f64::from_bits(largest.to_bits() & EXPONENT).max(f64::MIN_POSITIVE);
     corners.iter().map(|corner| *corner / unit).collect()
 }
@@ -98,7 +102,9 @@ impl Shape {
         }
         // Sizes do not cancel, so the axis is right even for a polygon that crosses itself.
         let axis = (0..3).fold(0, |best, axis| if sizes[axis] > sizes[best] { axis } else { best });
-        let (min, max) = corners.iter().fold((corners[0], corners[0]), |(min, max), c| (min.min(*c), max.max(*c)));
+        let (min, max) = corners
+            .iter()
+            .fold((corners[0], corners[0]), |(min, max), c| (min.min(*c), max.max(*c)));
         Self { area, axis, size: (max - min).length() }
     }
 
@@ -130,7 +136,8 @@ fn is_strictly_convex(corners: &[Point]) -> bool {
     let turn = |n: usize| orient2d(at(n), at(n + 1), at(n + 2));
     let side = turn(0).signum();
     let turns_alike = turn(0) != 0.0 && (1..n).all(|n| turn(n) * side > 0.0);
-    let is_leftmost = |n: usize| order(at(n + 1), at(n)).is_lt() && order(at(n + 1), at(n + 2)).is_lt();
+    let is_leftmost =
+        |n: usize| order(at(n + 1), at(n)).is_lt() && order(at(n + 1), at(n + 2)).is_lt();
     turns_alike && (0..n).filter(|n| is_leftmost(*n)).count() == 1
 }
 

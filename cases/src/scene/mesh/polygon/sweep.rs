@@ -22,7 +22,8 @@ use super::regions::{Regions, Side};
 /// polygon crosses itself, or touches itself at other points than common corners.
 pub(super) fn triangles(plane: &Plane) -> Option<Vec<[usize; 3]>> {
     let (starting, ending) = plane.edges()?;
-    let Some(first) = starting.iter().filter(|edge| edge.left == starting[0].left).map(|e| plane.active(e)).min()
+    let Some(first) =
+        starting.iter().filter(|edge| edge.left == starting[0].left).map(|e| plane.active(e)).min()
     else {
         return Some(vec![]);
     };
@@ -66,7 +67,8 @@ impl Sweep<'_> {
             ended.push(self.active.remove_entry(&self.plane.active(edge))?);
         }
         ended.sort_unstable();
-        let mut started: Vec<Active> = starting.iter().map(|edge| self.plane.active(edge)).collect();
+        let mut started: Vec<Active> =
+            starting.iter().map(|edge| self.plane.active(edge)).collect();
         started.sort_unstable();
         let (below, above) = self.neighbours(place, &started)?;
         let low = match ended.first() {
@@ -74,8 +76,10 @@ impl Sweep<'_> {
             None => below.filter(|(edge, _)| self.is_bottom(edge)).map(|(_, region)| region),
         };
         let high = if ended.is_empty() { low } else { self.close(place, low, &ended)? };
-        let (is_bottom, is_top) = (below.map(|b| self.is_bottom(&b.0)), above.map(|a| !self.is_bottom(&a.0)));
-        if is_bottom.unwrap_or(false) != low.is_some() || is_top.unwrap_or(false) != high.is_some() {
+        let (is_bottom, is_top) =
+            (below.map(|b| self.is_bottom(&b.0)), above.map(|a| !self.is_bottom(&a.0)));
+        if is_bottom.unwrap_or(false) != low.is_some() || is_top.unwrap_or(false) != high.is_some()
+        {
             return None;
         }
         match (low, high, started.is_empty()) {
@@ -106,7 +110,11 @@ impl Sweep<'_> {
     /// Returns the active edges next below and above a place at which these edges start.
     ///
     /// Neighbours are compared as soon as they become neighbours, so that no crossing is passed.
-    fn neighbours(&self, place: usize, started: &[Active]) -> Option<(Option<Bound>, Option<Bound>)> {
+    fn neighbours(
+        &self,
+        place: usize,
+        started: &[Active],
+    ) -> Option<(Option<Bound>, Option<Bound>)> {
         let here = Active::at(self.plane.places[place]);
         if self.active.contains_key(&here) {
             return None;
@@ -117,12 +125,18 @@ impl Sweep<'_> {
         let lowest = started.first().copied().or(above.map(|(edge, _)| edge));
         let highest = started.last().copied().or(below.map(|(edge, _)| edge));
         let pairs = [(below.map(|(edge, _)| edge), lowest), (highest, above.map(|(edge, _)| edge))];
-        let stay = |pair| !matches!(pair, (Some(low), Some(high)) if !Active::stays_below(&low, &high));
+        let stay =
+            |pair| !matches!(pair, (Some(low), Some(high)) if !Active::stays_below(&low, &high));
         pairs.into_iter().all(stay).then_some((below, above))
     }
 
     /// Closes the regions between edges that end at a place; returns the region above them.
-    fn close(&mut self, place: usize, low: Option<usize>, ended: &[Bound]) -> Option<Option<usize>> {
+    fn close(
+        &mut self,
+        place: usize,
+        low: Option<usize>,
+        ended: &[Bound],
+    ) -> Option<Option<usize>> {
         let mut inside = low;
         for (n, (edge, region)) in ended.iter().enumerate() {
             inside = match inside {
@@ -140,7 +154,13 @@ impl Sweep<'_> {
     }
 
     /// Enters the edges that start at a place, between the regions `low` and `high`.
-    fn open(&mut self, place: usize, low: Option<usize>, high: Option<usize>, started: &[Active]) -> Option<()> {
+    fn open(
+        &mut self,
+        place: usize,
+        low: Option<usize>,
+        high: Option<usize>,
+        started: &[Active],
+    ) -> Option<()> {
         let mut inside = low;
         for (n, edge) in started.iter().enumerate() {
             let (region, is_top) = match (inside, high) {

@@ -34,7 +34,9 @@ fn in_space(corners: &[[f64; 2]]) -> Vec<DVec3> {
 
 /// Each triangle with its least corner first, and all of them in order.
 fn sorted(triangles: &[[usize; 3]]) -> Vec<[usize; 3]> {
-    let turned = |[a, b, c]: [usize; 3]| [[a, b, c], [b, c, a], [c, a, b]].into_iter().min().unwrap_or_default();
+    let turned = |[a, b, c]: [usize; 3]| {
+        [[a, b, c], [b, c, a], [c, a, b]].into_iter().min().unwrap_or_default()
+    };
     let mut all: Vec<_> = triangles.iter().copied().map(turned).collect();
     all.sort_unstable();
     all
@@ -47,8 +49,16 @@ const ROW: &[[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0]];
 const REPEATED: &[[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 1.0]];
 const SPIKE: &[[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [5.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
 /// A triangle with a hole in it, and a bridge from corner 0 to the hole's corner 4.
-const KEYHOLE: &[[f64; 2]] =
-    &[[0.0, 0.0], [8.0, 0.0], [0.0, 8.0], [0.0, 0.0], [1.0, 1.0], [1.0, 3.0], [3.0, 1.0], [1.0, 1.0]];
+const KEYHOLE: &[[f64; 2]] = &[
+    [0.0, 0.0],
+    [8.0, 0.0],
+    [0.0, 8.0],
+    [0.0, 0.0],
+    [1.0, 1.0],
+    [1.0, 3.0],
+    [3.0, 1.0],
+    [1.0, 1.0],
+];
 
 #[test]
 fn triangles_are_those_on_paper() {
@@ -79,7 +89,8 @@ fn triangles_are_those_on_paper() {
 fn what_is_no_surface_is_refused() {
     let height = |z: f64| [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, z), DVec3::Y];
     let star: Vec<DVec3> = [0, 2, 4, 1, 3].map(|n| in_space(CONVEX)[n]).to_vec();
-    let fold = [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.1), DVec3::new(0.0, 0.0, 0.2), DVec3::Y];
+    let fold =
+        [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.1), DVec3::new(0.0, 0.0, 0.2), DVec3::Y];
     let bow_tie = |flip: fn(DVec3) -> DVec3| {
         [[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 2.0]].map(|[x, y]| flip(DVec3::new(x, y, 0.0)))
     };
@@ -88,7 +99,11 @@ fn what_is_no_surface_is_refused() {
         ("a bow tie in the plane x = 0", &bow_tie(|v| DVec3::new(0.0, v.x, v.y)), false),
         ("a star of five points", &star, false),
         ("two corners above one another", &fold, false),
-        ("an edge through a corner", &in_space(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [1.0, 0.0], [0.0, 2.0]]), false),
+        (
+            "an edge through a corner",
+            &in_space(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [1.0, 0.0], [0.0, 2.0]]),
+            false,
+        ),
         (
             "a way walked twice",
             &in_space(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]),
@@ -101,10 +116,19 @@ fn what_is_no_surface_is_refused() {
         ),
         ("a square bent by a little", &height(0.5), true),
         ("a square bent by a lot", &height(0.8), false),
-        ("a line there and back", &[DVec3::ZERO, DVec3::ONE, DVec3::splat(0.3), DVec3::splat(0.7)], true),
+        (
+            "a line there and back",
+            &[DVec3::ZERO, DVec3::ONE, DVec3::splat(0.3), DVec3::splat(0.7)],
+            true,
+        ),
         (
             "a line, but for rounding",
-            &[DVec3::ZERO, DVec3::new(0.1, 0.3, 0.0), DVec3::new(0.2, 0.6, 0.0), DVec3::new(0.05, 0.15, 0.0)],
+            &[
+                DVec3::ZERO,
+                DVec3::new(0.1, 0.3, 0.0),
+                DVec3::new(0.2, 0.6, 0.0),
+                DVec3::new(0.05, 0.15, 0.0),
+            ],
             true,
         ),
         ("one point", &[DVec3::ONE; 5], true),
@@ -134,8 +158,11 @@ fn is_triangulation(corners: &[Point], triangles: &[[usize; 3]]) -> bool {
     for [a, b, c] in triangles {
         [(a, b), (b, c), (c, a)].into_iter().for_each(|(from, to)| walk(*from, *to, 1));
     }
-    let turns_right = |[a, b, c]: &[usize; 3]| orient2d(corners[*a], corners[*b], corners[*c]) * side > 0.0;
-    triangles.len() == corners.len() - 2 && triangles.iter().all(turns_right) && edges.values().all(|sum| *sum == 0)
+    let turns_right =
+        |[a, b, c]: &[usize; 3]| orient2d(corners[*a], corners[*b], corners[*c]) * side > 0.0;
+    triangles.len() == corners.len() - 2
+        && triangles.iter().all(turns_right)
+        && edges.values().all(|sum| *sum == 0)
 }
 
 /// How often the closed way goes around the point, which lies on no edge.
@@ -165,7 +192,13 @@ fn is_simple(corners: &[Point]) -> bool {
             (true, true) => false,
             (true, _) => order(a, b).is_eq() || is_within(a, b, d) || is_within(b, d, a),
             (_, true) => order(a, b).is_eq() || is_within(c, a, b) || is_within(a, b, c),
-            _ => cross || is_within(a, b, c) || is_within(a, b, d) || is_within(c, d, a) || is_within(c, d, b),
+            _ => {
+                cross
+                    || is_within(a, b, c)
+                    || is_within(a, b, d)
+                    || is_within(c, d, a)
+                    || is_within(c, d, b)
+            }
         }
     };
     (0..n).all(|i| (i + 1..n).all(|j| !meet(i, j)))
@@ -177,23 +210,34 @@ fn small_polygons_are_triangulated_exactly_or_refused() {
     let (mut n_simple, mut n_weak, mut n_refused) = (0, 0, 0);
     for _ in 0..200_000 {
         let (n, size) = (3 + dice.below(7), 2 + dice.below(6));
-        let corners: Vec<Point> =
-            (0..n).map(|_| Point { x: dice.below(size) as f64, y: dice.below(size) as f64 }).collect();
+        let corners: Vec<Point> = (0..n)
+            .map(|_| Point { x: dice.below(size) as f64, y: dice.below(size) as f64 })
+            .collect();
         let found = sweep::triangles(&Plane::of(&corners));
         if is_simple(&corners) {
             n_simple += 1;
-            assert!(is_triangulation(&corners, &found.clone().expect("refused")), "{corners:?}: {found:?}");
+            assert!(
+                is_triangulation(&corners, &found.clone().expect("refused")),
+                "{corners:?}: {found:?}"
+            );
         } else if let Some(found) = found {
             n_weak += 1;
             let point = Point { x: dice.share() * size as f64, y: dice.share() * size as f64 };
             let covers = |abc: &&[usize; 3]| winding(&abc.map(|n| corners[n]), point) != 0;
             let n_covers = found.iter().filter(covers).count();
-            assert_eq!(n_covers, winding(&corners, point).unsigned_abs() as usize, "{corners:?}: {found:?}");
+            assert_eq!(
+                n_covers,
+                winding(&corners, point).unsigned_abs() as usize,
+                "{corners:?}: {found:?}"
+            );
         } else {
             n_refused += 1;
         }
     }
-    assert!(n_simple > 20_000 && n_weak > 20_000 && n_refused > 20_000, "{n_simple}, {n_weak}, {n_refused}");
+    assert!(
+        n_simple > 20_000 && n_weak > 20_000 && n_refused > 20_000,
+        "{n_simple}, {n_weak}, {n_refused}"
+    );
 }
 
 /// Polygons with as many corners, whose shapes are hard on other algorithms.
@@ -213,7 +257,10 @@ fn large(n: usize) -> [(&'static str, Vec<Point>); 4] {
         ("a star", flat(&polar(1.0, &|i| if i % 2 == 0 { 1.0 } else { 1e-3 }))),
         ("a comb", flat(&comb)),
         ("a crescent", flat(&crescent)),
-        ("a circle of rough radius", flat(&polar(1.0, &|i| 1.0 + 1e-5 * ((i * 7919) % 101) as f64))),
+        (
+            "a circle of rough radius",
+            flat(&polar(1.0, &|i| 1.0 + 1e-5 * ((i * 7919) % 101) as f64)),
+        ),
     ]
 }
 
@@ -230,11 +277,17 @@ fn a_plane_in_any_place_gives_the_same_triangles() {
     let mut dice = Dice(11);
     let expected = sorted(&triangulate(&in_space(DART)).unwrap());
     for n in 0..1000 {
-        let axis = DVec3::new(dice.share() - 0.5, dice.share() - 0.5, dice.share() - 0.5).normalize();
+        let axis =
+            DVec3::new(dice.share() - 0.5, dice.share() - 0.5, dice.share() - 0.5).normalize();
         let turn = DMat3::from_axis_angle(axis, dice.share() * 6.0);
         let size = [1e-290, 1e-9, 1.0, 1e9, 1e17][n % 5];
         let beside = DVec3::splat(size * dice.share());
-        let corners: Vec<DVec3> = in_space(DART).iter().map(|corner| turn * *corner * size + beside).collect();
-        assert_eq!(sorted(&triangulate(&corners).unwrap()), expected, "turned by {turn:?}, size {size:e}");
+        let corners: Vec<DVec3> =
+            in_space(DART).iter().map(|corner| turn * *corner * size + beside).collect();
+        assert_eq!(
+            sorted(&triangulate(&corners).unwrap()),
+            expected,
+            "turned by {turn:?}, size {size:e}"
+        );
     }
 }

@@ -11,9 +11,11 @@ use crate::record::FindingKind;
 const WIDTH: u32 = 96;
 const HEIGHT: u32 = 72;
 
-/// Discs, one of them shaded and one small, a tilted edge and a slope, at a point of the plane in pixels.
+/// Discs, one of them shaded and one small, a tilted edge and a slope, at a point of the plane in
+/// pixels.
 fn scene(x: f64, y: f64) -> DVec3 {
-    let disc = |cx: f64, cy: f64, r: f64| 1.0 - ((x - cx) * (x - cx) + (y - cy) * (y - cy)) / (r * r);
+    let disc =
+        |cx: f64, cy: f64, r: f64| 1.0 - ((x - cx) * (x - cx) + (y - cy) * (y - cy)) / (r * r);
     let lit = disc(30.3, 28.1, 19.7);
     if lit > 0.0 {
         return DVec3::new(0.9, 0.5, 0.2) * lit.sqrt() + DVec3::splat(0.05);
@@ -40,7 +42,8 @@ fn seen(light: impl Fn(f64, f64) -> DVec3, samples: impl Fn(u32, u32) -> Vec<Sam
     })
 }
 
-/// A grid of n × n points over a square of `width` pixels, weighted by `weight` of the distances in pixels.
+/// A grid of n × n points over a square of `width` pixels, weighted by `weight` of the distances in
+/// pixels.
 fn grid(n: u32, width: f64, weight: fn(f64, f64) -> f64) -> Vec<Sample> {
     let at = |k: u32| ((f64::from(k) + 0.5) / f64::from(n) - 0.5) * width;
     (0..n).flat_map(|j| (0..n).map(move |i| (at(i), at(j), weight(at(i), at(j))))).collect()
@@ -52,7 +55,8 @@ fn even(_: f64, _: f64) -> f64 {
 
 /// Numbers from 0 to 1 that look random and are always the same.
 fn random(i: u32, j: u32, k: u32) -> f64 {
-    let mut state = (u64::from(i) << 40 | u64::from(j) << 20 | u64::from(k)).wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let mut state = (u64::from(i) << 40 | u64::from(j) << 20 | u64::from(k))
+        .wrapping_add(0x9e37_79b9_7f4a_7c15);
     for _ in 0..3 {
         state = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         state ^= state >> 27;
@@ -62,7 +66,9 @@ fn random(i: u32, j: u32, k: u32) -> f64 {
 
 /// `n` random points in each pixel.
 fn jitter(n: u32) -> impl Fn(u32, u32) -> Vec<Sample> {
-    move |i, j| (0..n).map(|k| (random(i, j, 2 * k) - 0.5, random(i, j, 2 * k + 1) - 0.5, 1.0)).collect()
+    move |i, j| {
+        (0..n).map(|k| (random(i, j, 2 * k) - 0.5, random(i, j, 2 * k + 1) - 0.5, 1.0)).collect()
+    }
 }
 
 fn shifted(by: f64) -> Vec<Sample> {
@@ -88,7 +94,12 @@ fn blurred(picture: &Image) -> Image {
 fn check(name: &str, actual: &Image, is_smoothed: bool) {
     let judgement = picture(actual, &ANSWER);
     let finding = judgement.finding.expect("neither is right");
-    assert_eq!(finding.kind == FindingKind::Antialiased, is_smoothed, "{name}: {}", finding.message);
+    assert_eq!(
+        finding.kind == FindingKind::Antialiased,
+        is_smoothed,
+        "{name}: {}",
+        finding.message
+    );
     assert!(!is_smoothed || judgement.share == 900, "{name} earns {}", judgement.share);
 }
 
@@ -120,7 +131,9 @@ fn what_is_wrong_is_not_anti_aliased() {
         check(&format!("zoomed by {by}"), &seen(zoomed, |_, _| shifted(0.0)), false);
     }
     check("1 random ray", &seen(scene, jitter(1)), false);
-    let without = |x: f64, y: f64| if (x - 72.0).abs() < 6.0 && y < 30.0 { scene(60.0, 10.0) } else { scene(x, y) };
+    let without = |x: f64, y: f64| {
+        if (x - 72.0).abs() < 6.0 && y < 30.0 { scene(60.0, 10.0) } else { scene(x, y) }
+    };
     check("a disc is missing", &seen(without, |_, _| shifted(0.0)), false);
     check("a disc is missing, anti-aliased", &seen(without, |_, _| grid(3, 1.0, even)), false);
     check("a disc is missing, filtered", &blurred(&seen(without, |_, _| shifted(0.0))), false);
@@ -129,8 +142,9 @@ fn what_is_wrong_is_not_anti_aliased() {
     check("brighter, anti-aliased", &seen(brighter, |_, _| grid(2, 1.0, even)), false);
     let dimmer = |x: f64, y: f64| scene(x, y) * 0.97;
     check("a little dimmer", &seen(dimmer, |_, _| shifted(0.0)), false);
-    let noisy =
-        Image::from_fn(WIDTH, HEIGHT, |i, j| ANSWER.expected.pixel(i, j) + DVec3::splat(random(i, j, 0) * 0.05));
+    let noisy = Image::from_fn(WIDTH, HEIGHT, |i, j| {
+        ANSWER.expected.pixel(i, j) + DVec3::splat(random(i, j, 0) * 0.05)
+    });
     check("noise", &noisy, false);
 }
 
@@ -141,7 +155,10 @@ fn other_mistakes_count_beside_anti_aliasing() {
     let message = judgement.finding.expect("a finding").message;
     assert!(message.contains("it is anti-aliased: 258 pixels"), "{message}");
     assert!(message.ends_with("most at (0, 0): yours 255 255 255, expected 26 26 39"), "{message}");
-    assert!(message.contains("besides, 9 pixels of 6,912 differ, 9 of them side by side"), "{message}");
+    assert!(
+        message.contains("besides, 9 pixels of 6,912 differ, 9 of them side by side"),
+        "{message}"
+    );
 }
 
 #[test]
@@ -149,8 +166,17 @@ fn a_step_of_one_colour_needs_neighbours_on_both_sides() {
     let flat = ImageAnswer::exact(Image::from_fn(9, 9, |_, _| DVec3::splat(0.5)), 1.0, 0);
     let off = Image::from_fn(9, 9, |i, j| DVec3::splat(if (i, j) == (4, 4) { 0.6 } else { 0.5 }));
     assert_eq!(stands(&off, &flat, 40), Stands::Apart);
-    let step = ImageAnswer::exact(Image::from_fn(9, 9, |i, _| DVec3::splat(if i < 4 { 0.0 } else { 1.0 })), 1.0, 0);
-    let table = [(0.9, Stands::Near), (0.5, Stands::Between), (0.1, Stands::Flipped), (f64::NAN, Stands::Apart)];
+    let step = ImageAnswer::exact(
+        Image::from_fn(9, 9, |i, _| DVec3::splat(if i < 4 { 0.0 } else { 1.0 })),
+        1.0,
+        0,
+    );
+    let table = [
+        (0.9, Stands::Near),
+        (0.5, Stands::Between),
+        (0.1, Stands::Flipped),
+        (f64::NAN, Stands::Apart),
+    ];
     for (light, expected) in table {
         let actual = Image::from_fn(9, 9, |_, _| DVec3::splat(light));
         assert_eq!(stands(&actual, &step, 40), expected, "{light}");

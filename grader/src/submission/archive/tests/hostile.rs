@@ -79,7 +79,8 @@ fn a_header_that_lies_about_the_size_gains_nothing() {
     let zeros = vec![0; (2 << 20) + 1];
     let mut zip = zipped(&[file("a", &zeros)]);
     let size = u32::to_le_bytes((2 << 20) + 1);
-    let places: Vec<usize> = (0..zip.len() - 4).filter(|at| zip[*at..].starts_with(&size)).collect();
+    let places: Vec<usize> =
+        (0..zip.len() - 4).filter(|at| zip[*at..].starts_with(&size)).collect();
     assert_eq!(places.len(), 2, "in both headers");
     places.iter().for_each(|at| zip[*at..at + 4].copy_from_slice(&[1, 0, 0, 0]));
     refused_one(Format::Zip, &zip, &SMALL, "broken");
@@ -87,7 +88,8 @@ fn a_header_that_lies_about_the_size_gains_nothing() {
 
 #[test]
 fn entries_that_share_their_bytes_are_refused() {
-    let noise: Vec<u8> = (0..4096_u32).map(|n| (n.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
+    let noise: Vec<u8> =
+        (0..4096_u32).map(|n| (n.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
     let mut zip = zipped(&[file("a", &noise), file("b", b"")]);
     // The second entry of the directory gets sizes, checksum and place of the first.
     let entries = central_entries(&zip);
@@ -101,7 +103,12 @@ fn entries_that_share_their_bytes_are_refused() {
 fn long_names_in_extended_headers_are_cut() {
     let long = vec![b'a'; 4 << 20];
     let entry = Entry { name: b"././@LongLink", kind: EntryType::GNULongName, data: &long };
-    refused_one(Format::TarGz, &tgz(&[entry, file("x", b"")]), &SMALL, "the headers of an entry are too long");
+    refused_one(
+        Format::TarGz,
+        &tgz(&[entry, file("x", b"")]),
+        &SMALL,
+        "the headers of an entry are too long",
+    );
 }
 
 #[test]
@@ -117,9 +124,14 @@ fn what_is_no_archive_is_said_to_be_broken() {
 
 /// An archive of each format with a bit of everything.
 static SAMPLES: LazyLock<[(Format, Vec<u8>); 3]> = LazyLock::new(|| {
-    let long = Entry { name: b"././@LongLink", kind: EntryType::GNULongName, data: b"a/long/name\0" };
-    let mut entries =
-        vec![file("src/main.rs", b"fn main() {}"), link("l"), file("b", &[7; 3000]), file("target/x", b"x")];
+    let long =
+        Entry { name: b"././@LongLink", kind: EntryType::GNULongName, data: b"a/long/name\0" };
+    let mut entries = vec![
+        file("src/main.rs", b"fn main() {}"),
+        link("l"),
+        file("b", &[7; 3000]),
+        file("target/x", b"x"),
+    ];
     let zip = zipped(&entries);
     entries.insert(0, long);
     let tar = tarball(&entries);
@@ -136,10 +148,14 @@ fn survives(format: Format, bytes: &[u8]) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        cases: 2000, failure_persistence: None, ..ProptestConfig::default()
+    })]
 
     #[test]
-    fn arbitrary_bytes_are_survived(which in 0_usize..3, bytes in proptest::collection::vec(any::<u8>(), 0..2000)) {
+    fn arbitrary_bytes_are_survived(
+        which in 0_usize..3, bytes in proptest::collection::vec(any::<u8>(), 0..2000),
+    ) {
         survives(SAMPLES[which].0, &bytes);
     }
 

@@ -59,7 +59,9 @@ pub(super) fn zipped(entries: &[Entry]) -> Vec<u8> {
     for entry in entries {
         let name = str::from_utf8(entry.name).unwrap();
         match entry.kind {
-            EntryType::Symlink => out.add_symlink(name, "/etc/passwd", SimpleFileOptions::default()).unwrap(),
+            EntryType::Symlink => {
+                out.add_symlink(name, "/etc/passwd", SimpleFileOptions::default()).unwrap()
+            }
             EntryType::Directory => out.add_directory(name, SimpleFileOptions::default()).unwrap(),
             _ => {
                 out.start_file(name, SimpleFileOptions::default().unix_permissions(0o777)).unwrap();
@@ -75,7 +77,8 @@ pub(super) fn zipped(entries: &[Entry]) -> Vec<u8> {
 pub(super) fn patched(bytes: &[u8], from: &[u8], to: &[u8]) -> Vec<u8> {
     assert_eq!(from.len(), to.len());
     let mut bytes = bytes.to_owned();
-    let places: Vec<usize> = (0..=bytes.len() - from.len()).filter(|at| bytes[*at..].starts_with(from)).collect();
+    let places: Vec<usize> =
+        (0..=bytes.len() - from.len()).filter(|at| bytes[*at..].starts_with(from)).collect();
     assert_eq!(places.len(), 2, "the text to patch stands in both headers, and nowhere else");
     places.iter().for_each(|at| bytes[*at..at + to.len()].copy_from_slice(to));
     bytes

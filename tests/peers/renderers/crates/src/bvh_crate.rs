@@ -1,4 +1,5 @@
-//! bvh: its tree, single precision, children visited nearer first. It tests boxes alone; the triangle test is the textbook's.
+//! bvh: its tree, single precision, children visited nearer first. It tests boxes alone; the
+//! triangle test is the textbook's.
 
 use bvh::aabb::{Aabb, Bounded};
 use bvh::bounding_hierarchy::BHShape;

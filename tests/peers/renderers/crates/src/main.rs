@@ -4,8 +4,8 @@
 //! crates obvhs|parry3d|bvh MESH.ply RAYS ANSWERS PASSES
 //! ```
 //!
-//! RAYS is the file that the benchmark writes; ANSWERS becomes a float a ray: the distance, anything finite for something in the way of an
-//! any-hit ray, infinity for a miss.
+//! RAYS is the file that the benchmark writes; ANSWERS becomes a float a ray: the distance,
+//! anything finite for something in the way of an any-hit ray, infinity for a miss.
 
 mod bvh_crate;
 mod input;
@@ -16,7 +16,8 @@ use input::{Mesh, Set};
 
 /// A library with its tree built.
 trait Searcher {
-    /// Distance to what the ray meets first, infinite for a miss; of any-hit rays, to anything it meets.
+    /// Distance to what the ray meets first, infinite for a miss; of any-hit rays, to anything it
+    /// meets.
     fn ask(&self, ray: &[f32; 7], is_any_hit: bool) -> f32;
     /// Bytes of the tree and what it points to, where the library tells.
     fn bytes(&self) -> Option<usize>;
@@ -28,7 +29,8 @@ fn cpu_s() -> f64 {
     now.tv_sec as f64 + now.tv_nsec as f64 * 1e-9
 }
 
-/// What a library does with a mesh and rays. One instance a library, so that each search is compiled into its loop.
+/// What a library does with a mesh and rays. One instance a library, so that each search is
+/// compiled into its loop.
 fn measure<S: Searcher>(version: &str, build: fn(Mesh) -> S, mesh: Mesh, sets: &[Set], passes: usize) -> Vec<f32> {
     let begun = cpu_s();
     let searcher = build(mesh);
@@ -51,7 +53,8 @@ fn measure<S: Searcher>(version: &str, build: fn(Mesh) -> S, mesh: Mesh, sets: &
         all.extend(answers);
     }
     let bytes = searcher.bytes().map_or("null".to_owned(), |bytes| bytes.to_string());
-    println!("{{\"version\": \"{version}\", \"build_s\": {build_s}, \"bytes\": {bytes}, \"seconds\": {seconds:?}}}");
+    println!("{{\"version\": \"{version}\", \"build_s\": {build_s}, \"bytes\": \
+        {bytes}, \"seconds\": {seconds:?}}}");
     all
 }
 
