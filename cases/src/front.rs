@@ -1,9 +1,9 @@
-//! What accuracy costs in the cases: how long the reference took by each of its settings, and how
-//! far its picture was off.
+//! The cost of accuracy in the cases: the time that the reference takes with each of its settings,
+//! and the error of its picture.
 //!
-//! `reference cost --store` measures it once and stores it as `fronts.json` beside the stages; a
-//! student's report shows the student's own time and error among these points. It decides nothing:
-//! no score depends on it.
+//! `reference cost --store` measures it once and stores it as `fronts.json` beside the stages. A
+//! student's report shows the student's own time and error among these points. No score depends on
+//! it.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -13,43 +13,44 @@ use serde::{Deserialize, Serialize};
 
 use crate::film::{Image, byte};
 
-/// All that was measured.
+/// All measured points.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Fronts {
-    /// The machine it was measured on, in a few words for people.
+    /// The machine that they were measured on, in a few words for people.
     pub machine: String,
-    /// By id of the case, each in the order it was measured.
+    /// Points by id of the case, in the order in which they were measured.
     pub cases: BTreeMap<String, Vec<FrontPoint>>,
 }
 
-/// One setting of the reference in one case, one ray a pixel, as pictures are judged.
+/// One setting of the reference in one case, with one ray per pixel, as pictures are judged.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FrontPoint {
-    /// A few words for it, such as `f32, plain formulas`.
+    /// The setting in a few words, such as `f32, plain formulas`.
     pub setting: String,
-    /// Seconds of one thread for rendering alone: the median of several runs, above 0.
+    /// Seconds that one thread takes to render: the median of several runs, above 0.
     pub time_s: f64,
-    /// [`rmse_levels`] against the expected picture.
+    /// The result of [`rmse_levels`] for its picture and the expected one.
     pub rmse_levels: f64,
 }
 
-/// Where [`Fronts`] lie beside the stages.
+/// Returns the path of the stored [`Fronts`] below `stages`.
 pub fn fronts_path(stages: &Path) -> PathBuf {
     stages.join("fronts.json")
 }
 
-/// The text to store for them.
+/// Returns the text to store for `fronts`.
 ///
 /// # Errors
-/// What the encoder says.
+/// An error of the JSON encoder.
 pub fn fronts_to_string(fronts: &Fronts) -> Result<String, serde_json::Error> {
     serde_json::to_string_pretty(fronts).map(|text| text + "\n")
 }
 
-/// What `text` holds.
+/// Parses the stored fronts in `text`.
 ///
 /// # Errors
-/// What is missing or of the wrong kind, with line and column; a point that no measurement gives.
+/// A part that is missing or of the wrong kind, with line and column. A point that no measurement
+/// gives: a time that is not a normal number above 0, or an error outside 0..=255.
 pub fn fronts_from_str(text: &str) -> Result<Fronts, serde_json::Error> {
     let fronts: Fronts = serde_json::from_str(text)?;
     let is_measured = |point: &FrontPoint| {
@@ -69,21 +70,28 @@ pub fn fronts_from_str(text: &str) -> Result<Fronts, serde_json::Error> {
     }
 }
 
-/// Which points no other one beats: none is as fast and as exact, and better in one of the two. Of
-/// equals all count.
-pub fn on_front(points: &[FrontPoint]) -> Vec<bool> {
-    let beats = |a: &FrontPoint, b: &FrontPoint| {
-        let is_as_good = a.time_s <= b.time_s && a.rmse_levels <= b.rmse_levels;
-        is_as_good && (a.time_s < b.time_s || a.rmse_levels < b.rmse_levels)
+/// Returns for every point (time, error) whether it is on the Pareto front.
+///
+/// A point is off the front if another one is as fast and as exact, and better in one of the two.
+/// Equal points are all on the front, or all off it. A point with a NaN is off the front, and beats
+/// no other point. The units do not matter.
+pub fn on_front(points: &[(f64, f64)]) -> Vec<bool> {
+    let beats = |a: (f64, f64), b: (f64, f64)| {
+        let is_as_good = a.0 <= b.0 && a.1 <= b.1;
+        is_as_good && (a.0 < b.0 || a.1 < b.1)
     };
-    points.iter().map(|point| !points.iter().any(|other| beats(other, point))).collect()
+    let is_on = |point: &(f64, f64)| {
+        let is_number = !point.0.is_nan() && !point.1.is_nan();
+        is_number && !points.iter().any(|other| beats(*other, *point))
+    };
+    points.iter().map(is_on).collect()
 }
 
-/// The root of the mean squared difference of two pictures of one size over all channels, in levels
-/// of the 8-bit pictures. NaN counts as black.
+/// Returns the root of the mean squared difference of two pictures over all channels, in 8-bit
+/// levels. NaN counts as black.
 ///
 /// # Panics
-/// Where the sizes differ.
+/// The sizes differ.
 pub fn rmse_levels(one: &Image, other: &Image) -> f64 {
     assert_eq!(
         (one.width(), one.height()),
@@ -108,12 +116,26 @@ mod tests {
         FrontPoint { setting: format!("{time_s} s"), time_s, rmse_levels }
     }
 
+    /// Points, and the indices of those on the front.
+    type Row = (&'static [(f64, f64)], &'static [usize]);
+
     #[test]
     fn the_front_is_what_nothing_beats() {
-        let points =
-            [point(1.0, 4.0), point(2.0, 1.0), point(3.0, 1.0), point(2.5, 0.0), point(2.0, 1.0)];
-        assert_eq!(on_front(&points), [true, true, false, true, true]);
-        assert!(on_front(&[]).is_empty());
+        let table: [Row; 8] = [
+            (&[], &[]),
+            (&[(1.0, 1.0)], &[0]),
+            (&[(1.0, 3.0), (2.0, 2.0), (3.0, 1.0)], &[0, 1, 2]),
+            (&[(1.0, 3.0), (2.0, 4.0), (3.0, 0.0), (4.0, 0.0)], &[0, 2]),
+            (&[(2.0, 2.0), (2.0, 1.0), (1.0, 2.0)], &[1, 2]),
+            (&[(1.0, 4.0), (2.0, 1.0), (3.0, 1.0), (2.5, 0.0), (2.0, 1.0)], &[0, 1, 3, 4]),
+            (&[(1.0, 1.0), (1.0, 1.0), (2.0, 2.0), (2.0, 2.0)], &[0, 1]),
+            (&[(f64::NAN, 0.0), (1.0, f64::NAN), (2.0, 5.0)], &[2]),
+        ];
+        for (points, expected) in table {
+            let is_on = on_front(points);
+            let on: Vec<usize> = (0..points.len()).filter(|n| is_on[*n]).collect();
+            assert_eq!(on, expected, "{points:?}");
+        }
     }
 
     #[test]

@@ -3,20 +3,21 @@
 //! | module | holds |
 //! |---|---|
 //! | [`scene`] | the resolved [`Scene`]: plain data without defaults; its JSON form |
-//! | [`effects`] | which effects a scene calls for, and why |
-//! | [`files`] | what a file name stands for; the one way to write a file |
+//! | [`effects`] | the effects that a scene calls for, and why |
+//! | [`files`] | file names; reading and writing whole files |
 //! | [`film`] | [`film::Image`], the one quantiser, image files |
 //! | [`ray`] | [`Ray`], [`SurfaceHit`], [`Hit`] and the interval in which a hit counts |
 //! | [`probe`] | the questions and answers of the unit checks |
 //! | [`program`] | `main` of a submission written in Rust |
 //! | [`ray_tree`] | the tree of rays behind a pixel, as text |
 //!
-//! Behind the feature `authoring`, which a student's build leaves off: reading case files, stages,
-//! checks and answers, [`course`], what a course decides, and [`front`], what accuracy costs.
+//! The feature `authoring`, which a student's build leaves off, adds the reading of case files,
+//! stages, checks and answers, [`course`], the choices of a course, and [`front`], the cost of
+//! accuracy.
 //!
-//! Conventions, once: world space is right-handed; colours are linear RGB; pixel (0, 0) is the top
-//! left one; a normal is a unit vector and points outwards; a matrix named `target_from_source`
-//! takes source coordinates to target coordinates. Rules are cited as `[rule 7]`: see
+//! Conventions: world space is right-handed; colours are linear RGB; pixel (0, 0) is the top left
+//! one; a normal is a unit vector and points outwards; a matrix named `target_from_source` takes
+//! source coordinates to target coordinates. Rules are cited as `[rule 7]`: see
 //! `docs/shading-model.md`.
 
 pub use glam;

@@ -1,5 +1,5 @@
-//! What is wrong with files that people write: every problem at once, each with its place, the
-//! reason and a way out.
+//! Problems of files that people write. All problems of a file are reported at once, each with its
+//! place, the reason and a way to fix it.
 
 use std::fmt;
 use std::io;
@@ -11,57 +11,58 @@ use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet}
 
 use crate::files::ReadError;
 
-/// As many problems of one file are kept; a file with more is not worth reading to its end.
+/// Largest number of problems of one file that are kept. A file with more is not worth reading to
+/// its end.
 pub const MAX_PROBLEMS: usize = 100;
 
-/// A file as it was read.
+/// The text of a file and its name.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Source {
-    /// What it is called in messages.
+    /// The name that messages use.
     pub name: String,
-    /// Its text; empty where it could not be read.
+    /// The text; empty if the file could not be read.
     pub text: String,
 }
 
 impl Source {
-    /// The text under that name.
+    /// Returns a text under that name.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Arc<Self> {
         Arc::new(Self { name: name.into(), text: text.into() })
     }
 }
 
-/// Something wrong in a file.
+/// A problem of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem {
     /// The file.
     pub source: Arc<Source>,
-    /// The bytes of the file that are wrong; `None` where the file as a whole is.
+    /// Bytes of the file that are wrong; `None` if the file as a whole is.
     pub span: Option<Range<usize>>,
-    /// What is wrong, such as ``unknown material `brik` ``.
+    /// A statement of the problem, such as ``unknown material `brik` ``.
     pub message: String,
-    /// Why, in a few words to stand under the underlined place; may be empty.
+    /// The reason, in a few words below the underlined bytes; may be empty.
     pub label: String,
-    /// The way out.
+    /// A way to fix the problem.
     pub help: Option<String>,
-    /// The number of the system's error, where the system did not let a file be read.
+    /// The number of the system's error, if the system could not read a file.
     pub os_error: Option<i32>,
 }
 
 impl Problem {
-    /// Line and column, both from 1, the column in characters; `None` where the file as a whole is
-    /// wrong.
+    /// Returns line and column, both from 1, the column in characters; `None` if the file as a
+    /// whole is wrong.
     pub fn line_column(&self) -> Option<(usize, usize)> {
         let before = self.source.text.get(..self.span.as_ref()?.start)?;
         let line_start = before.rfind('\n').map_or(0, |at| at + 1);
         Some((before.matches('\n').count() + 1, before[line_start..].chars().count() + 1))
     }
 
-    /// Adds the way out.
+    /// Sets the way to fix the problem.
     pub fn help(&mut self, help: impl Into<String>) {
         self.help = Some(help.into());
     }
 
-    /// What problems are ordered by.
+    /// Returns the key by which problems are ordered.
     fn place(&self) -> (&str, Option<(usize, usize)>) {
         (&self.source.name, self.span.as_ref().map(|span| (span.start, span.end)))
     }
@@ -73,8 +74,8 @@ impl Problem {
                 let label = (!self.label.is_empty()).then_some(self.label.as_str());
                 let Line { text, number, part } = line_of(&self.source.text, span);
                 let here = AnnotationKind::Primary.span(part).label(label);
-                // Only the line is handed over: the renderer indexes all lines of its source for
-                // each problem.
+                // Only this line is passed: the renderer indexes all lines of its source for each
+                // problem.
                 let snippet =
                     Snippet::source(text).line_start(number).path(self.source.name.as_str());
                 title.element(snippet.annotation(here))
@@ -88,7 +89,7 @@ impl Problem {
     }
 }
 
-/// A line of a text, with the part of it that is wrong.
+/// A line of a text, and the part of it that is wrong.
 struct Line<'a> {
     text: &'a str,
     /// The number of the line, from 1.
@@ -108,25 +109,24 @@ fn line_of<'a>(text: &'a str, span: &Range<usize>) -> Line<'a> {
     Line { text: &text[start..end], number, part: part.start - start..part.end - start }
 }
 
-/// The problems of one file or several, in order of file and place; at least one.
+/// One or more problems of one or more files, in order of file and place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problems(Vec<Problem>);
 
 impl Problems {
-    /// Returns the number of the system's error, if the system did not let one of the files be
-    /// read.
+    /// Returns the number of the system's error, if the system could not read one of the files.
     pub fn os_error(&self) -> Option<i32> {
         self.0.iter().find_map(|problem| problem.os_error)
     }
 
-    /// The problems in order, or `None` where there are none.
+    /// Sorts the problems and removes duplicates. Returns `None` if there are no problems.
     pub fn new(mut problems: Vec<Problem>) -> Option<Self> {
         problems.sort_by(|a, b| a.place().cmp(&b.place()));
         problems.dedup();
         (!problems.is_empty()).then_some(Self(problems))
     }
 
-    /// A single problem with the file of that name as a whole.
+    /// Returns a single problem of the file of that name as a whole.
     pub fn of_file(
         name: impl Into<String>,
         message: impl Into<String>,
@@ -144,7 +144,7 @@ impl Problems {
         }])
     }
 
-    /// The problem of a file that is not read.
+    /// Returns the problem of a file that could not be read.
     pub(crate) fn of_reading(path: &Path, why: &ReadError) -> Self {
         let mut problems = Self::of_file(
             path.display().to_string(),
@@ -157,7 +157,7 @@ impl Problems {
         problems
     }
 
-    /// The problem of a folder that cannot be listed.
+    /// Returns the problem of a folder that could not be listed.
     pub(crate) fn of_listing(folder: &Path, why: &io::Error) -> Self {
         let message = format!("the folder cannot be read: {why}");
         let mut problems = Self::of_file(folder.display().to_string(), message, None);
@@ -165,17 +165,17 @@ impl Problems {
         problems
     }
 
-    /// The problems, in order.
+    /// Iterates over the problems, in order.
     pub fn iter(&self) -> impl Iterator<Item = &Problem> {
         self.0.iter()
     }
 
-    /// The problems as a list.
+    /// Returns the problems as a list.
     pub fn into_vec(self) -> Vec<Problem> {
         self.0
     }
 
-    /// These problems and those of `other`.
+    /// Returns these problems and those of `other`, in order.
     #[must_use]
     pub fn and(mut self, other: Self) -> Self {
         self.0.extend(other.0);
@@ -183,8 +183,8 @@ impl Problems {
         self
     }
 
-    /// The text for people: each problem with its place underlined, then how many there are. Escape
-    /// codes only if `colour`.
+    /// Returns the text for people: each problem with its place underlined, then the numbers of
+    /// problems and files. It has escape codes only if `colour`.
     pub fn render(&self, colour: bool) -> String {
         let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
         let mut text = String::new();
@@ -211,7 +211,7 @@ fn count(n: usize, what: &str) -> String {
     if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
 }
 
-/// The one of `known` that `word` most likely was meant to be, if one is near enough.
+/// Returns the one of `known` that `word` was most likely meant to be, if one is near enough.
 pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let far = |candidate: &str| edits(&word.to_lowercase(), &candidate.to_lowercase());
     let near_enough = |candidate: &str, n: usize| {
@@ -222,7 +222,7 @@ pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) ->
     nearest.filter(|(n, candidate)| near_enough(candidate, *n)).map(|(_, candidate)| candidate)
 }
 
-/// Edit distance, a swap of neighbours counting once; words are cut at 64 characters.
+/// Returns the edit distance. A swap of neighbours counts once; words are cut at 64 characters.
 fn edits(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) =
         (a.chars().take(64).collect(), b.chars().take(64).collect());
@@ -246,7 +246,7 @@ fn edits(a: &str, b: &str) -> usize {
     rows[a.len()][b.len()]
 }
 
-/// A list of names for a message: `` `a`, `b` and `c` ``.
+/// Returns a list of names for a message: `` `a`, `b` and `c` ``; "none" for an empty list.
 pub(crate) fn quoted<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     let names: Vec<String> = names.into_iter().map(|name| format!("`{name}`")).collect();
     match names.split_last() {

@@ -1,9 +1,9 @@
-//! `main` of a submission written in Rust: the three calls of `docs/protocol.md` around the
+//! `main` of a submission written in Rust: the three calls of `docs/protocol.md`, which run the
 //! student's functions.
 //!
-//! The boundary is a trait object, so nothing heavy is compiled with the student's code. A function
-//! whose body is still `todo!()` answers a probe with `todo` and ends a render with [`EXIT_TODO`];
-//! it never looks like a crash.
+//! The boundary is a trait object, so that nothing heavy is compiled with the student's code. A
+//! function whose body is still `todo!()` answers a probe with `todo` and ends a render with
+//! [`EXIT_TODO`], so that it never looks like a crash.
 
 use std::cell::RefCell;
 use std::io::{BufRead, Write};
@@ -18,24 +18,26 @@ use crate::probe::{Answer, Ask, Question, Reply};
 use crate::ray_tree;
 use crate::scene::{self, Scene};
 
-/// Exit code of `render` and `explain` where a function they need is still to be written.
+/// Exit code of `render` and `explain` if a function that they need is still to be written.
 pub const EXIT_TODO: u8 = 75;
 
 const USAGE: &str = "usage: PROGRAM render SCENE.json OUT.png|OUT.pfm
        PROGRAM probe
        PROGRAM explain SCENE.json X Y";
 
-/// A tracer behind the protocol.
+/// A tracer that answers the calls of the protocol.
 pub trait Tracer {
-    /// The colour of pixel (i, j): column from the left, row from the top. [rule 1]
+    /// Returns the colour of pixel (i, j): column from the left, row from the top. [rule 1]
     fn pixel(&self, scene: &Scene, i: u32, j: u32) -> DVec3;
 
-    /// The answer to a question of the unit checks.
+    /// Returns the answer to a question of the unit checks.
     fn answer(&self, ask: &Ask) -> Answer;
 }
 
-/// Carries out the call on the command line. Exit codes: 0 done, 1 the tracer panicked, 2 usage or
-/// unreadable input, [`EXIT_TODO`] a function is still to be written.
+/// Runs the call on the command line.
+///
+/// Exit codes: 0 success, 1 the tracer panicked, 2 wrong usage or unreadable input, [`EXIT_TODO`] a
+/// function is still to be written.
 pub fn run(tracer: &dyn Tracer) -> ExitCode {
     remember_panics();
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -50,7 +52,7 @@ pub fn run(tracer: &dyn Tracer) -> ExitCode {
     ExitCode::from(stop.exit_code())
 }
 
-/// Why a call ended early.
+/// The reason why a call ended early.
 #[derive(Debug)]
 enum Stop {
     Todo(String),
@@ -68,7 +70,7 @@ impl Stop {
     }
 }
 
-/// The call that `args` describe; `input` and `out` are its standard streams.
+/// Runs the call that `args` describe; `input` and `out` are its standard streams.
 fn call(
     tracer: &dyn Tracer,
     args: &[&str],
@@ -113,8 +115,8 @@ fn explain(
     write!(out, "{text}").map_err(|why| Stop::Input(format!("cannot write the ray tree: {why}")))
 }
 
-/// Answers are flushed one by one, so that a function that never returns costs no answer given
-/// before.
+/// Answers the questions of `input`. Answers are flushed one by one, so that a function that never
+/// returns costs no earlier answer.
 fn probe(tracer: &dyn Tracer, input: &mut dyn BufRead, out: &mut dyn Write) -> Result<(), Stop> {
     for line in input.lines() {
         let line = line.map_err(|why| Stop::Input(format!("cannot read a question: {why}")))?;
@@ -147,10 +149,10 @@ thread_local! {
     static LAST_PANIC: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// What `todo!()` puts before its message.
+/// The text that `todo!()` puts before its message.
 const TODO: &str = "not yet implemented";
 
-/// Keeps the message and place of a panic for the reply; prints it unless it is a `todo!()`.
+/// Stores the message and place of every panic for the reply. Prints it unless it is a `todo!()`.
 fn remember_panics() {
     std::panic::set_hook(Box::new(|info| {
         let message = info.payload_as_str().unwrap_or("panic without a message");
@@ -183,7 +185,7 @@ mod tests {
     use crate::ray_tree::RayKind;
     use crate::{Effects, Ray};
 
-    /// Does as the red of the scene's background says, or as the function asked for.
+    /// A tracer controlled by the red of the scene's background, or by the function that is called.
     struct Mixed;
 
     #[expect(clippy::todo, reason = "functions still to be written are what is tested")]
@@ -228,7 +230,7 @@ mod tests {
         })
     }
 
-    /// What the call writes, or the exit code with which it ends.
+    /// Returns the output of the call, or the exit code with which it ends.
     fn check(args: &[&str], input: &str) -> Result<String, u8> {
         remember_panics();
         let mut out = Vec::new();
@@ -238,8 +240,8 @@ mod tests {
         }
     }
 
-    /// The same for a scene with that much red, in a folder of its own; a picture goes to `out.pfm`
-    /// there.
+    /// Runs [`check`] for a scene with that much red, in a temporary folder. Also returns the
+    /// picture `out.pfm`, if the call has written it there.
     fn check_scene(
         red: f64,
         args: impl FnOnce(&str, &str) -> Vec<String>,

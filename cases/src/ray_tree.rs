@@ -1,8 +1,8 @@
-//! The tree of rays behind a pixel, recorded while it is traced, and its text.
+//! The tree of rays behind a pixel, recorded while the pixel is traced, and its text.
 //!
 //! The template's `trace` opens a node with [`enter`], fills it with [`hit`], closes it with
-//! [`leave`]; where nobody records, each of these does nothing. The text shows six digits after the
-//! point: enough to compare by eye, and few enough that rounding seldom shows.
+//! [`leave`]. Outside of [`record`], these functions do nothing. The text shows six digits after
+//! the point: enough to compare by eye, and few enough that rounding seldom shows.
 
 use std::cell::RefCell;
 use std::fmt;
@@ -12,51 +12,51 @@ use serde::{Deserialize, Serialize};
 
 use crate::ray::Ray;
 
-/// Why a ray was cast.
+/// The kind of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum RayKind {
-    /// From the eye through a pixel. [rule 1]
+    /// A ray from the eye through a pixel. [rule 1]
     Eye,
-    /// Along R. [rule 7]
+    /// A reflected ray, along R. [rule 7]
     Reflected,
-    /// Along T. [rule 8]
+    /// A refracted ray, along T. [rule 8]
     Refracted,
 }
 
-/// A ray, what it met, and the rays that this called for.
+/// A ray, its hit, and the rays that it spawned.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RayNode {
-    /// Why it was cast.
+    /// The kind of the ray.
     pub kind: RayKind,
-    /// 0 for the eye ray.
+    /// Depth; 0 for the eye ray.
     pub depth: u32,
-    /// Where it starts.
+    /// The origin.
     pub origin: DVec3,
-    /// Where it goes.
+    /// The direction.
     pub direction: DVec3,
-    /// What it met; `None` is the background.
+    /// The hit; `None` is the background.
     pub met: Option<Met>,
-    /// The colour it brought back, spawned rays included.
+    /// The colour that the ray returned, spawned rays included.
     pub colour: DVec3,
-    /// The rays it spawned, in the order in which they were cast.
+    /// The spawned rays, in the order in which they were cast.
     pub children: Vec<RayNode>,
 }
 
-/// What a ray met.
+/// The hit of a recorded ray.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Met {
     /// The object's name.
     pub object: String,
-    /// Along the ray.
+    /// Parameter along the ray.
     pub t: f64,
-    /// Where.
+    /// The point of the hit.
     pub point: DVec3,
-    /// The normal used for shading, turned against the ray. [rule 11]
+    /// Normal used for shading, turned against the ray. [rule 11]
     pub normal: DVec3,
     /// Whether the ray was inside the object.
     pub inside: bool,
-    /// Emission and direct light there. [rule 3]
+    /// Emission and direct light at the point. [rule 3]
     pub direct: DVec3,
 }
 
@@ -64,7 +64,7 @@ thread_local! {
     static OPEN: RefCell<Option<Vec<RayNode>>> = const { RefCell::new(None) };
 }
 
-/// Runs `trace` and returns the tree of the rays it cast, or `None` where it opened no node.
+/// Runs `trace` and returns the tree of its rays, or `None` if it opened no node.
 pub fn record(trace: impl FnOnce()) -> Option<RayNode> {
     let root = RayNode {
         kind: RayKind::Eye,
@@ -97,7 +97,7 @@ pub fn enter(kind: RayKind, depth: u32, ray: &Ray) {
     });
 }
 
-/// Says what the ray of the open node met; `met` is called only while somebody records.
+/// Records the hit of the open node's ray. `met` is called only within [`record`].
 pub fn hit(met: impl FnOnce() -> Met) {
     with_open(|open| {
         if let Some(node) = open.last_mut() {
@@ -106,7 +106,7 @@ pub fn hit(met: impl FnOnce() -> Met) {
     });
 }
 
-/// Closes the open node with the colour that its ray brought back, and returns that colour.
+/// Closes the open node with the colour that its ray returned, and returns that colour.
 pub fn leave(colour: DVec3) -> DVec3 {
     with_open(|open| {
         if open.len() > 1
@@ -144,10 +144,10 @@ impl RayNode {
         writeln!(f, "{pad}{kind} ray, depth {}", self.depth)?;
         writeln!(f, "{pad}  origin {} direction {}", triple(self.origin), triple(self.direction))?;
         match &self.met {
-            None => writeln!(f, "{pad}  meets nothing")?,
+            None => writeln!(f, "{pad}  hits nothing")?,
             Some(met) => {
                 let side = if met.inside { "inside" } else { "outside" };
-                writeln!(f, "{pad}  meets {} from {side} at t {}", met.object, digits(met.t))?;
+                writeln!(f, "{pad}  hits {} from {side} at t {}", met.object, digits(met.t))?;
                 writeln!(f, "{pad}  point {} normal {}", triple(met.point), triple(met.normal))?;
                 writeln!(f, "{pad}  direct light {}", triple(met.direct))?;
             }
@@ -161,7 +161,7 @@ fn triple(v: DVec3) -> String {
     format!("({}, {}, {})", digits(v.x), digits(v.y), digits(v.z))
 }
 
-/// Six digits after the point, trailing zeros cut, no minus before zero.
+/// Formats a number with six digits after the point, without trailing zeros or a minus before zero.
 fn digits(x: f64) -> String {
     let text = format!("{x:.6}");
     let text =
@@ -202,26 +202,26 @@ mod tests {
         let expected = "\
 eye ray, depth 0
   origin (0, 1, 0) direction (0, -1, 0)
-  meets floor from outside at t 0.666667
+  hits floor from outside at t 0.666667
   point (0, 0, 0) normal (0, 1, 0)
   direct light (0.25, 0.25, 0.25)
   colour (1, 1, 1)
   reflected ray, depth 1
     origin (0, 0, 0) direction (0, -1, 0)
-    meets nothing
+    hits nothing
     colour (0.5, 0, 0)
   refracted ray, depth 1
     origin (0, 0, 0) direction (0, -1, 0)
-    meets nothing
+    hits nothing
     colour (0, 0, 0)
 ";
         assert_eq!(tree.unwrap().to_string(), expected);
     }
 
     #[test]
-    fn nothing_is_recorded_where_nobody_asks() {
+    fn nothing_is_recorded_outside_of_record() {
         enter(RayKind::Eye, 0, &ray(1.0));
-        hit(|| panic!("nobody records"));
+        hit(|| panic!("nothing is recorded"));
         assert_eq!(leave(DVec3::X), DVec3::X);
         assert_eq!(record(|| ()), None);
     }

@@ -1,5 +1,5 @@
-//! The forms of files and messages, said by the types that read them: JSON Schema (draft 07, which
-//! editors understand), and the reference of the scene format for people.
+//! The formats of files and messages, generated from the types that read them. There is JSON Schema
+//! (draft 07, which editors understand), and the reference of the scene format for people.
 
 use std::fmt::Write;
 
@@ -15,27 +15,27 @@ use crate::scene::raw::RawSceneFile;
 use crate::stage::ask;
 use crate::stage::raw::{RawCase, RawStage};
 
-/// The JSON Schema of a case file.
+/// Returns the JSON Schema of a case file.
 pub fn case_schema() -> Value {
     written::<RawCase>("A case of the ray-tracing assignment")
 }
 
-/// The JSON Schema of a scene file outside any stage.
+/// Returns the JSON Schema of a scene file outside any stage.
 pub fn scene_file_schema() -> Value {
     written::<RawSceneFile>("A scene file")
 }
 
-/// The JSON Schema of a `stage.toml`.
+/// Returns the JSON Schema of a `stage.toml`.
 pub fn stage_schema() -> Value {
     written::<RawStage>("A stage of the ray-tracing assignment")
 }
 
-/// The JSON Schema of a `course.toml`.
+/// Returns the JSON Schema of a `course.toml`.
 pub fn course_schema() -> Value {
-    written::<RawCourse>("What a course decides where courses differ")
+    written::<RawCourse>("The choices of a course where courses differ")
 }
 
-/// The JSON Schema of the resolved scene, `SCENE.json`.
+/// Returns the JSON Schema of the resolved scene, `SCENE.json`.
 pub fn scene_schema() -> Value {
     titled(
         SchemaSettings::draft07().into_generator().into_root_schema_for::<Scene>(),
@@ -43,8 +43,8 @@ pub fn scene_schema() -> Value {
     )
 }
 
-/// The JSON Schema of a line of the probe protocol: a question (`definitions/Question`) or a reply
-/// (`definitions/Reply`).
+/// Returns the JSON Schema of a line of the probe protocol: a question (`definitions/Question`) or
+/// a reply (`definitions/Reply`).
 pub fn probe_schema() -> Value {
     let mut generator = SchemaSettings::draft07().into_generator();
     let lines = [generator.subschema_for::<Question>(), generator.subschema_for::<Reply>()];
@@ -54,8 +54,8 @@ pub fn probe_schema() -> Value {
     titled(schema, "A line of the probe protocol")
 }
 
-/// The schema of a file that people write: no key is ever null, and one with a default is not
-/// required.
+/// Returns the schema of a file that people write: no key is ever null, and a key with a default is
+/// not required.
 fn written<T: JsonSchema>(title: &str) -> Value {
     let settings = SchemaSettings::draft07()
         .with_transform(RecursiveTransform(without_null))
@@ -68,7 +68,7 @@ fn titled(mut schema: Schema, title: &str) -> Value {
     schema.to_value()
 }
 
-/// An optional key is left out, not null: TOML has no null.
+/// Removes null from a schema. An optional key is left out, because TOML has no null.
 fn without_null(schema: &mut Schema) {
     if let Some(Value::Array(types)) = schema.get_mut("type") {
         types.retain(|kind| kind != "null");
@@ -87,7 +87,7 @@ fn without_null(schema: &mut Schema) {
     }
 }
 
-/// A key with a default may be left out.
+/// A transform that makes keys with a default optional.
 #[derive(Clone)]
 struct Defaulted;
 
@@ -107,7 +107,7 @@ impl Transform for Defaulted {
     }
 }
 
-/// `docs/scene-format.md`: every table of a case file with its keys, from the same types.
+/// Returns `docs/scene-format.md`: every table of a case file with its keys, from the same types.
 pub fn scene_format_markdown() -> String {
     let mut text = include_str!("schema/scene-format.head.md").to_owned();
     let case = case_schema();
@@ -130,7 +130,7 @@ pub fn scene_format_markdown() -> String {
     text.trim_end().to_owned() + "\n"
 }
 
-/// What the types are called for people, in the order in which they are read.
+/// Headings of the types for people, in the order in which they are read.
 const HEADINGS: &[(&str, &str)] = &[
     ("RawRender", "`[render]`"),
     ("RawVary", "`[vary]`"),
@@ -182,7 +182,7 @@ fn table(text: &mut String, heading: &str, schema: &Value) {
     }
 }
 
-/// The one key of a choice.
+/// Returns the row of the one key of a choice.
 fn choice(choice: &Value) -> Option<String> {
     let (key, property) = choice["properties"].as_object()?.iter().next()?;
     let mut property = property.clone();
@@ -205,7 +205,7 @@ fn default(key: &str, property: &Value, schema: &Value) -> String {
     }
 }
 
-/// A default as it would stand in a file.
+/// Returns a default as it is written in a file.
 fn toml(value: &Value) -> String {
     match value {
         Value::Array(items) => {
@@ -221,7 +221,7 @@ fn toml(value: &Value) -> String {
     }
 }
 
-/// What a key takes, in words.
+/// Describes the values of a key in words.
 fn takes(schema: &Value) -> String {
     if let Some(name) = schema["$ref"].as_str().and_then(|path| path.rsplit('/').next()) {
         return heading(name).to_owned();

@@ -1,5 +1,5 @@
-//! The meshes in `assets/` are what their formulas give. `UPDATE_EXPECTED=1` writes them anew (and
-//! fails, as it then tests nothing).
+//! Tests that the meshes in `assets/` are what their formulas give. `UPDATE_EXPECTED=1` writes them
+//! again, and then fails because nothing was tested.
 
 use std::f64::consts::TAU;
 use std::fmt::Write;
@@ -12,8 +12,8 @@ fn asset(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("assets").join(name)
 }
 
-/// Radius 0.5 about the origin, poles on the y axis: `n_slices` around, `n_stacks` from pole to
-/// pole.
+/// Returns a sphere of radius 0.5 about the origin with poles on the y axis: `n_slices` around,
+/// `n_stacks` from pole to pole.
 fn sphere(n_slices: u32, n_stacks: u32) -> Mesh {
     let normal = |slice: u32, stack: u32| {
         let (around, down) = (
@@ -56,7 +56,7 @@ fn sphere(n_slices: u32, n_stacks: u32) -> Mesh {
     }
 }
 
-/// A tube of radius 0.15 about a circle of radius 0.35 in the plane z = 0.
+/// Returns a tube of radius 0.15 about a circle of radius 0.35 in the plane z = 0.
 fn torus(n_around: u32, n_across: u32) -> Mesh {
     let (mut vertices, mut normals, mut triangles) = (vec![], vec![], vec![]);
     for (i, j) in (0..n_around).flat_map(|i| (0..n_across).map(move |j| (i, j))) {
@@ -73,8 +73,8 @@ fn torus(n_around: u32, n_across: u32) -> Mesh {
     Mesh { vertices, triangles, normals: Some(normals) }
 }
 
-/// The twenty triangles of the icosahedron whose corners lie at distance 0.5 from the origin,
-/// without normals: flat.
+/// Returns the twenty triangles of the icosahedron whose corners lie at distance 0.5 from the
+/// origin. It has no normals, and is flat.
 fn icosahedron() -> Mesh {
     let golden = 0.5 * (1.0 + 5f64.sqrt());
     let corner = |k: usize, a: f64, b: f64| {
@@ -175,7 +175,7 @@ fn meshes_are_what_their_formulas_give() {
     assert!(!is_update, "written; look at them, then run without UPDATE_EXPECTED");
 }
 
-/// The mesh as a scene gets it.
+/// Returns the mesh as a scene gets it.
 fn load(name: &str) -> Mesh {
     let text = format!(
         "render = {{ size = [1, 1] }}\n[scene]\n\
@@ -189,8 +189,8 @@ fn load(name: &str) -> Mesh {
     scene.meshes.remove(0)
 }
 
-/// Every edge is shared by two triangles that run along it in opposite ways; vertex normals agree
-/// with the faces.
+/// Checks that every edge is shared by two triangles that run along it in opposite directions, and
+/// that vertex normals agree with the faces.
 fn check_closed_and_outward(name: &str, mesh: &Mesh) {
     let mut edges = std::collections::HashMap::new();
     let corners = |[a, b, c]: [u32; 3]| [a, b, c].map(|i| mesh.vertices[i as usize]);

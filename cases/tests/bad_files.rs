@@ -1,5 +1,5 @@
-//! Every file in `bad/` is refused with the text that stands beside it. With `UPDATE_EXPECTED=1` in
-//! the environment the texts are written anew, to be read before they are committed; the run then
+//! Tests that every file in `bad/` is refused with the text beside it. With `UPDATE_EXPECTED=1` in
+//! the environment the texts are written again, to be read before they are committed. The run then
 //! fails, so that it cannot pass for a test.
 
 use std::path::{Path, PathBuf};
@@ -94,7 +94,7 @@ fn a_word_of_any_length_makes_a_message_that_people_can_read() {
 }
 
 #[test]
-fn colour_comes_only_when_asked_for() {
+fn escape_codes_are_printed_only_on_request() {
     let problems = cases::scene::parse("x.toml", "a = 1", Path::new(""), &cases::Course::default())
         .expect_err("accepted");
     assert!(problems.render(true).contains('\u{1b}'));

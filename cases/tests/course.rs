@@ -1,4 +1,4 @@
-//! What a course decides: the committed file, what is refused, and where a course is sought.
+//! Tests of courses: the committed file, illegal values, and the search for a course.
 
 use std::path::Path;
 
@@ -70,8 +70,8 @@ fn what_no_course_decides_is_refused_with_its_place_and_a_way_out() {
         ("index_of_air = nan", (1, 16), "this number cannot be used"),
         ("depth = true", (1, 9), "this is true or false, not one of `\"<\"` and `\"<=\"`"),
         ("depth = 1", (1, 9), "`depth` cannot be 1.0"),
-        ("epsilon = 1e-9", (1, 11), "a number from 1e-6 to 1e-3 is due here"),
-        ("epsilon = 0.01", (1, 11), "a number from 1e-6 to 1e-3 is due here"),
+        ("epsilon = 1e-9", (1, 11), "expected a number from 1e-6 to 1e-3"),
+        ("epsilon = 0.01", (1, 11), "expected a number from 1e-6 to 1e-3"),
         ("epsilon = \"small\"", (1, 11), "this is a text, not a number from 1e-6 to 1e-3"),
     ];
     for (text, place, said) in table {
@@ -97,14 +97,14 @@ fn the_course_of_a_case_lies_in_the_folder_of_its_stages_or_beside_it() {
     let depths = || {
         [course::course_of(&stages), course::course_at(&case)].map(|course| course.unwrap().depth)
     };
-    assert_eq!(depths(), [DepthTest::Less; 2], "the lecture, where no file is");
+    assert_eq!(depths(), [DepthTest::Less; 2], "the lecture's course, without a file");
     let file = folder.path().join("mine/course.toml");
     std::fs::write(&file, "depth = \"<=\"").unwrap();
     assert_eq!(depths(), [DepthTest::LessOrEqual; 2]);
     assert_eq!(course::course_of(&stages.join("01_one/..")).unwrap().depth, DepthTest::LessOrEqual);
     let inside = stages.join("course.toml");
     std::fs::write(&inside, "depth = \"<\"").unwrap();
-    assert_eq!(depths(), [DepthTest::Less; 2], "that of the folder itself, as of a varied set");
+    assert_eq!(depths(), [DepthTest::Less; 2], "the file in the folder, as in a varied set");
     std::fs::remove_file(&inside).unwrap();
     let elsewhere = folder.path().join("mine/scene.toml");
     std::fs::write(&elsewhere, "").unwrap();

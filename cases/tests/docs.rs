@@ -1,5 +1,5 @@
-//! `docs/scene-format.md` says what the types say. `UPDATE_EXPECTED=1` writes it anew (and fails,
-//! as it then tests nothing).
+//! Tests that `docs/scene-format.md` is generated from the current types. `UPDATE_EXPECTED=1`
+//! writes it again, and then fails because nothing was tested.
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ fn the_scene_format_is_current() {
     assert_eq!(
         std::fs::read_to_string(path).unwrap(),
         made,
-        "run with UPDATE_EXPECTED=1 to write it anew"
+        "run with UPDATE_EXPECTED=1 to write it again"
     );
 }
 
@@ -40,7 +40,7 @@ fn the_example_of_the_scene_format_is_a_scene() {
     assert_eq!(center.to_array(), [0.0, 0.2, 0.0], "as the text says");
 }
 
-/// Every property of every table is described, and every required key is a property.
+/// Tests that every required key of every table is a property.
 #[test]
 fn schemas_are_whole() {
     use cases::schema::{

@@ -1,4 +1,4 @@
-//! An OpenEXR file counts as the planes R, G and B of its first part.
+//! Tests that an OpenEXR file counts as the planes R, G and B of its first part.
 
 use std::io::Cursor;
 
@@ -15,14 +15,14 @@ use glam::DVec3;
 
 const SIZE: (u32, u32) = (5, 3);
 
-/// Makes a picture with light below 0 and above 1. Swapping two axes or channels would change it.
+/// Returns a picture with light below 0 and above 1. Swapping two axes or channels would change it.
 fn picture() -> Image {
     Image::from_fn(5, 3, |i, j| {
         DVec3::new(f64::from(i) / 4.0 - 0.5, f64::from(j), f64::from(i + 5 * j) / 16.0)
     })
 }
 
-/// Reads all samples of the picture in 16-bit levels.
+/// Returns all samples of the picture in 16-bit levels.
 fn words(bytes: &[u8]) -> Result<Vec<f64>, String> {
     let mut rows = Rows::open(Cursor::new(bytes)).map_err(|why| why.to_string())?;
     assert_eq!((rows.size(), rows.has_bytes()), (SIZE, false));
@@ -72,7 +72,7 @@ fn a_stored_answer_counts_as_the_picture_that_it_expects() {
     );
 }
 
-/// Makes a file of one layer at `at` in a picture of `shown` pixels, with the crate alone.
+/// Returns a file of one layer at `at` in a picture of `shown` pixels, made with the crate alone.
 fn file(
     at: (i32, i32),
     shown: (usize, usize),
@@ -127,8 +127,8 @@ fn files_of_other_programs_are_read_where_they_show_a_whole_picture() {
     }
 }
 
-/// The decoder panics at this file, a stored answer of 7 × 5 pixels in which some bytes were
-/// changed.
+/// Reads a stored answer of 7 × 5 pixels in which some bytes were changed. The decoder panics at
+/// it.
 #[test]
 fn a_file_whose_blocks_do_not_fit_is_damaged() {
     let bytes = include_bytes!("pictures/short_blocks.exr");

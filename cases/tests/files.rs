@@ -1,4 +1,4 @@
-//! `cases::files::write` replaces a file whole, and it replaces regular files only.
+//! Tests that `cases::files::write` replaces a file whole, and that it replaces regular files only.
 
 use std::fs::{self, File};
 use std::io::{self, ErrorKind};
@@ -9,7 +9,7 @@ use std::process::Command;
 
 use cases::files::{Place, WriteError, check, is_stdout, is_stream, is_usage, write};
 
-/// `Home` is a folder with the file `old`, which holds "old".
+/// A folder with the file `old`, which holds "old".
 struct Home(tempfile::TempDir);
 
 impl Home {
@@ -27,7 +27,7 @@ impl Home {
         fs::read_to_string(self.at(name)).unwrap()
     }
 
-    /// Returns the names in the folder, which would include parts that stayed behind.
+    /// Returns the names in the folder, which would include parts that were not removed.
     fn names(&self) -> Vec<String> {
         let entries = fs::read_dir(self.0.path()).unwrap();
         let mut names: Vec<String> =

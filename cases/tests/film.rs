@@ -1,17 +1,16 @@
-//! Image files: what is written can be read, and what is no picture of the size asked for is
-//! refused with a reason.
+//! Tests of image files: what is written can be read, and other files are refused with a reason.
 
 use cases::film::{Image, Kind, PictureError, Quantiser, byte, encode, level, read_exact};
 use glam::DVec3;
 
-/// A picture that no two axes or channels can be swapped in unseen.
+/// Returns a picture in which no two axes or channels can be swapped unnoticed.
 fn picture() -> Image {
     Image::from_fn(5, 3, |i, j| {
         DVec3::new(f64::from(i) / 4.0, f64::from(j) / 2.0, f64::from(i + 5 * j) / 14.0)
     })
 }
 
-/// Largest error of a channel after a trip through a file of that kind.
+/// Returns the largest error of a channel after a picture was written and read as that kind.
 fn trip(kind: Kind) -> f64 {
     let bytes = encode(kind, &picture()).unwrap();
     let read = read_exact(&bytes, 5, 3).unwrap();
@@ -58,7 +57,7 @@ fn light_is_quantised_by_rounding_and_clamping() {
     assert_eq!(Quantiser::Truncating.word(0.5), 32767);
 }
 
-/// What the refusal of `bytes` as a picture of 5×3 pixels says.
+/// Returns the reason why `bytes` are refused as a picture of 5×3 pixels.
 fn refusal(bytes: &[u8]) -> String {
     match read_exact(bytes, 5, 3) {
         Ok(_) => "accepted".to_owned(),
@@ -66,7 +65,7 @@ fn refusal(bytes: &[u8]) -> String {
     }
 }
 
-/// Makes a PFM of this header and so many bytes, which count up from 0.
+/// Returns a PFM of this header and `n_bytes` bytes, which count up from 0.
 fn pfm(header: &str, n_bytes: usize) -> Vec<u8> {
     let light = (0..n_bytes).map(|n| (n % 127) as u8);
     header.bytes().chain(light).collect()
@@ -106,7 +105,7 @@ fn what_is_no_picture_of_that_size_is_refused() {
         (pfm(&format!("PF\n#{}\n5 3\n-1.0\n", "x".repeat(4096)), 180), "the header does not end"),
         (pfm(&format!("PF\n{} 3\n-1.0\n", "5".repeat(40)), 180), "overlong"),
         (pfm("PF\n5\u{e9} 3\n-1.0\n", 180), "where a number belongs"),
-        (pfm("PFM\n5 3\n-1.0\n", 180), "a letter behind"),
+        (pfm("PFM\n5 3\n-1.0\n", 180), "a letter after"),
     ] {
         let said = refusal(&bytes);
         assert!(said.contains(says), "{said:?} does not say {says:?}");
@@ -141,7 +140,7 @@ fn a_header_of_any_line_end_is_read_alike() {
         plain.pixel(0, 2).y,
         "shifted by a byte"
     );
-    // The sign of the scale says the order of bytes: here 1.0 in big-endian floats, grey.
+    // The sign of the scale gives the order of bytes: here 1.0 in big-endian floats, grey.
     let grey = [&b"Pf\n2 1\n+1.0\n"[..], &1.0f32.to_be_bytes(), &0.5f32.to_be_bytes()].concat();
     assert_eq!(read_exact(&grey, 2, 1).unwrap().pixels(), [DVec3::ONE, DVec3::splat(0.5)]);
 }

@@ -1,5 +1,5 @@
-//! Mesh files of every kind give their mesh, and what is no mesh is refused with a reason and a
-//! place.
+//! Tests that mesh files of every kind give their mesh, and that other files are refused with a
+//! reason and a place.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -8,13 +8,14 @@ use cases::glam::DVec3;
 use cases::problem::Problems;
 use cases::{Mesh, scene};
 
-/// Where the mesh files of these tests are.
+/// Returns the folder of the mesh files of these tests.
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/meshes")
 }
 
-/// The mesh that a scene gets from a file. Its name says how: `NAME.flat.obj` is read with
-/// `smooth = false`, `NAME.smooth.obj` with `smooth = true`, any other name without the key.
+/// Returns the mesh that a scene gets from a file. The file's name decides how it is read:
+/// `NAME.flat.obj` with `smooth = false`, `NAME.smooth.obj` with `smooth = true`, any other name
+/// without the key.
 fn read(path: &Path) -> Result<Mesh, Problems> {
     let name = path.file_name().unwrap().to_str().unwrap();
     let smooth = [(".flat.", ", smooth = false"), (".smooth.", ", smooth = true")];
@@ -28,7 +29,7 @@ fn read(path: &Path) -> Result<Mesh, Problems> {
         .map(|mut scene| scene.meshes.remove(0))
 }
 
-/// The mesh of a PLY file of these bytes.
+/// Returns the mesh of a PLY file of these bytes.
 fn load(bytes: &[u8]) -> Result<Mesh, String> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("mesh.ply");
@@ -36,7 +37,7 @@ fn load(bytes: &[u8]) -> Result<Mesh, String> {
     read(&path).map_err(|why| why.to_string())
 }
 
-/// What a file gives: its mesh, or what is wrong and what to do.
+/// Returns the mesh of a file as text, or its problem and the way to fix it.
 fn report(path: &Path) -> String {
     let mut text = String::new();
     match read(path) {
@@ -61,7 +62,7 @@ fn report(path: &Path) -> String {
     text
 }
 
-/// The files of a folder, in order of their names.
+/// Returns the files of a folder, in order of their names.
 fn files(name: &str) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder().join(name)).unwrap();
     let mut files: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
@@ -70,8 +71,9 @@ fn files(name: &str) -> Vec<PathBuf> {
     files
 }
 
-/// Compares what the files of a folder give with the text beside it. With `UPDATE_EXPECTED=1` in
-/// the environment the text is written again, and the test fails, so that somebody reads it.
+/// Compares the reports about the files of a folder with the text beside it. With
+/// `UPDATE_EXPECTED=1` in the environment the text is written again, and the test fails, so that
+/// somebody reads it.
 fn check(name: &str) {
     let name_of = |path: &Path| path.file_name().unwrap().to_str().unwrap().to_owned();
     let found: String =
@@ -127,8 +129,8 @@ fn messages_are_short() {
     }
 }
 
-/// Four corners with normals, and what no mesh needs: a colour, an element of other things in
-/// between, another list.
+/// Returns a header of four corners with normals, and of parts that no mesh needs: a colour, an
+/// element between the others, another list.
 fn header(encoding: &str, number: &str, index: &str) -> String {
     let numbers = ["x", "y", "red", "z", "nx", "ny", "nz"]
         .map(|name| format!("property {number} {name}\n"))
@@ -156,7 +158,7 @@ fn text() -> Vec<u8> {
     format!("{}{lines}2 0 1\n{faces}", header("ascii", "float", "int")).into_bytes()
 }
 
-/// With the bytes of numbers, of shorts and of indices by these functions.
+/// Returns a binary file. These functions give the bytes of numbers, of shorts and of indices.
 fn binary<const N: usize, const I: usize>(
     header: &str,
     number: fn(f32) -> [u8; N],

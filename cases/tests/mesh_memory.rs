@@ -1,11 +1,11 @@
-//! A mesh file takes memory in proportion to its bytes, whatever it promises or repeats.
+//! Tests that a mesh file takes memory in proportion to its bytes, whatever it promises or repeats.
 #![cfg(target_os = "linux")]
 
 use std::path::Path;
 
 use cases::{Mesh, scene};
 
-/// The most bytes that this process has held at once so far, as the system counts them.
+/// Returns the most bytes that this process has held at once so far, as the system counts them.
 fn peak() -> usize {
     let status = std::fs::read_to_string("/proc/self/status").unwrap();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:")).unwrap();
@@ -26,7 +26,7 @@ fn read(folder: &Path, name: &str, bytes: &[u8]) -> Option<Mesh> {
 
 const BYTES: usize = 1 << 20;
 
-/// Some `BYTES` of a file: a head, and one part again and again.
+/// Returns about `BYTES` bytes of a file: a head, and one part again and again.
 fn repeated(head: &str, part: &str) -> Vec<u8> {
     let mut bytes = head.as_bytes().to_vec();
     while bytes.len() < BYTES {
@@ -43,7 +43,7 @@ fn ply(encoding: &str, n_vertices: usize, kind: &str, n_faces: usize) -> String 
     )
 }
 
-/// A comb: a polygon of as many corners as fit, half of which point inwards.
+/// Returns a comb: a polygon of as many corners as fit, half of which point inwards.
 fn comb() -> Vec<u8> {
     let n = BYTES / 20;
     let tooth = |i: usize| format!("v {i} {} 0\n", if i.is_multiple_of(2) { 5 } else { 1 });
@@ -100,7 +100,7 @@ fn memory_is_in_proportion_to_the_file() {
     }
     let most = 100 * BYTES;
     assert!(peak() < most, "{} bytes at once", peak());
-    // The measure sees memory that is held.
+    // The measure must count memory that is held.
     let held = vec![1_u8; most];
     assert!(peak() > held.len());
 }

@@ -1,11 +1,11 @@
-//! Mesh files that a seeded hand has changed are read or refused; nothing else happens.
+//! Tests that mesh files with random changes are read or refused, and that nothing else happens.
 
 use std::path::{Path, PathBuf};
 
 use cases::problem::Problems;
 use cases::{Mesh, scene};
 
-/// Knuth's linear congruential generator; the high bits are the good ones.
+/// Knuth's linear congruential generator, of which the high bits are used.
 struct Dice(u64);
 
 impl Dice {
@@ -62,7 +62,7 @@ const SCRAPS: [&[u8]; 40] = [
     b"end_header\n",
 ];
 
-/// `bytes` with a digit changed, or with one or two stretches replaced: by scraps, by other
+/// Returns `bytes` with a digit changed, or with one or two stretches replaced: by scraps, by other
 /// stretches, or by random bytes.
 fn mutated(bytes: &[u8], dice: &mut Dice) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
@@ -88,7 +88,7 @@ fn mutated(bytes: &[u8], dice: &mut Dice) -> Vec<u8> {
     bytes
 }
 
-/// Some bytes that resemble nothing, or one of the formats a little.
+/// Returns random bytes, some of which begin like a file of one of the formats.
 fn arbitrary(dice: &mut Dice) -> Vec<u8> {
     let start: &[u8] = dice.pick(&[
         &b""[..],
@@ -115,7 +115,7 @@ fn read(path: &Path, smooth: &str) -> Result<Mesh, Problems> {
         .map(|mut scene| scene.meshes.remove(0))
 }
 
-/// Whether a mesh holds what a scene promises.
+/// Returns whether what holds for every scene holds for a mesh.
 fn is_sound(mesh: &Mesh) -> bool {
     let n = mesh.vertices.len();
     let is_usable = |v: &cases::glam::DVec3| v.is_finite() && v.abs().max_element() <= 1e18;
@@ -129,8 +129,9 @@ fn is_sound(mesh: &Mesh) -> bool {
             .is_none_or(|normals| normals.len() == n && normals.iter().all(is_unit))
 }
 
-/// Reads each of `n` files that `draw` makes, in every way, and demands a sound mesh or a problem
-/// with a message that people can read. Returns how many were read and how many were refused.
+/// Reads each of `n` files that `draw` makes, in every way. The result must be a sound mesh, or a
+/// problem with a message that people can read. Returns how many were read and how many were
+/// refused.
 fn check(end: &str, n: usize, mut draw: impl FnMut(&mut Dice) -> Vec<u8>) -> [usize; 2] {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(format!("mesh.{end}"));
@@ -164,7 +165,7 @@ fn check(end: &str, n: usize, mut draw: impl FnMut(&mut Dice) -> Vec<u8>) -> [us
     counts
 }
 
-/// The files of that format that can be read, small enough to be changed often.
+/// Returns the files of that format that can be read and are small enough to be changed often.
 fn seeds(end: &str) -> Vec<Vec<u8>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/meshes");
     let list = |name: &str| {

@@ -1,10 +1,10 @@
-//! Files that were good until a seeded hand changed them are read or refused; nothing else happens.
+//! Tests that good files with random changes are read or refused, and that nothing else happens.
 
 use std::path::Path;
 
 use cases::scene;
 
-/// Knuth's linear congruential generator; the high bits are the good ones.
+/// Knuth's linear congruential generator, of which the high bits are used.
 struct Dice(u64);
 
 impl Dice {
@@ -33,8 +33,8 @@ const SCRAPS: [&str; 16] = [
     "group = [{}]\n",
 ];
 
-/// `text` with a digit changed, or with one to four stretches replaced by scraps or by other
-/// stretches of itself.
+/// Returns `text` with a digit changed, or with one to four stretches replaced by scraps or by
+/// other stretches of itself.
 fn mutated(text: &str, dice: &mut Dice) -> String {
     let mut bytes = text.as_bytes().to_vec();
     if dice.below(2) == 0 {
@@ -58,8 +58,8 @@ fn mutated(text: &str, dice: &mut Dice) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// Reads 2,000 mutations; whatever is read must hold what a scene promises, whatever is refused
-/// must say why and where.
+/// Reads 2,000 mutations. What holds for every scene must hold for those that are read. Problems
+/// must say why and where a file is wrong.
 fn check(text: &str, read: impl Fn(&str) -> Result<cases::Scene, cases::problem::Problems>) {
     let (mut n_read, mut n_refused) = (0, 0);
     let mut dice = Dice(7);

@@ -1,4 +1,4 @@
-//! Mutated pictures and arbitrary bytes are read or refused, without a panic and in bounded memory.
+//! Tests that mutated pictures and arbitrary bytes are read or refused, in bounded memory.
 
 use std::io::Cursor;
 use std::panic::catch_unwind;
@@ -10,7 +10,7 @@ use glam::DVec3;
 
 const SIZE: (u32, u32) = (13, 11);
 
-/// Knuth's linear congruential generator; the high bits are the good ones.
+/// Knuth's linear congruential generator, of which the high bits are used.
 struct Dice(u64);
 
 impl Dice {
@@ -92,7 +92,7 @@ fn read(bytes: &[u8]) -> Result<(), PictureError> {
     match (exact, rows) {
         (Ok(exact), rows) => {
             let rows = rows.expect("read whole, but not row by row").expect("the size demanded");
-            assert_eq!(format!("{rows:?}"), format!("{exact:?}")); // NaN is like NaN
+            assert_eq!(format!("{rows:?}"), format!("{exact:?}")); // as text, NaN equals NaN
             Ok(())
         }
         (Err(PictureError::Foreign { .. } | PictureError::Size { .. }), Ok(_)) => Ok(()),
@@ -150,7 +150,7 @@ fn arbitrary_bytes_never_panic() {
     }
 }
 
-/// The test below sets this variable when it runs itself again in little memory.
+/// Variable that the test below sets when it runs itself again in little memory.
 const AGAIN: &str = "CASES_TEST_IN_LITTLE_MEMORY";
 
 /// Returns files of a few hundred bytes whose headers claim gigabytes.

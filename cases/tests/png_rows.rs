@@ -1,5 +1,5 @@
-//! Both readers of PNGs give the same levels for every kind of file, and refuse the same damaged
-//! files.
+//! Tests that both readers of PNGs give the same levels for every kind of file, and refuse the same
+//! damaged files.
 
 use std::borrow::Cow;
 use std::io::Cursor;
@@ -10,7 +10,7 @@ use png::{BitDepth, ColorType, Info};
 const WIDTH: u32 = 13;
 const HEIGHT: u32 = 11;
 
-/// A PNG of that kind whose samples are all different, as far as they can be.
+/// Returns a PNG of that kind whose samples are all different, as far as they can be.
 fn picture(colour: ColorType, depth: BitDepth, extra: impl Fn(&mut Info<'static>)) -> Vec<u8> {
     let mut info = Info::with_size(WIDTH, HEIGHT);
     (info.color_type, info.bit_depth) = (colour, depth);
@@ -27,8 +27,8 @@ fn picture(colour: ColorType, depth: BitDepth, extra: impl Fn(&mut Info<'static>
     bytes
 }
 
-/// The seven passes over an RGB picture: first column and row, steps along both; each row behind a
-/// filter byte of 0.
+/// Returns the seven passes over an RGB picture, with a filter byte of 0 before each row. A pass is
+/// given by its first column and row, and by the steps along both.
 fn interlaced(sample: impl Fn(usize) -> u8) -> Vec<u8> {
     let passes = [
         [0, 0, 8, 8],
@@ -52,7 +52,7 @@ fn interlaced(sample: impl Fn(usize) -> u8) -> Vec<u8> {
     bytes
 }
 
-/// `bytes` as a zlib stream of one block that is not compressed.
+/// Returns `bytes` as a zlib stream of one block that is not compressed.
 fn stored(bytes: &[u8]) -> Vec<u8> {
     let n = u16::try_from(bytes.len()).unwrap();
     let (a, b) = bytes.iter().fold((1, 0), |(a, b), byte| {
@@ -155,7 +155,7 @@ fn all_sixteen_bits_are_kept() {
     }
 }
 
-/// Makes a PNG with another chunk in front of its pixels.
+/// Returns a PNG with another chunk before its pixels.
 fn with_chunk(kind: &[u8; 4], body: &[u8]) -> Vec<u8> {
     let mut info = Info::with_size(WIDTH, HEIGHT);
     (info.color_type, info.bit_depth) = (ColorType::Rgb, BitDepth::Eight);
@@ -226,17 +226,14 @@ fn what_stands_beside_the_pixels_must_be_whole_but_counts_for_nothing() {
     let broken: Vec<u8> =
         note.iter().enumerate().map(|(n, byte)| if n == at { byte ^ 1 } else { *byte }).collect();
     assert!(refusal("a broken note", &broken).contains("the PNG is damaged: CRC error"));
-    assert_eq!(refusal("bytes behind the end mark", &[&note[..], b"more"].concat()), "accepted");
+    assert_eq!(refusal("bytes after the end mark", &[&note[..], b"more"].concat()), "accepted");
     assert_eq!(
         refusal("a profile that is none", &with_chunk(b"iCCP", b"x\0\0no zlib stream")),
         "accepted"
     );
     let huge = with_chunk(b"eXIf", &vec![0; 20 << 20]);
     assert!(refusal("20 MiB of notes", &huge).contains("beside its pixels has more than"));
-    assert!(
-        refusal("a chunk that nobody knows", &with_chunk(b"BANG", b"x"))
-            .contains("the PNG is damaged")
-    );
+    assert!(refusal("an unknown chunk", &with_chunk(b"BANG", b"x")).contains("the PNG is damaged"));
 }
 
 #[test]

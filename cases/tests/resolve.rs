@@ -1,4 +1,4 @@
-//! What resolving does, against numbers worked out on paper and against properties.
+//! Tests of resolving, against numbers computed by hand and against properties.
 
 use std::path::Path;
 
@@ -14,7 +14,7 @@ fn parse(body: &str) -> Scene {
         .unwrap_or_else(|problems| panic!("{problems}"))
 }
 
-/// M of a single sphere under these transforms.
+/// Returns M of a single sphere under these transforms.
 fn matrix(transforms: &str) -> DAffine3 {
     parse(&format!(
         "objects = [{{ sphere = {{}}, material = \"m\", transforms = [{transforms}] }}]"
@@ -60,8 +60,8 @@ fn a_group_acts_after_its_objects_and_lends_its_material() {
     );
 }
 
-/// A normal stays perpendicular to its surface: (A⁻ᵀ N)·(A v) = 0 for every v in the surface. [rule
-/// 20]
+/// Checks that a normal stays perpendicular to its surface: (A⁻ᵀ N)·(A v) = 0 for every v in the
+/// surface. [rule 20]
 #[test]
 fn normals_stay_perpendicular_and_inverses_undo() {
     let transforms = "{ scale = [1, 3, 0.2] }, { rotate = { axis = [1, 2, 3], angle_deg = 77 } }, \
@@ -88,7 +88,7 @@ fn the_camera_has_a_right_handed_frame() {
     assert_eq!(camera.forward, DVec3::NEG_Z);
     assert!((camera.right.cross(camera.up) + camera.forward).length() < 1e-15);
     assert!(camera.up.dot(DVec3::new(0.3, 2.0, 1.0)) > 0.0);
-    assert!(camera.right.x > 0.9, "+x is to the right of one who looks along −z with y up");
+    assert!(camera.right.x > 0.9, "+x is to the right in a view along −z with y up");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Scene files that are right.
+//! Tests of scene files without mistakes.
 
 use std::path::Path;
 

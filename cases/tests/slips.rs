@@ -1,5 +1,5 @@
-//! A slip in any single value of a case or of a file of unit checks is reported with its place, and
-//! ends nothing.
+//! Tests that a slip in any single value of a case or of a file of unit checks is reported with its
+//! place. The rest of the file is read as well.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,8 +9,8 @@ use cases::stage::{self, Stage};
 use cases::{Course, Effects};
 use toml::Value;
 
-/// What people write by mistake: another type, a list of another length, a number out of range,
-/// nothing.
+/// Returns what people write by mistake: another type, a list of another length, a number out of
+/// range, nothing.
 fn slips() -> Vec<Value> {
     let list = |items: &[f64]| Value::Array(items.iter().map(|item| Value::Float(*item)).collect());
     vec![
@@ -26,7 +26,7 @@ fn slips() -> Vec<Value> {
     ]
 }
 
-/// The places of all values in `value`, each as the keys and indices that lead to it.
+/// Returns the places of all values in `value`, each as the keys and indices that lead to it.
 fn places(value: &Value) -> Vec<Vec<String>> {
     let inner: Vec<(String, &Value)> = match value {
         Value::Table(table) => table.iter().map(|(key, value)| (key.clone(), value)).collect(),
@@ -43,7 +43,7 @@ fn places(value: &Value) -> Vec<Vec<String>> {
     all
 }
 
-/// The value at `place`.
+/// Returns the value at `place`.
 fn at<'a>(value: &'a mut Value, place: &[String]) -> &'a mut Value {
     place.iter().fold(value, |value, step| match value {
         Value::Array(items) => &mut items[step.parse::<usize>().unwrap()],
@@ -51,7 +51,7 @@ fn at<'a>(value: &'a mut Value, place: &[String]) -> &'a mut Value {
     })
 }
 
-/// Replaces every value of the file at `path` by every slip. Returns how many were refused.
+/// Replaces every value of the file at `path` by every slip in turn. Returns how many were refused.
 fn check<T>(path: &Path, read: impl Fn(&str) -> Result<T, Problems>) -> usize {
     let text = fs::read_to_string(path).unwrap();
     let right: Value = Value::Table(text.parse().unwrap());

@@ -1,4 +1,4 @@
-//! Stages: what is in a folder of them, and what is wrong with one.
+//! Tests of stages: the content of a folder of stages, and the errors of one.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -53,7 +53,7 @@ fn a_case_has_the_effects_that_it_calls_for_and_its_stage_allows() {
 }
 
 #[test]
-fn every_function_can_be_asked() {
+fn every_function_can_be_called() {
     let stages = stages();
     let checks = &stages[0].checks;
     let asked: BTreeSet<&str> = checks.iter().map(|check| check.ask.function()).collect();

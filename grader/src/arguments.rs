@@ -1,4 +1,4 @@
-//! The command line: what can be typed.
+//! The command-line arguments of the grader.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -14,21 +14,21 @@ Exit codes:
   0    done, and everything passed
   1    done, something did not pass
   2    usage, or input that cannot be read
-  3    the machine or the grader failed, even where something else did not pass: no points are final
-  130  interrupted; what was done until then is kept";
+  3    the machine or the grader failed, even if something else did not pass: no points are final
+  130  interrupted; finished work is kept";
 
 /// Grades submissions of the ray-tracing assignment: builds them, runs them under limits, judges,
 /// scores and reports.
 #[derive(Debug, Parser)]
 #[command(name = "grader", version, after_help = CODES, propagate_version = true)]
 pub(crate) struct Arguments {
-    /// Colour in what is printed
+    /// When to colour the output
     #[arg(long, value_enum, default_value_t = Color::Auto, global = true, value_name = "WHEN")]
     pub(crate) color: Color,
-    /// Say nothing but what was asked for
+    /// Print only the requested output
     #[arg(short, long, global = true, conflicts_with = "verbose")]
     quiet: bool,
-    /// Say more: compiler warnings, what programs print, what each check is about
+    /// Print more: compiler warnings, the output of programs, the subject of each check
     #[arg(short, long, global = true)]
     verbose: bool,
     #[command(subcommand)]
@@ -36,13 +36,13 @@ pub(crate) struct Arguments {
 }
 
 impl Arguments {
-    /// How much is to be said.
+    /// Returns how much is to be printed.
     pub(crate) fn talk(&self) -> Talk {
         Talk { is_quiet: self.quiet, is_verbose: self.verbose }
     }
 }
 
-/// When to colour.
+/// The values of `--color`.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub(crate) enum Color {
     /// On a terminal, unless NO_COLOR is set
@@ -78,7 +78,7 @@ pub(crate) enum Command {
     Man(Man),
 }
 
-/// Which cases, and which part of them.
+/// The options that select stages, cases and checks.
 #[derive(Debug, Args)]
 pub(crate) struct Selection {
     /// Folder of the stages [default: cases/stages here, else beside the binary]
@@ -87,7 +87,7 @@ pub(crate) struct Selection {
     /// Only this stage, such as 02 or 02_shadows; may be repeated
     #[arg(long, value_name = "STAGE")]
     stage: Vec<String>,
-    /// Only cases and checks whose id, or name behind the stage, begins so, such as
+    /// Only cases and checks whose id, or name without the stage, begins with ID, such as
     /// 01_ray_casting/sphere or sphere; may be repeated
     #[arg(long, value_name = "ID")]
     case: Vec<String>,
@@ -98,13 +98,17 @@ impl Selection {
         stages(self.cases.as_deref())
     }
 
-    /// What is to be graded at `path`.
+    /// Returns the options for grading `path` with this selection.
     pub(crate) fn options(&self, path: &Path) -> Options {
         Options { stages: self.stage.clone(), cases: self.case.clone(), ..Options::new(path) }
     }
 }
 
-/// The folder of the stages: as given, `cases/stages` here, or the one nearest above the binary.
+/// Returns the folder of the stages: `given`, `cases/stages` in the current folder, or the
+/// `cases/stages` nearest above the binary.
+///
+/// # Errors
+/// Returns [`GradeError::Input`] if `given` is `None` and neither folder exists.
 pub(crate) fn stages(given: Option<&Path>) -> Result<PathBuf, GradeError> {
     if let Some(given) = given {
         return Ok(given.to_owned());
@@ -113,19 +117,19 @@ pub(crate) fn stages(given: Option<&Path>) -> Result<PathBuf, GradeError> {
     let beside =
         binary.ancestors().map(|folder| folder.join("cases/stages")).find(|stages| stages.is_dir());
     let here = Some(PathBuf::from("cases/stages")).filter(|stages| stages.is_dir());
-    let none = "there are no cases: neither cases/stages here nor beside the binary; say where \
-        with --cases DIR";
+    let none = "there are no cases: neither cases/stages here nor beside the binary; name \
+        their folder with --cases DIR";
     here.or(beside).ok_or_else(|| GradeError::Input(none.to_owned()))
 }
 
-/// What programs may use.
+/// The limits of programs.
 #[derive(Debug, Args)]
 pub(crate) struct Limit {
     /// Seconds of CPU time that a program has for a picture, or for the unit checks of a stage
     ///
-    /// All processes of the program count together. A program that is idle for half as long is
-    /// stopped too. By the clock it has six times as long and 10 s, so that others on the machine
-    /// do not matter.
+    /// The CPU time of all processes of the program counts. A program is also stopped if it is idle
+    /// for half as long, but at least 1 s. The limit by the clock is six times as long plus 10 s,
+    /// so that other programs on the machine do not matter.
     #[arg(
         long,
         value_name = "SECONDS",
@@ -133,7 +137,7 @@ pub(crate) struct Limit {
         value_parser = clap::value_parser!(u16).range(1..)
     )]
     time_limit: u16,
-    /// Mebibytes of memory that a program may take
+    /// Mebibytes of memory that a program may use
     #[arg(
         long,
         value_name = "MIB",
@@ -152,7 +156,7 @@ impl Limit {
     }
 }
 
-/// Where reports go.
+/// The options that name report files.
 #[derive(Debug, Args)]
 pub(crate) struct Reports {
     /// Write the whole record as JSON; - is standard output
@@ -182,11 +186,11 @@ Examples:
   grader grade --case 01_ray_casting/sphere        the checks of one function
   grader grade tests/solution --json record.json --junit junit.xml
 
-Exit codes: 0 everything passed, 1 something did not, 2 usage or what is no submission (an empty
+Exit codes: 0 everything passed, 1 something did not, 2 usage or not a submission (an empty
 folder, an archive that cannot be read), 3 the machine or the grader failed (whatever else did not
 pass: no points are final), 130 interrupted")]
 pub(crate) struct Grade {
-    /// Folder or archive; standard input is none
+    /// Folder or archive, not standard input
     #[arg(default_value = ".", value_parser = submission)]
     pub(crate) submission: PathBuf,
     #[command(flatten)]
@@ -195,23 +199,23 @@ pub(crate) struct Grade {
     pub(crate) limit: Limit,
     #[command(flatten)]
     pub(crate) reports: Reports,
-    /// Programs that run at once [default: one a core]
+    /// Number of programs that run at once [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(crate) jobs: Option<u16>,
 }
 
 /// Grade a class: every folder and archive in DIR
 ///
-/// Writes a record and a report for each submission, and the table of the class as CSV and HTML.
-/// What has been graded and has not changed since is not graded again, so a run that was
-/// interrupted or killed goes on where it was.
+/// Writes a record and a report for each submission, and the table of the class as CSV and HTML. A
+/// submission that was graded before and has not changed is not graded again, so a run that was
+/// interrupted or killed continues where it stopped.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   grader batch handins -o results
   grader batch handins -o results --stage 02 --jobs 4
 
-Exit codes: 0 all are graded (however well), 2 usage or no submissions, 3 some could not be
+Exit codes: 0 all are graded (with any score), 2 usage or no submissions, 3 some could not be
 graded, 130 interrupted")]
 pub(crate) struct Batch {
     /// Folder of the submissions
@@ -222,7 +226,7 @@ pub(crate) struct Batch {
     pub(crate) out: PathBuf,
     #[command(flatten)]
     pub(crate) limit: Limit,
-    /// Submissions that are graded at once [default: one a core]
+    /// Number of submissions that are graded at once [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(crate) jobs: Option<u16>,
     /// Folder of the stages [default: cases/stages here, else beside the binary]
@@ -277,7 +281,7 @@ pub(crate) struct Compare {
     /// The other picture; - is standard input
     #[arg(required_unless_present = "answer", conflicts_with = "answer")]
     pub(crate) b: Option<PathBuf>,
-    /// 8-bit levels by which a channel may differ [default: 0, or what the answer says]
+    /// 8-bit levels by which a channel may differ [default: 0, or the slack of the answer]
     #[arg(long, value_name = "LEVELS", value_parser = levels)]
     pub(crate) tolerance: Option<f64>,
     /// A stored answer instead of the second picture: STAGES/STAGE/CASE.answer.exr, with its case
@@ -293,9 +297,9 @@ Examples:
   grader explain . 04_refraction/prism 80 33     column 80 from the left, row 33 from the top
 
 Exit codes: 0 printed, 1 the submission does not build or cannot explain, 2 usage, no such case or
-pixel, or what is no submission, 3 the machine or the grader failed, 130 interrupted")]
+pixel, or not a submission, 3 the machine or the grader failed, 130 interrupted")]
 pub(crate) struct Explain {
-    /// Folder or archive; standard input is none
+    /// Folder or archive, not standard input
     #[arg(value_parser = submission)]
     pub(crate) submission: PathBuf,
     /// Id of an image case
@@ -309,7 +313,7 @@ pub(crate) struct Explain {
     pub(crate) cases: Option<PathBuf>,
 }
 
-/// Check case files and answers, and say everything that is wrong with them
+/// Check case files and answers, and report everything that is wrong with them
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -322,14 +326,14 @@ pub(crate) struct Lint {
     pub(crate) folder: Option<PathBuf>,
 }
 
-/// Say what this machine has and lacks for grading
+/// Check that this machine has everything that grading needs
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   grader doctor                                  before the first `grader batch` on a machine
   grader doctor --cases my-course/stages
 
-Exit codes: 0 all is there, 3 something is missing")]
+Exit codes: 0 nothing is missing, 3 something is missing")]
 pub(crate) struct Doctor {
     /// Folder of the stages [default: cases/stages here, else beside the binary]
     #[arg(long, value_name = "DIR")]
@@ -340,7 +344,7 @@ pub(crate) struct Doctor {
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
-  grader schema > grade-record.schema.json       the form of what `grade --json` writes
+  grader schema > grade-record.schema.json       the schema of what `grade --json` writes
 
 Exit codes: 0 printed, 2 usage")]
 pub(crate) struct Schema {}
@@ -372,7 +376,7 @@ pub(crate) struct Man {
     pub(crate) what: Option<PathBuf>,
 }
 
-/// A folder or an archive. `-` would be taken for a file of that name, which nobody means.
+/// Parses the path of a submission. Refuses `-`, which would name a file but is never meant as one.
 fn submission(text: &str) -> Result<PathBuf, String> {
     match text {
         "-" => {
@@ -383,7 +387,7 @@ fn submission(text: &str) -> Result<PathBuf, String> {
     }
 }
 
-/// A number of 8-bit levels.
+/// Parses a number of 8-bit levels, from 0 to 255.
 fn levels(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|levels| (0.0..=255.0).contains(levels));
     number.ok_or_else(|| "a number from 0 to 255".to_owned())

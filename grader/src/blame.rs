@@ -5,7 +5,7 @@ use std::io;
 
 use cases::problem::Problems;
 
-/// The party whose fault an I/O error is.
+/// The party to blame for an I/O error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Blame {
     /// The machine that grades: it lacks room, memory or handles, or a device fails. Another try
@@ -16,11 +16,12 @@ pub enum Blame {
     File,
 }
 
-/// Returns whose fault `error` is. One I/O error of the machine's in its chain of causes decides.
+/// Returns the party to blame for `error`: the machine, if any I/O error in its chain of causes is
+/// the machine's.
 ///
-/// The answer is right for a file that somebody hands to the grader. An error about a folder of the
-/// grader's own, such as a missing TMPDIR, is always [`Blame::Machine`], so there is nothing to
-/// ask. An error without an I/O error in its chain is about content, which is [`Blame::File`].
+/// Call this only for an error about a file that is handed to the grader. An error about one of the
+/// grader's own folders, such as a missing TMPDIR, is always [`Blame::Machine`]. An error without
+/// an I/O error in its chain is about content, which is [`Blame::File`].
 pub fn of(error: &(dyn Error + 'static)) -> Blame {
     let mut next = Some(error);
     while let Some(error) = next {
@@ -28,7 +29,7 @@ pub fn of(error: &(dyn Error + 'static)) -> Blame {
         if io.is_some_and(is_of_machine) {
             return Blame::Machine;
         }
-        // An I/O error with a cause of its own names the cause of that cause as its source.
+        // `source` of an I/O error that wraps another error skips the wrapped error.
         next = match io.and_then(io::Error::get_ref) {
             Some(inner) => Some(inner),
             None => error.source(),
@@ -37,7 +38,8 @@ pub fn of(error: &(dyn Error + 'static)) -> Blame {
     Blame::File
 }
 
-/// Returns whose fault problems with files are that people write. Most are about content.
+/// Returns the party to blame for problems in files that people write. Problems with content are
+/// [`Blame::File`].
 pub fn of_problems(problems: &Problems) -> Blame {
     match problems.os_error() {
         Some(code) if OF_MACHINE.contains(&code) => Blame::Machine,
@@ -52,7 +54,7 @@ fn is_of_machine(error: &io::Error) -> bool {
     }
 }
 
-/// Codes that say nothing of the file that was named.
+/// The error codes that say nothing about the file that the call named.
 const OF_MACHINE: [i32; 18] = [
     libc::ENOSPC,
     libc::EDQUOT,
@@ -74,7 +76,8 @@ const OF_MACHINE: [i32; 18] = [
     libc::EHOSTDOWN,
 ];
 
-/// The same as [`OF_MACHINE`], for errors that a library has wrapped without the code.
+/// The error kinds that match [`OF_MACHINE`], for errors that a library has wrapped without the
+/// code.
 const KINDS_OF_MACHINE: [io::ErrorKind; 12] = [
     io::ErrorKind::StorageFull,
     io::ErrorKind::QuotaExceeded,

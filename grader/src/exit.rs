@@ -6,14 +6,14 @@ use grader::grade::GradeError;
 use grader::sandbox;
 use pages::say;
 
-/// How a command that did its work came out.
+/// The result of a command that returned no error, with its exit code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Done {
     /// All passed: 0.
     Passed,
-    /// Something did not: 1.
+    /// Something did not pass: 1.
     NotPassed,
-    /// Nothing was run, since what was handed in is no submission: 2.
+    /// Nothing was run, since the hand-in is no submission: 2.
     NoSubmission,
     /// The grader or the machine failed somewhere, whatever passed: 3.
     Ours,
@@ -22,24 +22,24 @@ pub(crate) enum Done {
 }
 
 impl Done {
-    /// Passed or not.
+    /// Returns [`Done::Passed`] or [`Done::NotPassed`].
     pub(crate) fn of(passed: bool) -> Self {
         if passed { Self::Passed } else { Self::NotPassed }
     }
 }
 
-/// What a command comes to.
+/// The result of a command, or the error that ended it.
 pub(crate) type Outcome = Result<Done, GradeError>;
 
 /// Prints a report to the output stream.
 ///
 /// # Errors
-/// What the stream says, as a failure of the machine; a reader that has gone away is no error.
+/// A failed write is a failure of the machine. A reader that has gone away is no error.
 pub(crate) fn print(text: &str) -> Result<(), GradeError> {
     say::out(text).map_err(|why| unprintable(&why))
 }
 
-/// Prints bytes of our own making as they are; the errors are those of [`print`].
+/// Prints bytes that the grader generated itself, unchanged. The errors are those of [`print`].
 pub(crate) fn print_raw(bytes: &[u8]) -> Result<(), GradeError> {
     say::raw(bytes).map_err(|why| unprintable(&why))
 }
@@ -48,7 +48,7 @@ fn unprintable(why: &std::io::Error) -> GradeError {
     GradeError::Machine(format!("cannot write to standard output: {why}"))
 }
 
-/// Prints what went wrong, if anything did, and returns the exit code; 130 after an interrupt.
+/// Prints the error, if there is one, and returns the exit code, which is 130 after an interrupt.
 pub(crate) fn code(outcome: Outcome) -> ExitCode {
     if let Err(why) = &outcome {
         say::err(why.to_string().trim_end());

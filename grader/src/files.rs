@@ -1,29 +1,29 @@
-//! Writes files and folders of the grader's own, whole or not at all, and lists them.
+//! Writes and lists the grader's own files and folders. Each is written whole or not at all.
 
 use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::leftovers::{self, Held, Kind};
 
-/// Folders that are not published yet.
+/// The folders that are being filled and are not published yet.
 pub const PARTS: Kind = Kind { prefix: ".part-", is_marked: false, mode: 0o755 };
 
-/// Writes a file of the grader's own whole, and creates the folder around it if necessary.
+/// Writes one of the grader's own files, and creates its folder if necessary.
 ///
-/// A name that a person typed is for [`cases::files::write`], which creates no folder.
+/// Use [`cases::files::write`] for a name that a person typed: it creates no folder.
 ///
 /// # Errors
-/// The file system fails; the file then keeps its old content.
+/// Fails if the file system does. The file then keeps its old content.
 pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     std::fs::create_dir_all(path.parent().unwrap_or(Path::new("")))?;
     Ok(cases::files::write(path, bytes)?)
 }
 
-/// Makes `folder` by filling a fresh neighbour and renaming it. Where another process was first,
-/// its work is kept.
+/// Creates `folder` by filling a temporary folder beside it and renaming that. If another process
+/// published `folder` first, its content is kept.
 ///
 /// # Errors
-/// What `fill` or the file system says.
+/// Fails if `fill` or the file system does. Nothing is published then.
 pub fn publish_folder(folder: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
     let parent = folder.parent().unwrap_or(Path::new("."));
     std::fs::create_dir_all(parent)?;
@@ -35,19 +35,19 @@ pub fn publish_folder(folder: &Path, fill: impl FnOnce(&Path) -> io::Result<()>)
     }
 }
 
-/// Removes what [`publish_folder`] left in `folder` where its process was killed; what is still
-/// being filled stays.
+/// Removes the temporary folders that killed processes left in `folder`. A folder that a live
+/// process is filling stays.
 ///
 /// # Errors
-/// A folder that cannot be listed.
+/// Fails if `folder` cannot be listed.
 pub fn clear_parts(folder: &Path) -> io::Result<()> {
     leftovers::clear(folder, PARTS).map(drop)
 }
 
-/// All files below `folder`, in order.
+/// Returns the paths of all files below `folder`, sorted. Links to folders are followed.
 ///
 /// # Errors
-/// What the file system says.
+/// Fails if a folder cannot be listed.
 pub fn below(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let mut found = vec![];
     for entry in std::fs::read_dir(folder)? {

@@ -1,25 +1,25 @@
-//! Where the template answers each question of the unit checks: the one table of functions and
-//! their files.
+//! The table of the template's functions that answer the questions of unit checks, with their
+//! files.
 
-/// What a message on a function that is still to be written begins with.
+/// The beginning of a message about a function that is still to be written.
 const STILL: &str = "still to be written: ";
-/// What it ends with: the function that a question goes to may be written, and call one that is
-/// not.
+/// The end of such a message. The function that a question goes to may be written, but call one
+/// that is not.
 const OR_CALLED: &str = ", or a function that it calls";
 
 /// The function of the template that answers a question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Function {
-    /// What a question calls it: its key `fn`.
+    /// The value of the key `fn` in questions to the function.
     pub key: &'static str,
     /// The function's name.
     pub name: &'static str,
     /// The file that holds it, below the template's folder.
     pub file: &'static str,
-    /// Whether it is given, so that what is missing can only be a function that it calls.
+    /// Whether the function is given. If so, only a function that it calls can be missing.
     pub is_given: bool,
-    /// Whether it leaves most of its work to functions that have unit checks too. Those are to be
-    /// put right first.
+    /// Whether the function leaves most of its work to functions that have unit checks too.
+    /// Students should correct these first.
     pub is_composed: bool,
 }
 
@@ -35,7 +35,7 @@ const fn given(key: &'static str, name: &'static str, file: &'static str) -> Fun
     Function { key, name, file, is_given: true, is_composed: true }
 }
 
-/// A function for each question, in the order of the stages.
+/// The function for each kind of question, in the order of the stages.
 pub const FUNCTIONS: [Function; 26] = [
     students("eye_ray", "eye_ray", "src/camera.rs"),
     students("sphere", "intersect_sphere", "src/sphere.rs"),
@@ -65,27 +65,27 @@ pub const FUNCTIONS: [Function; 26] = [
     students("smooth_refract", "smooth_refract", "src/smooth.rs"),
 ];
 
-/// Returns the function with this key, and its place in [`FUNCTIONS`].
+/// Returns the function with this key and its index in [`FUNCTIONS`], or `None`.
 pub fn find(key: &str) -> Option<(usize, &'static Function)> {
     FUNCTIONS.iter().enumerate().find(|(_, function)| function.key == key)
 }
 
-/// Returns what to say where the function with this key answers `todo`.
+/// Returns the message for a function that answers `todo`.
 ///
-/// The template's function is named with its file; that of any other program as the protocol names
-/// it.
+/// A function of the template is named with its file. A function of any other program is named by
+/// its key, as in the protocol.
 pub fn still_to_be_written(key: &str, is_template: bool) -> String {
     match find(key).filter(|_| is_template).map(|(_, function)| function) {
         Some(Function { name, file, is_given: true, .. }) => {
             format!("{STILL}a function that `{name}` in {file} calls")
         }
         Some(Function { name, file, .. }) => format!("{STILL}`{name}` in {file}{OR_CALLED}"),
-        None => format!("{STILL}what answers `{key}`{OR_CALLED}"),
+        None => format!("{STILL}the function that answers `{key}`{OR_CALLED}"),
     }
 }
 
-/// Returns what is still to be written by a message of [`still_to_be_written`] or of a picture, in
-/// short.
+/// Returns the part of a message that names what is still to be written. The message is one of
+/// [`still_to_be_written`] or of a picture; any other one is returned unchanged.
 pub fn subject(message: &str) -> &str {
     let subject = message.strip_prefix(STILL).unwrap_or(message);
     subject.strip_suffix(OR_CALLED).unwrap_or(subject)
@@ -100,8 +100,8 @@ mod tests {
         let table = [
             ("sphere", true, "`intersect_sphere` in src/sphere.rs"),
             ("trace", true, "a function that `trace` in src/trace.rs calls"),
-            ("sphere", false, "what answers `sphere`"),
-            ("banana", true, "what answers `banana`"),
+            ("sphere", false, "the function that answers `sphere`"),
+            ("banana", true, "the function that answers `banana`"),
         ];
         for (key, is_template, expected) in table {
             let message = still_to_be_written(key, is_template);

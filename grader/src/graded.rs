@@ -11,21 +11,21 @@ use crate::record::Record;
 /// The result of grading one submission.
 #[derive(Clone, Debug)]
 pub struct Graded {
-    /// The record, which holds all there is to say.
+    /// The record of the grading.
     pub record: Record,
-    /// The pictures behind the image cases that have an answer, by id of the case.
+    /// The pictures of the image cases that have an answer, by id of the case.
     pub pictures: BTreeMap<String, Pictures>,
 }
 
-/// Both pictures of an image case.
+/// The expected and the actual picture of an image case.
 #[derive(Clone, Debug)]
 pub struct Pictures {
-    /// The right one, and how far from it a right one may be.
+    /// The stored answer: the expected picture and its envelope.
     pub answer: ImageAnswer,
-    /// The program's; `None` where it wrote none that can be read. NaN and infinity may stand in
-    /// it.
+    /// The picture of the program, which may contain NaN and infinity; `None` if there is none that
+    /// can be read.
     pub actual: Option<Image>,
-    /// Measurements of the reference's own settings; `None` where nothing was measured.
+    /// Measurements of the reference's own settings; `None` if nothing was measured.
     pub front: Option<Front>,
 }
 

@@ -16,35 +16,35 @@ use cases::files::{Place, is_standard, is_usage};
 use crate::grade::GradeError;
 use crate::sandbox::interrupted;
 
-/// This many bytes at the beginning of a stream decide how many are read in all.
+/// Number of bytes at the beginning of a stream that decide how many are read in all.
 pub const HEAD: u64 = 4096;
-/// A wait checks at this interval whether the user has interrupted.
+/// The interval at which a waiting read checks for an interrupt.
 const LOOK_EVERY: Duration = Duration::from_millis(50);
 
-/// A `Most` function returns how many bytes may be read of an input that begins with these bytes.
+/// A function from the first bytes of an input to the number of bytes that may be read of it.
 ///
-/// The bytes are the first [`HEAD`] ones, or all of a shorter input. An error says why the input is
-/// not of use.
+/// The argument is the first [`HEAD`] bytes, or all of a shorter input. An error says why the input
+/// cannot be used.
 pub type Most = fn(&[u8]) -> Result<u64, String>;
 
-/// An `Input` is open, and can be read in any order.
+/// An open input that can be read in any order.
 #[derive(Debug)]
 pub enum Input {
-    /// The input is a regular file.
+    /// A regular file.
     File(File),
-    /// The input was a stream, and this is its content.
+    /// The content of a stream.
     Held(Cursor<Vec<u8>>),
 }
 
-/// An `InputError` says why an input cannot be read.
+/// The reason why an input cannot be read.
 #[derive(Debug, thiserror::Error)]
 pub enum InputError {
-    /// The name is not that of an input, or the content is not of use.
+    /// The name is not that of an input, or the content cannot be used.
     #[error("{}: {why}", shown(.name))]
     Refused {
         /// The name as the caller gave it.
         name: PathBuf,
-        /// What is there and what to do.
+        /// A description of what is there, with the remedy.
         why: String,
     },
     /// The system fails to read the input.
@@ -52,7 +52,7 @@ pub enum InputError {
     Io {
         /// The name as the caller gave it.
         name: PathBuf,
-        /// The system reports this error.
+        /// The error of the system.
         source: io::Error,
     },
     /// The user has interrupted the wait.
@@ -76,7 +76,7 @@ impl InputError {
 /// Opens the input `name`. A stream is read to its end, but no further than `most` permits.
 ///
 /// # Errors
-/// [`InputError`].
+/// See [`InputError`].
 pub fn open(name: &Path, most: Most) -> Result<Input, InputError> {
     let refused =
         |why: &str| Err(InputError::Refused { name: name.to_owned(), why: why.to_owned() });
@@ -112,7 +112,7 @@ pub fn open(name: &Path, most: Most) -> Result<Input, InputError> {
 /// Reads all bytes of the input `name`, but no more than `most` permits.
 ///
 /// # Errors
-/// [`InputError`].
+/// See [`InputError`].
 pub fn read(name: &Path, most: Most) -> Result<Vec<u8>, InputError> {
     match open(name, most)? {
         Input::Held(bytes) => Ok(bytes.into_inner()),
@@ -126,7 +126,7 @@ pub fn read(name: &Path, most: Most) -> Result<Vec<u8>, InputError> {
 /// Checks that two inputs are not the same stream, since the second would get nothing of it.
 ///
 /// # Errors
-/// [`InputError`], for the second input.
+/// Returns [`InputError::Refused`] for the second input if both are the same stream.
 pub fn demand_two(one: &Path, other: &Path) -> Result<(), InputError> {
     match (place(one), place(other)) {
         (Ok(Place::Descriptor(a)), Ok(Place::Descriptor(b))) if a == b => {
@@ -147,14 +147,13 @@ pub fn shown(name: &Path) -> String {
     if is_standard(name) { "standard input".to_owned() } else { name.display().to_string() }
 }
 
-/// Opens a regular file. The result is `None` if something else has just replaced it; opening that
-/// does not wait.
+/// Opens a regular file without waiting, or returns `None` if something else has just replaced it.
 fn open_file(path: &Path) -> io::Result<Option<Input>> {
     let file = OpenOptions::new().read(true).custom_flags(libc::O_NONBLOCK).open(path)?;
     Ok(file.metadata()?.is_file().then_some(Input::File(file)))
 }
 
-/// What an open descriptor leads to.
+/// The target of an open descriptor.
 enum Opened {
     Pipe,
     File,
@@ -206,7 +205,8 @@ fn held<R: Read>(
     }
 }
 
-/// Reads the bytes of a stream. The inner error says why they are not of use.
+/// Reads all bytes of a stream. The inner error says why they cannot be used, or that there are
+/// more than `most` permits.
 fn take(mut stream: impl Read, most: Most) -> io::Result<Result<Vec<u8>, String>> {
     let mut bytes = vec![];
     stream.by_ref().take(HEAD).read_to_end(&mut bytes)?;

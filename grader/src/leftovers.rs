@@ -1,4 +1,4 @@
-//! Folders that a live process holds by a lock. The next run removes those whose process was
+//! Folders that a live process holds by a lock. The next run removes the folders whose process was
 //! killed.
 //!
 //! A folder is removed only if all of this holds: its name begins with the prefix, it is a folder
@@ -23,33 +23,34 @@ const MARK: (&str, &str) = (
     "This folder belongs to a run of grader. A later run removes it if it was left behind.\n",
 );
 
-/// How long a folder is kept where the file system has no locks.
+/// The time for which a folder is kept if the file system has no locks.
 const WITHOUT_LOCKS: Duration = Duration::from_secs(24 * 60 * 60);
 
-/// Tells which folders are ours.
+/// The properties that identify a folder as the grader's.
 #[derive(Clone, Copy, Debug)]
 pub struct Kind {
     /// The beginning of the name.
     pub prefix: &'static str,
-    /// Whether the folder bears the mark; needed where other programs make folders too.
+    /// Whether the folder bears the mark, which is needed if other programs create folders there
+    /// too.
     pub is_marked: bool,
     /// Permissions of the folder.
     pub mode: u32,
 }
 
-/// A folder that this process holds. What is in it when this is dropped is removed.
+/// A folder that this process holds by a lock. It is removed with its content when this is dropped.
 #[derive(Debug)]
 pub struct Held {
     path: PathBuf,
-    /// `None` where the file system has no locks.
+    /// `None` if the file system has no locks.
     _lock: Option<File>,
 }
 
 impl Held {
-    /// Makes a folder in `parent` and locks it.
+    /// Creates a folder in `parent`, locks it, and marks it if its kind is marked.
     ///
     /// # Errors
-    /// What the file system says.
+    /// Fails if the file system does.
     pub fn new(parent: &Path, kind: Kind) -> io::Result<Self> {
         loop {
             let mut builder = tempfile::Builder::new();
@@ -73,21 +74,21 @@ impl Held {
         }
     }
 
-    /// Returns where the folder is.
+    /// Returns the path of the folder.
     pub fn path(&self) -> &Path {
         &self.path
     }
 }
 
 impl Drop for Held {
-    /// What cannot be removed stays for the next run.
+    /// Removes the folder. Anything that cannot be removed stays for the next run.
     fn drop(&mut self) {
         let _ = remove_marked_last(&self.path);
     }
 }
 
-/// Removes a folder, its mark after everything else: a run that is killed meanwhile leaves a folder
-/// that is still known.
+/// Removes a folder, with its mark last. A run that is killed meanwhile then leaves a folder that
+/// the next run still recognises.
 fn remove_marked_last(path: &Path) -> io::Result<()> {
     for entry in std::fs::read_dir(path)? {
         let entry = entry?;
@@ -98,10 +99,10 @@ fn remove_marked_last(path: &Path) -> io::Result<()> {
     remove(path)
 }
 
-/// Removes what killed runs left in `parent`, and returns how many folders that were.
+/// Removes the folders that killed runs left in `parent`, and returns their number.
 ///
 /// # Errors
-/// A `parent` that cannot be listed. What cannot be removed stays.
+/// Fails if `parent` cannot be listed. A folder that cannot be removed stays and is not counted.
 pub fn clear(parent: &Path, kind: Kind) -> io::Result<usize> {
     let left = left_behind(parent, kind)?;
     Ok(left.into_iter().filter(|left| remove_marked_last(&left.path).is_ok()).count())
@@ -110,21 +111,21 @@ pub fn clear(parent: &Path, kind: Kind) -> io::Result<usize> {
 /// A folder that a killed run left. No other run takes it while this lives.
 #[derive(Debug)]
 pub struct Left {
-    /// Where the folder is.
+    /// The path of the folder.
     pub path: PathBuf,
     _lock: File,
 }
 
-/// Finds what killed runs left in `parent`, in order.
+/// Returns the folders that killed runs left in `parent`, sorted by path.
 ///
 /// # Errors
-/// A `parent` that cannot be listed.
+/// Fails if `parent` cannot be listed.
 pub fn left_behind(parent: &Path, kind: Kind) -> io::Result<Vec<Left>> {
     let mut all = vec![];
     for entry in std::fs::read_dir(parent)? {
         let entry = entry?;
         if entry.file_name().as_encoded_bytes().starts_with(kind.prefix.as_bytes()) {
-            // What cannot be looked at is not ours.
+            // A folder that cannot be examined is not ours.
             all.extend(take(entry.path(), kind).ok().flatten());
         }
     }
@@ -132,7 +133,7 @@ pub fn left_behind(parent: &Path, kind: Kind) -> io::Result<Vec<Left>> {
     Ok(all)
 }
 
-/// Takes one folder, if it was left behind.
+/// Locks and returns a folder if a killed run left it, else returns `None`.
 fn take(path: PathBuf, kind: Kind) -> io::Result<Option<Left>> {
     let folder = open(&path)?;
     let about = folder.metadata()?;
@@ -151,7 +152,7 @@ fn take(path: PathBuf, kind: Kind) -> io::Result<Option<Left>> {
     Ok(is_left_behind.then_some(Left { path, _lock: folder }))
 }
 
-/// Opens a folder, and nothing else: a link in its place is not followed.
+/// Opens a folder. Anything else is an error, and a link is not followed.
 fn open(path: &Path) -> io::Result<File> {
     let flags = OFlags::RDONLY | OFlags::DIRECTORY | OFlags::NOFOLLOW | OFlags::CLOEXEC;
     Ok(rustix::fs::open(path, flags, Mode::empty())?.into())
@@ -163,8 +164,8 @@ fn is_at(folder: &File, path: &Path) -> bool {
     (here.dev(), here.ino()) == (there.dev(), there.ino())
 }
 
-/// Returns whether a folder is empty and has the permissions of its kind: its process was killed
-/// before it made the mark, or after it removed the mark.
+/// Returns whether a folder is empty and has the permissions of its kind. Its process was then
+/// killed before it wrote the mark, or after it removed the mark.
 fn is_bare(path: &Path, about: &Metadata, kind: Kind) -> bool {
     about.mode() & 0o7777 == kind.mode
         && std::fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_none())
@@ -186,7 +187,7 @@ mod tests {
 
     const OURS: Kind = Kind { prefix: "grader-", is_marked: true, mode: 0o700 };
 
-    /// A folder as a killed process leaves it: whole, but locked by nobody.
+    /// Returns a folder as a killed process leaves it: complete, but not locked.
     fn abandoned(parent: &Path) -> PathBuf {
         let held = Held::new(parent, OURS).unwrap();
         std::fs::create_dir(held.path.join("1")).unwrap();

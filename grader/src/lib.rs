@@ -1,4 +1,4 @@
-//! The judge: builds and runs submissions case by case, and scores them.
+//! The grader: builds submissions, runs and judges them case by case, and scores them.
 
 pub mod batch;
 pub mod blame;

@@ -1,4 +1,4 @@
-//! Finds what is wrong with a set of cases and its answers, beyond what keeps it from being read.
+//! Finds problems in a set of cases and its answers, beyond those that keep it from being read.
 
 mod sharpness;
 
@@ -19,21 +19,22 @@ use crate::judge;
 use crate::record::Verdict;
 use crate::report::words::points;
 
-/// Fewer image cases leave too much of a stage to chance.
+/// The least number of image cases in a stage; fewer leave too much to chance.
 const MIN_CASES: usize = 8;
 
-/// What a look at a set of cases has found.
+/// The result of checking a set of cases.
 #[derive(Debug)]
 pub struct Found {
-    /// Everything that is wrong. A problem that quotes a file has escape codes for colour.
+    /// All problems. A problem that quotes a file has escape codes for colour.
     pub problems: Vec<String>,
-    /// A line for each stage, and the sum.
+    /// A line for each stage, and a line with the sum.
     pub summary: Vec<String>,
-    /// Whose fault the problems are: the machine's if it fails to read one of the files.
+    /// The party to blame for the problems: the machine if it fails to read one of the files.
     pub blame: Blame,
 }
 
-/// Checks the stages in `folder`. Where a file cannot be understood, nothing else is looked at.
+/// Checks the stages in `folder`. If a file is invalid, only the problems of the files are
+/// reported.
 pub fn lint(folder: &Path) -> Found {
     let exam = match Exam::load(folder) {
         Ok(exam) => exam,
@@ -58,7 +59,7 @@ pub fn lint(folder: &Path) -> Found {
     Found { problems, summary: summary(&exam), blame }
 }
 
-/// Demands enough cases, and among them one for each effect that the stage adds.
+/// Checks that there are enough cases, and at least one for each effect that the stage adds.
 fn cases(exam: &Exam, questions: &Questions, problems: &mut Vec<String>) {
     let stage = &questions.stage;
     let added = match stage.base {
@@ -72,8 +73,8 @@ fn cases(exam: &Exam, questions: &Questions, problems: &mut Vec<String>) {
             stage.cases.len()
         ));
     }
-    // A choice of the course may leave nothing of an effect, as opaque shadows do of tinted ones.
-    // Then a case is enough that shows the effect in the lecture.
+    // A choice of the course may remove an effect, as opaque shadows remove tinted ones. Then it is
+    // enough that a case shows the effect in the lecture's course.
     let shows = |case: &Case, effect| {
         [&exam.course, &Course::default()]
             .iter()
@@ -94,7 +95,7 @@ fn cases(exam: &Exam, questions: &Questions, problems: &mut Vec<String>) {
     }
 }
 
-/// Demands an answer that can be trusted for each question, and none that is left over.
+/// Checks that each question has a trusted answer, and that no answer is left over.
 fn answers(exam: &Exam, problems: &mut Vec<String>) {
     for fault in &exam.faults {
         let renewal = exam.renewal(&fault.subject);
@@ -107,8 +108,8 @@ fn answers(exam: &Exam, problems: &mut Vec<String>) {
     }
 }
 
-/// Demands pictures on which right tracers agree, in which the mistakes show that they are for, and
-/// which a tracer without the stage does not give.
+/// Checks the pictures of a stage. Correct tracers must agree on them, the intended mistakes must
+/// show, and a tracer without the stage must not produce them.
 fn sharpness(exam: &Exam, questions: &Questions, problems: &mut Vec<String>) {
     for case in &questions.stage.cases {
         let Some(answer) = questions.images.get(&case.id) else { continue };
@@ -123,7 +124,7 @@ fn sharpness(exam: &Exam, questions: &Questions, problems: &mut Vec<String>) {
     }
 }
 
-/// Demands that stored answers agree with those on paper, and can be judged.
+/// Checks that stored answers agree with those on paper, and can be judged.
 fn checks(questions: &Questions, problems: &mut Vec<String>) {
     let mut seen = BTreeSet::new();
     for check in &questions.stage.checks {
@@ -145,15 +146,16 @@ fn checks(questions: &Questions, problems: &mut Vec<String>) {
         }
         if right.either && !is_decision(&right.answer) {
             problems.push(format!(
-                "{}: two answers are right, but one is stored: ask something firmer",
+                "{}: two answers are right, but one is stored: choose a question that rounding \
+                 does not decide",
                 check.id
             ));
         }
     }
 }
 
-/// Whether an answer says one of two things, so that the other one can be told without being
-/// stored.
+/// Returns whether the judge can recognise the other decision of an answer, such as a miss for a
+/// hit, without a second stored answer.
 fn is_decision(answer: &Answer) -> bool {
     matches!(
         answer,
@@ -165,7 +167,7 @@ fn is_decision(answer: &Answer) -> bool {
     ) || matches!(answer, Answer::Vector(_))
 }
 
-/// Answers and pictures beside which there is no case.
+/// Reports answers and pictures that belong to no case.
 fn unknown_files(exam: &Exam, problems: &mut Vec<String>) {
     let stages = exam.stages.iter().map(|questions| &questions.stage);
     let mut known: BTreeSet<_> =

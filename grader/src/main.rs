@@ -1,5 +1,5 @@
-//! `grader`: grades submissions of the ray-tracing assignment. Each command is a module; this is
-//! the table of contents.
+//! `grader`: grades submissions of the ray-tracing assignment. Each command is a module of
+//! `commands`.
 
 mod arguments;
 mod commands;

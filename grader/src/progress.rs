@@ -1,5 +1,4 @@
-//! What is said while the work goes on: a bar on a terminal, lines elsewhere. All of it on standard
-//! error.
+//! Shows progress on standard error: as a bar on a terminal, as lines elsewhere.
 
 use std::io::IsTerminal;
 
@@ -7,16 +6,16 @@ use grader::grade::Progress;
 use indicatif::ProgressBar;
 use pages::{bar, say};
 
-/// How much is to be said.
+/// The amount of output that the user wants.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Talk {
-    /// Only what was asked for.
+    /// Whether only the requested output is printed.
     pub(crate) is_quiet: bool,
-    /// More than usual.
+    /// Whether more than usual is printed.
     pub(crate) is_verbose: bool,
 }
 
-/// Shows progress until it is dropped.
+/// A display of progress, which disappears when it is dropped.
 pub(crate) struct Bar {
     bar: ProgressBar,
     says_lines: bool,

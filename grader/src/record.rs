@@ -1,5 +1,5 @@
-//! The grade record: the versioned truth behind every report. Reports decide nothing; they only
-//! show what stands here.
+//! The grade record: the versioned result behind every report. Reports decide nothing; they only
+//! show what the record holds.
 
 use cases::answer::Mistake;
 use schemars::JsonSchema;
@@ -8,38 +8,39 @@ use serde::{Deserialize, Serialize};
 
 use crate::plain;
 
-/// The version of this record's form.
+/// The version of the record's schema.
 pub const SCHEMA: u32 = 3;
 
-/// All there is to say about one submission.
+/// The result of grading one submission.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Record {
-    /// [`SCHEMA`].
+    /// The version of the schema, [`SCHEMA`].
     pub schema: u32,
-    /// Version of the grader.
+    /// The version of the grader.
     pub grader: String,
-    /// Hash of everything else that a score depends on: cases, answers, limits, grader, toolchain.
+    /// A hash of everything but the submission that a score depends on: cases, answers, limits,
+    /// grader, toolchain.
     pub epoch: String,
     /// Whether the user stopped the grader before everything was run. The score is then not final.
     pub interrupted: bool,
-    /// What was graded.
+    /// The submission that was graded.
     pub submission: Submission,
     /// The layers of protection that were in force, such as `timeouts+rlimits`.
     pub sandbox: String,
-    /// What happened before any case ran: the build, and what of the submission was left aside.
+    /// The build, and the parts of the submission that were left aside.
     pub build: Build,
-    /// The sum over the stages.
+    /// The sum of the scores of the stages.
     pub score: Score,
-    /// The known mistakes that explain what is wrong, the one that explains most first. Mostly one
-    /// or none.
+    /// The known mistakes that explain what is wrong, the one that explains most first. Usually
+    /// there is one or none.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub diagnoses: Vec<Diagnosis>,
-    /// Stages in order.
+    /// The stages, in order.
     pub stages: Vec<StageRecord>,
 }
 
 impl Record {
-    /// Returns the record as JSON for people and programs, ended by a line break.
+    /// Returns the record as indented JSON, with a line break at the end.
     ///
     /// Text of a submission in it is harmless to print ([`plain::json`]); its value is unchanged.
     pub fn to_json(&self) -> String {
@@ -62,60 +63,60 @@ pub fn schema() -> serde_json::Value {
 /// A known mistake that explains some of what is wrong.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Diagnosis {
-    /// The mistake; several where what was asked does not tell them apart.
+    /// The mistake; several if no case and no check of the run distinguishes them.
     pub mistakes: Vec<Mistake>,
-    /// Ids of the cases and checks that it explains.
+    /// Ids of the cases and checks that the mistake explains.
     pub explains: Vec<String>,
 }
 
-/// What was graded.
+/// The submission that was graded.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Submission {
-    /// As it was given.
+    /// The path as it was given; in a batch, the name of the submission.
     pub path: String,
-    /// Hash of the files that count.
+    /// A hash of the files that count; empty if the submission cannot be read.
     pub digest: String,
 }
 
-/// How the program came about.
+/// The result of the build.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Build {
-    /// Pass, Fail, or Ours.
+    /// Pass, Fail, or NotRun after an interrupt.
     pub verdict: Verdict,
-    /// What went wrong, if anything did.
+    /// The fault, if there is one.
     pub finding: Option<Finding>,
     /// The compiler's warnings, as it wrote them; cut at a limit.
     pub warnings: Vec<String>,
-    /// What of the submission was left aside, and why: a `build.rs`, a changed manifest, an unknown
-    /// file.
+    /// The parts of the submission that were left aside, with reasons: a `build.rs`, a changed
+    /// manifest, an unknown file.
     pub ignored: Vec<String>,
-    /// Seconds; 0 where a stored build was taken.
+    /// Wall time of the build, in seconds; 0 if a stored build was used.
     pub time_s: f64,
 }
 
-/// Thousandths of a point.
+/// Points, in thousandths.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Score {
-    /// What was earned.
+    /// The points that were earned.
     pub earned: u64,
-    /// What could have been.
+    /// The points that could have been earned.
     pub possible: u64,
 }
 
 /// One stage of the assignment.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StageRecord {
-    /// Such as `02_shadows`.
+    /// The id, such as `02_shadows`.
     pub id: String,
-    /// One line for people.
+    /// The title, one line for people.
     pub title: String,
-    /// Thousandths of a point.
+    /// Points earned, in thousandths.
     pub earned: u64,
-    /// Thousandths of a point.
+    /// Points that could have been earned, in thousandths.
     pub possible: u64,
-    /// Image cases first, then unit checks.
+    /// The checks: image cases first, then unit checks.
     pub checks: Vec<CheckRecord>,
-    /// What is worth saying but costs nothing, such as text on standard output that is no answer.
+    /// Remarks that cost no points, such as one about text on standard output that is no answer.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub remarks: Vec<String>,
 }
@@ -123,28 +124,28 @@ pub struct StageRecord {
 /// One image case or unit check.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct CheckRecord {
-    /// Such as `02_shadows/two_balls`.
+    /// The id, such as `02_shadows/two_balls`.
     pub id: String,
-    /// What kind it is.
+    /// The kind of the check.
     pub kind: CheckKind,
-    /// What it tests, for people.
+    /// A description of what the check tests, for people.
     pub about: String,
-    /// The rules of light it tests.
+    /// The rules of light that the check tests.
     pub rules: Vec<u8>,
-    /// What it comes to.
+    /// The verdict on the check.
     pub verdict: Verdict,
-    /// Thousandths of a point.
+    /// Points earned, in thousandths.
     pub earned: u64,
-    /// Thousandths of a point.
+    /// Points that could have been earned, in thousandths.
     pub possible: u64,
-    /// What was found wrong, if anything was; also remarks on a pass.
+    /// The reason for the verdict, if the check does not pass; also a remark on a pass.
     pub finding: Option<Finding>,
     /// Wall time of the program, in seconds; unit checks of a stage share one process and its time.
     pub time_s: f64,
-    /// CPU time of the program, in seconds; missing where nothing was run.
+    /// CPU time of the program, in seconds; missing if nothing was run.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub cpu_s: Option<f64>,
-    /// Largest resident size of the program.
+    /// Largest resident size of the program, in bytes.
     pub peak_bytes: u64,
 }
 
@@ -158,7 +159,7 @@ pub enum CheckKind {
     Unit,
 }
 
-/// What a finding means.
+/// The verdict on a check or a build.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
@@ -166,16 +167,16 @@ pub enum Verdict {
     Pass,
     /// Some points.
     Partial,
-    /// The program was asked and is wrong, or failed.
+    /// The program ran and was wrong, or failed.
     Fail,
-    /// The program could not be asked; the finding says because of what.
+    /// The check could not be run; the finding says why.
     NotRun,
-    /// The grader or the machine failed; costs nothing.
+    /// The grader or the machine failed; the check costs nothing.
     Ours,
 }
 
 impl Finding {
-    /// A finding of words alone.
+    /// Returns a finding that has a message and no numbers.
     pub fn new(kind: FindingKind, message: impl Into<String>) -> Self {
         Self {
             kind,
@@ -194,41 +195,41 @@ impl Finding {
     }
 }
 
-/// What was found, in plain words and in numbers.
+/// The reason for a verdict, in words and in numbers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Finding {
-    /// Which kind of thing it is.
+    /// The kind of the finding.
     pub kind: FindingKind,
-    /// What happened, in a sentence or a few, for the student.
+    /// A message for the student, of one or a few sentences.
     pub message: String,
-    /// Pixels out of tolerance, for a picture.
+    /// Number of pixels out of tolerance, for a picture.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub wrong_pixels: Option<u64>,
-    /// Those of them on which right tracers differ too.
+    /// Number of the wrong pixels on which correct tracers differ too.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub wrong_contested: Option<u64>,
-    /// Most of the wrong pixels that lie side by side, corners included.
+    /// Number of pixels in the largest cluster: wrong pixels that touch by a side or a corner.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub largest_cluster: Option<u64>,
-    /// The part of its points that a picture earns that is not right, in thousandths.
+    /// The share of its points that a wrong picture earns, in thousandths.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub share: Option<u32>,
-    /// The pixel farthest out: column from the left, row from the top.
+    /// The pixel farthest out of tolerance: column from the left, row from the top.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub worst: Option<[u32; 2]>,
-    /// What was asked, for a unit check: the question as the program got it.
+    /// The question of a unit check, as the program got it.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub asked: Option<serde_json::Value>,
-    /// The right answer of a unit check, as lines of text.
+    /// The correct answer to a unit check, as lines of text.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub expected: Option<String>,
     /// The program's answer, as lines of text.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub actual: Option<String>,
-    /// Id of the known mistake that explains it; it stands among the record's diagnoses.
+    /// Id of the known mistake that explains the finding; the record's diagnoses contain it.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub diagnosis: Option<String>,
-    /// What the program wrote on its error stream last; cut at a limit.
+    /// The end of what the program wrote to standard error, cut at a limit.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub stderr: Option<String>,
 }
@@ -239,26 +240,28 @@ pub struct Finding {
 )]
 #[serde(rename_all = "snake_case")]
 pub enum FindingKind {
-    /// A right answer was due and another came.
+    /// The answer or picture is not the correct one.
     Wrong,
-    /// The picture is anti-aliased: several rays a pixel where one was due.
+    /// The picture is anti-aliased: it has several rays per pixel instead of one.
     Antialiased,
-    /// All pixels that differ are such on which right tracers differ: it counts as right, and a
-    /// person should look at it.
+    /// Correct tracers differ on every wrong pixel too. The picture counts as right, and a person
+    /// should look at it.
     Contested,
-    /// The program ended with a signal, a panic, or a code other than 0.
+    /// The program could not be started, started too many processes, or ended with a signal, a
+    /// panic or a code other than 0.
     Crash,
-    /// It ran longer than it may, by the clock or by CPU time.
+    /// The program exceeded a limit on CPU, idle or wall time, or was not run again because it had
+    /// done so before.
     Timeout,
-    /// It took more memory than it may.
+    /// The program exceeded its limit on memory.
     Memory,
-    /// It wrote more than it may.
+    /// The program wrote more than it may.
     Output,
-    /// What it wrote cannot be read.
+    /// The output of the program cannot be read.
     Unreadable,
-    /// Its picture has another size.
+    /// The picture has the wrong size.
     Size,
-    /// It wrote nothing where a picture or an answer was due.
+    /// The program did not write the picture or the answer.
     Missing,
     /// A function that is needed is still to be written.
     Todo,
@@ -266,7 +269,7 @@ pub enum FindingKind {
     Build,
     /// The folder or archive is no submission.
     Submission,
-    /// All is right, but something is worth saying.
+    /// Everything is right, but there is a remark.
     Remark,
     /// The grader or the machine failed.
     Internal,

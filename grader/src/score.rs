@@ -1,9 +1,11 @@
-//! Points, in integer thousandths. Sees verdicts and shares, never pixels.
+//! Computes points, in integer thousandths. This module sees verdicts and shares, never pixels.
 
 use crate::record::{Score, Verdict};
 
-/// What a check with this verdict earns, and could have earned. `share` is the part that `Partial`
-/// earns, in thousandths, rounded down. `Ours` is left out of both, so that it costs nothing.
+/// Returns the score of a check with this verdict that is worth `points`.
+///
+/// `Partial` earns `share` thousandths of the points, but no more than all, rounded down. `Ours`
+/// earns 0 of 0, so that it costs nothing.
 pub fn score(verdict: Verdict, share: u32, points: u64) -> Score {
     match verdict {
         Verdict::Pass => Score { earned: points, possible: points },
@@ -15,13 +17,14 @@ pub fn score(verdict: Verdict, share: u32, points: u64) -> Score {
     }
 }
 
-/// `points` over `n` checks, as evenly as thousandths allow: the first ones get one more each.
+/// Splits `points` over `n` checks as evenly as thousandths allow: the first ones get one more
+/// each. The list is empty if `n` is 0.
 pub fn split(points: u64, n: usize) -> Vec<u64> {
     let n = n as u64;
     (0..n).map(|at| points / n + u64::from(at < points % n)).collect()
 }
 
-/// The sum of scores.
+/// Returns the sum of the scores.
 pub fn total(scores: impl IntoIterator<Item = Score>) -> Score {
     scores.into_iter().fold(Score::default(), |sum, one| Score {
         earned: sum.earned + one.earned,

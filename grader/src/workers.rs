@@ -1,14 +1,15 @@
-//! Threads that work through a list side by side, and panics that go no further.
+//! Runs a list of jobs on several threads, and contains panics.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::Builder;
 
-/// Returns what `work` makes of each item, in their order. Work on `jobs` items goes on at a time.
+/// Calls `work` on each item, on up to `jobs` threads, and returns the results in the order of the
+/// items.
 ///
-/// Items are begun in their order. The calling thread works as well, so the work is done even where
-/// no thread can be started. A panic of `work` costs its own item alone, whose result is then the
-/// message of the panic.
+/// Items are started in order. The calling thread works as well, so all work is done even if no
+/// thread can be started; 0 jobs count as 1. A panic of `work` affects its own item alone, whose
+/// result is then the message of the panic.
 pub fn side_by_side<T: Sync, R: Send>(
     jobs: usize,
     items: &[T],
@@ -43,15 +44,15 @@ fn take<'a, T>(next: &AtomicUsize, items: &'a [T]) -> Option<(usize, &'a T)> {
     items.get(n).map(|item| (n, item))
 }
 
-/// A fault of the grader that was caught.
+/// A panic of the grader that was caught.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the grader panicked ({0}); this is a fault of the grader")]
 pub struct Panicked(String);
 
-/// Returns what `work` returns. A panic in it goes no further.
+/// Calls `work`, and turns a panic in it into an error.
 ///
 /// # Errors
-/// The message of the panic.
+/// Returns the message of the panic.
 pub fn guarded<R>(work: impl FnOnce() -> R) -> Result<R, Panicked> {
     catch_unwind(AssertUnwindSafe(work)).map_err(|payload| {
         let text = payload.downcast_ref::<String>().map(String::as_str);

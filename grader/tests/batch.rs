@@ -1,5 +1,5 @@
-//! `grader batch` over small programs and an exam of one black picture: killed, interrupted, and
-//! started again.
+//! Tests of `grader batch` with small programs and an exam of one black picture: runs that are
+//! killed, interrupted, and started again.
 
 mod class;
 mod shared;
@@ -80,7 +80,7 @@ fn an_interrupt_keeps_what_is_done() {
     assert!(printed.contains("2 are left"), "{printed}");
 }
 
-/// A run that one of them kills keeps what is known of the other.
+/// A run that one submission kills keeps the number of deaths of the other one.
 #[test]
 fn two_submissions_that_kill_the_grader_hold_up_nobody_for_ever() {
     let kill = "kill -9 $PPID; sleep 5";

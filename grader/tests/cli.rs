@@ -1,4 +1,4 @@
-//! The command line from outside: exit codes, streams, files.
+//! Tests of the command line from outside: exit codes, streams, files.
 
 use std::path::Path;
 use std::process::{Command, Output};
@@ -7,7 +7,8 @@ fn grader(arguments: &[&str], folder: &Path) -> Output {
     Command::new(env!("CARGO_BIN_EXE_grader")).args(arguments).current_dir(folder).output().unwrap()
 }
 
-/// Runs the command in `folder`; its code, and a part of what it prints on either stream.
+/// Runs the command in `folder`, and checks its exit code and a part of what it prints on either
+/// stream.
 fn check(arguments: &[&str], folder: &Path, code: i32, part: &str) {
     let output = grader(arguments, folder);
     let text = String::from_utf8_lossy(&output.stdout).into_owned()

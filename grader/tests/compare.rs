@@ -1,4 +1,5 @@
-//! No input makes `grader compare` wait for ever, and a damaged file is an error beside any other.
+//! Checks that no input makes `grader compare` wait for ever, and that a damaged file is an error
+//! beside any other.
 
 #[path = "shared/forms.rs"]
 mod forms;
@@ -14,7 +15,7 @@ use cases::glam::DVec3;
 use forms::Form;
 use shared::{CASE, dark_exam};
 
-/// `Home` is a folder with pictures.
+/// A folder with pictures.
 struct Home(tempfile::TempDir);
 
 impl Home {
@@ -26,7 +27,7 @@ impl Home {
         self.0.path().join(name)
     }
 
-    /// Writes a picture of 4 × 3 pixels of the same light. The name decides the form.
+    /// Writes a picture of 4 × 3 pixels of the same light. The name decides the format.
     fn put(&self, name: &str, light: f64) {
         self.put_sized(name, 4, light);
     }
@@ -192,7 +193,7 @@ fn a_picture_is_judged_by_an_answer() {
     );
 }
 
-/// An answer is refused where nothing shows that it is current.
+/// An answer is refused if nothing shows that it is current.
 #[test]
 fn a_picture_is_not_judged_by_an_answer_to_another_case() {
     let home = Home::new();

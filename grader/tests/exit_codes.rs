@@ -1,4 +1,4 @@
-//! Every command ends with the exit code that its `--help` promises for what happened.
+//! Checks that every command ends with the exit code that its `--help` promises.
 
 mod common;
 
@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use common::{exam, grader, hand_in, printed, repository};
 
-/// Puts a submission into `folder/name` that is right in everything.
+/// Puts a submission into `folder/name` that gets everything right.
 fn hand_in_what_is_right(folder: &Path, name: &str) {
     let home = folder.join(name);
     fs::create_dir_all(&home).unwrap();
@@ -20,7 +20,7 @@ fn hand_in_what_is_right(folder: &Path, name: &str) {
     }
 }
 
-/// A folder with submissions, pictures and stages of every kind that the table below names.
+/// Returns a folder with submissions, pictures and stages of every kind that the table below names.
 fn place() -> tempfile::TempDir {
     let place = tempfile::tempdir().unwrap();
     let at = |name: &str| place.path().join(name);
@@ -45,7 +45,7 @@ fn place() -> tempfile::TempDir {
     place
 }
 
-/// The calls, each with its exit code and a part of what it says. `EXAM` stands for the folder of
+/// The calls, each with its exit code and a part of what it prints. `EXAM` stands for the folder of
 /// the exam.
 const CALLS: &[(&str, i32, &str)] = &[
     ("grade right --cases EXAM", 0, "everything that was run passes"),
@@ -131,8 +131,8 @@ fn every_call_ends_as_help_says() {
 #[test]
 fn every_command_and_every_code_of_its_help_is_in_the_table() {
     let place = tempfile::tempdir().unwrap();
-    // What the calls above cannot bring about: an interrupt (below), a machine without a compiler,
-    // a case without its answer (`lint` of a whole set), a submission that explains itself, a disk
+    // The calls above cannot cause these: an interrupt (below), a machine without a compiler, a
+    // case without its answer (`lint` of a whole set), a submission that explains itself, a disk
     // that cannot be read (`compare`).
     let excused = [
         ("explain", 0),
@@ -175,7 +175,7 @@ fn every_command_and_every_code_of_its_help_is_in_the_table() {
     }
 }
 
-/// Waits for what must come; a minute without it is a failure.
+/// Waits until `path` exists. A minute without that is a failure.
 fn wait_for(path: &Path) {
     let start = Instant::now();
     while !path.exists() {
@@ -229,7 +229,8 @@ fn a_full_disk_behind_standard_output_is_the_machines_failure() {
     }
 }
 
-/// Runs a call whose reader has gone away before the first word, on both streams.
+/// Runs a call whose reader goes away before the first word, on both streams. Returns the exit
+/// code.
 fn without_reader(place: &Path, args: &[&str]) -> Option<i32> {
     let mut child = grader(place, args).spawn().unwrap();
     drop((child.stdout.take(), child.stderr.take()));

@@ -1,5 +1,5 @@
-//! What the machine lacks is never the student's fault, and a broken program does not cost the
-//! machine much.
+//! Checks that a shortage of the machine is never the student's fault, and that a broken program
+//! costs little time.
 
 mod class;
 mod shared;
@@ -13,13 +13,15 @@ use grader::record::{CheckRecord, Record};
 
 use class::{BLACK, CRASH, Class, wait_for};
 
-/// Under the line of shell, a program is graded with this exit code, and something like `part` is
-/// said. Where the machine failed, nothing is published, and the next run grades.
+/// Checks the exit code and a part of the output of a batch with one program, after a line of
+/// shell.
+///
+/// If the machine failed, nothing is published, and the next run grades the program.
 fn check(line: &str, script: &str, code: i32, part: &str) {
     check_class(&Class::new(&[("a", script)]), line, script, code, part);
 }
 
-/// The same for a program that is right, but has to be built by the script first.
+/// Like [`check`], for a correct program that the script has to build first.
 fn check_build(line: &str, script: &str, code: i32, part: &str) {
     let class = Class::new(&[("a", BLACK)]);
     let commands =
@@ -38,7 +40,7 @@ fn check_class(class: &Class, line: &str, script: &str, code: i32, part: &str) {
     assert!(class.has_record("a"), "{line}, {script}: the next run");
 }
 
-/// A script that draws, where `test` holds, and else crashes.
+/// Returns a script that draws if `test` holds, and else crashes.
 fn where_holds(test: &str) -> String {
     format!("{test} || {{ echo 'it does not hold' >&2; exit 1; }}; {BLACK}")
 }
@@ -99,8 +101,8 @@ fn a_missing_folder_for_temporary_files_is_named() {
     );
 }
 
-/// Whether this system lets its users mount file systems of their own; containers and hardened
-/// systems do not.
+/// Returns whether this system lets its users mount file systems of their own. Containers and
+/// hardened systems do not.
 fn can_mount(folder: &Path) -> bool {
     let mount = format!("mount -t tmpfs none '{}'", folder.display());
     let tried =
@@ -122,7 +124,7 @@ fn a_full_disk_is_not_the_students() {
                 exec \"$@\"' sh \"$@\""
         )
     };
-    // The program's copy, the scene and the marks take eight blocks of 4 KiB or so.
+    // The program's copy, the scene and the marks take about eight blocks of 4 KiB.
     let large = where_holds("head -c 100000 /dev/zero > \"$3\"");
     check(&with("size=96k"), &large, 3, "has no room for");
     check(&with("size=12k"), BLACK, 3, "No space left");
@@ -143,11 +145,11 @@ fn a_full_disk_is_not_the_students() {
     check(&with("size=1m"), "rm -rf \"$PWD\"; exit 1", 0, "a: 0 of 2 points");
 }
 
-/// A compiler that only says its name: another user may not reach the real one.
+/// A compiler that only prints its name, since another user may not reach the real one.
 const COMPILER: &str =
     "#!/bin/sh\ncase $1 in --print) cd \"${0%/*}/..\" && pwd;; *) echo rustc 1.0;; esac\n";
 
-/// Copies what makes a workspace of the assignment.
+/// Copies the files that make a folder a workspace of the assignment.
 fn copy_workspace(to: &Path) {
     let from = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
     let mut files = vec!["Cargo.lock".into(), "cases/Cargo.toml".into()];
@@ -236,8 +238,8 @@ fn is_part(path: &Path) -> bool {
     path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(".part-"))
 }
 
-/// The exam of `n` pictures: how often the program was started, and what each check is worth and
-/// says.
+/// Grades a program with an exam of `n` pictures. Returns how often the program was started, and
+/// the points and message of each check.
 fn on_pictures(n: usize, script: &str, jobs: &str) -> (usize, Vec<(u64, String)>) {
     let class = Class::new(&[]);
     (1..n).for_each(|n| class.add_case(&format!("dark{n:02}")));
@@ -257,7 +259,7 @@ fn on_pictures(n: usize, script: &str, jobs: &str) -> (usize, Vec<(u64, String)>
 
 #[test]
 fn a_program_that_fails_whatever_it_is_given_is_not_started_for_every_picture() {
-    // The pictures for which it is started; once more it is started with an empty scene.
+    // The pictures for which the program is started. It is started once more, with an empty scene.
     let (loud, silent) = (&[0, 1, 11][..], &[0, 1, 3, 4, 6, 7, 9, 11][..]);
     for (script, kind, started) in [
         ("echo no configuration >&2; exit 1", "it ended with code 1: no configuration", loud),
@@ -285,8 +287,8 @@ fn a_program_that_fails_whatever_it_is_given_is_not_started_for_every_picture() 
     }
 }
 
-/// The note at the end of a Rust panic says nothing of the cause, and neither does an end without a
-/// word.
+/// The note at the end of a Rust panic says nothing about the cause, and neither does an end
+/// without a message.
 #[test]
 fn a_program_that_fails_for_several_reasons_gets_the_points_of_what_it_can_do() {
     let note = "echo 'note: run with `RUST_BACKTRACE=1` environment variable to display a \
@@ -321,8 +323,8 @@ fn a_program_that_sleeps_is_not_waited_for_without_end() {
     let n_right = said.iter().take_while(|(earned, _)| *earned > 0).count();
     assert!((12..20).contains(&n_right), "{n_right} pictures of 0.9 s fit into 12 s: {said:?}");
     let rest = &said[n_right..];
-    let is_told = |message: &str| {
+    let is_reported = |message: &str| {
         message == "not run, because the program was idle for 12 s in all before this"
     };
-    assert!(rest.iter().all(|(earned, message)| *earned == 0 && is_told(message)), "{rest:?}");
+    assert!(rest.iter().all(|(earned, message)| *earned == 0 && is_reported(message)), "{rest:?}");
 }

@@ -1,4 +1,4 @@
-//! Nothing that a submission says, and no name that it brings, gives a command to the machine that
+//! Checks that no output of a submission, and no name in it, acts as a command on the machine that
 //! keeps the log.
 
 mod common;
@@ -7,7 +7,7 @@ use std::fs;
 
 use common::{exam, grader, hand_in, printed};
 
-/// What a submission would have the log's reader do; a record holds each of them.
+/// Commands to the reader of the log that a submission prints. A record contains each of them.
 const ATTACKS: [&str; 4] = [
     "::error file=a.rs::owned",
     "  ::stop-commands::owned",
@@ -15,7 +15,7 @@ const ATTACKS: [&str; 4] = [
     "##vso[task.complete result=Failed]owned",
 ];
 
-/// Whether the runner of GitHub or the agent of Azure obeys a line of `text`.
+/// Returns a line of `text` that the runner of GitHub or the agent of Azure would obey, or `None`.
 fn obeyed(text: &str) -> Option<&str> {
     text.split(['\n', '\r']).find(|line| {
         let starts = line.trim_start().starts_with("::");
@@ -23,8 +23,10 @@ fn obeyed(text: &str) -> Option<&str> {
     })
 }
 
-/// A program that attacks in every way: on both streams, as the answer to a question, by what is
-/// still to be written.
+/// Returns a program that attacks in every way.
+///
+/// The program prints the commands on both streams, in its answers to questions, and as the name of
+/// a function that is still to be written.
 fn program() -> String {
     let lines = ATTACKS.join("\n");
     format!(
@@ -55,7 +57,7 @@ fn no_command_prints_an_attack() {
         &format!("cat <<'END' >&2\n{}\nEND\nexit 1", ATTACKS.join("\n")),
         "exit 1",
     );
-    // A file of this name is left aside, and named in the report.
+    // Files of these names are left aside, and named in the report.
     fs::create_dir_all(class.join("rust/src")).unwrap();
     fs::write(class.join("rust/src/light.rs"), "::error::x ##[error]").unwrap();
     for name in ["::error ::x.rs", "##[error]x.rs"] {

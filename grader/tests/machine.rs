@@ -1,4 +1,5 @@
-//! A machine that fails while a submission is taken in costs no point, and the next run grades it.
+//! Checks that a machine that fails while a submission is read costs no points, and that the next
+//! run grades the submission.
 
 use std::fs;
 use std::io::Write;
@@ -8,12 +9,12 @@ use std::process::{Command, Output};
 use zip::CompressionMethod;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-/// The exam of flat colours, which small programs can get right.
+/// Returns the exam of flat colours, which small programs can get right.
 fn exam() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/exam")
 }
 
-/// Returns an archive with a right program of the exam and a file of a mebibyte.
+/// Returns an archive with a correct program for the exam and a file of a mebibyte.
 fn archive() -> Vec<u8> {
     let honest =
         fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/submissions/honest.py"))
@@ -37,7 +38,7 @@ fn archive() -> Vec<u8> {
     out.finish().unwrap().into_inner()
 }
 
-/// A folder with `in/ann.zip` and an empty `tmp`.
+/// Returns a folder with `in/ann.zip` and an empty `tmp`.
 fn class() -> tempfile::TempDir {
     let place = tempfile::tempdir().unwrap();
     fs::create_dir(place.path().join("in")).unwrap();
@@ -46,7 +47,7 @@ fn class() -> tempfile::TempDir {
     place
 }
 
-/// Exit code, and what was printed on both streams.
+/// Runs the command. Returns the exit code, and what it printed on both streams.
 fn run(command: &mut Command) -> (i32, String) {
     let Output { status, stdout, stderr } = command.output().unwrap();
     let text = String::from_utf8_lossy(&stdout).into_owned() + &String::from_utf8_lossy(&stderr);
@@ -59,7 +60,7 @@ fn batch<'a>(command: &'a mut Command, place: &Path) -> &'a mut Command {
     command.args(["--jobs", "1", "--cases"]).arg(exam()).current_dir(place)
 }
 
-/// `limited` runs a batch with too little room; then there is room.
+/// Checks a batch that `limited` runs with too little room, and then one with enough.
 fn check(limited: &mut Command, place: &Path) {
     let (code, text) = run(batch(limited, place));
     assert_eq!(code, 3, "{text}");
@@ -79,7 +80,7 @@ fn check(limited: &mut Command, place: &Path) {
 #[test]
 fn a_limit_on_the_size_of_files_is_no_fault_of_the_students() {
     let place = class();
-    // The crates for submissions are compiled without the limit, where they are not there yet.
+    // The crates for submissions are compiled without the limit, if they are not in the store yet.
     let (_, text) = run(batch(&mut Command::new("env"), place.path()));
     assert!(text.contains("ann: 10 of 10 points"), "{text}");
     fs::remove_dir_all(place.path().join("out")).unwrap();
@@ -93,8 +94,8 @@ fn a_full_disk_is_no_fault_of_the_students() {
     let may_mount =
         Command::new("unshare").args(["-rm", "true"]).status().is_ok_and(|status| status.success());
     if !may_mount {
-        // The same fault is tested above without a mount. Where a gate says that it can mount, it
-        // must.
+        // The fault is tested above without a mount as well. A gate that sets the variable must be
+        // able to mount.
         assert!(
             std::env::var_os("REQUIRE_NAMESPACES").is_none(),
             "`unshare -rm` does not work here"

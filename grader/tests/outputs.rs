@@ -1,4 +1,5 @@
-//! Reports go to files, streams and devices; and files that are not pictures cost points only.
+//! Checks that reports go to files, streams and devices, and that files that are no pictures cost
+//! only points.
 
 mod shared;
 
@@ -11,7 +12,7 @@ use cases::film::{self, Image};
 use cases::glam::DVec3;
 use shared::dark_exam;
 
-/// `Home` is a folder with the exam in `stages` and the right picture in `pictures`.
+/// A folder with the exam in `stages` and the correct picture in `pictures`.
 struct Home(tempfile::TempDir);
 
 impl Home {

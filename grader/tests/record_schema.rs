@@ -1,12 +1,12 @@
-//! The stored JSON Schema of a record is the one that the types give, and holds for every record
-//! that is stored.
+//! Checks that the stored JSON Schema of a record is the one of the types, and that every stored
+//! record conforms to it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-/// The root of the repository.
+/// Returns the root of the repository.
 fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
@@ -72,8 +72,8 @@ fn what_is_no_record_does_not_have_the_form() {
     }
 }
 
-/// Whether `value` has the form `schema`; `Err` says where it has not. Knows the words that our
-/// schemas use, and no other, so that none is passed over.
+/// Checks that `value` conforms to `schema`; `Err` says where it does not. A keyword that our
+/// schemas do not use is a panic, so that none is ignored.
 fn check(value: &Value, schema: &Value, root: &Value, place: &str) -> Result<(), String> {
     let Some(words) = schema.as_object() else { return Ok(()) };
     let wrong = |word: &str| Err(format!("{place}: against {word} of {schema}: {value}"));

@@ -1,5 +1,5 @@
-//! Every command that judges refuses answers that do not belong to their cases, and says which
-//! command renews them.
+//! Checks that every command that judges refuses answers that do not belong to their cases, and
+//! names the command that renews them.
 
 mod shared;
 
@@ -11,7 +11,7 @@ use cases::answer::{image_answer_path, mistakes_path};
 
 use shared::{CASE, STAGE, dark_exam};
 
-/// Runs `grader` in `home`, and returns the exit code and all that is printed.
+/// Runs `grader` in `home`, and returns the exit code and everything that it prints.
 fn run(home: &Path, words: &[&str]) -> (Option<i32>, String) {
     let output =
         Command::new(env!("CARGO_BIN_EXE_grader")).args(words).current_dir(home).output().unwrap();
@@ -34,7 +34,7 @@ const JUDGES: [&[&str]; 4] = [
     ],
 ];
 
-/// Makes an exam, a submission, a class of one and a picture; all of them are right.
+/// Returns a folder with an exam, a submission, a class of one and a picture, all of them correct.
 fn home() -> tempfile::TempDir {
     let home = tempfile::tempdir().unwrap();
     dark_exam(&home.path().join("stages"));
@@ -52,7 +52,8 @@ fn home() -> tempfile::TempDir {
     home
 }
 
-/// After `change`, the commands `judges` refuse to run and `lint` fails; all of them name `what`.
+/// Checks that after `change` the commands `judges` refuse to run and `lint` fails, and that all of
+/// them name `what`.
 fn check(judges: &[&[&str]], what: &str, change: impl FnOnce(&Path)) {
     let home = home();
     change(&home.path().join("stages"));
@@ -71,8 +72,9 @@ fn rewrite(stages: &Path, from: &str, to: &str) {
     fs::write(stages.join("01_ray_casting/dark.toml"), CASE.replace(from, to)).unwrap();
 }
 
-/// The case, and how the commands name it.
+/// The id of the case.
 const ID: &str = "01_ray_casting/dark";
+/// The name of the case in messages.
 const DARK: &str = "dark";
 
 #[test]
@@ -120,8 +122,8 @@ fn words_for_people_make_no_answer_stale() {
     }
 }
 
-/// A pipe that nobody writes to, and a machine without handles: no command waits, and none blames
-/// the cases.
+/// With a pipe that nobody writes to, and with no file handles left, no command waits, and none
+/// blames the cases.
 #[test]
 fn an_answer_that_cannot_be_read_holds_up_nothing() {
     for special in ["mkfifo", "mkdir", "ln -s /dev/zero"] {

@@ -1,4 +1,4 @@
-//! Two pictures in any pair of forms give the same figures in either order.
+//! Checks that two pictures in any pair of formats give the same figures in either order.
 
 #[path = "shared/forms.rs"]
 mod forms;
@@ -12,8 +12,8 @@ use grader::judge::{Comparison, RowsCompared};
 
 const FORMS: [Form; 5] = [Form::Png, Form::DeepPng, Form::Pfm, Form::Exr, Form::HalfExr];
 
-/// Returns the 16-bit levels that a file of this form stores for `light`. There is no simple
-/// formula for half floats.
+/// Returns the 16-bit levels that a file of this format stores for `light`, or `None` for half
+/// floats, which have no simple formula.
 fn words(form: Form, light: f64) -> Option<f64> {
     match form {
         Form::Png => Some(f64::from(byte(light)) * WORDS_IN_BYTE),
@@ -23,7 +23,7 @@ fn words(form: Form, light: f64) -> Option<f64> {
     }
 }
 
-/// Knuth's linear congruential generator; the high bits are the good ones.
+/// Knuth's linear congruential generator, of which the high bits are used.
 struct Dice(u64);
 
 impl Dice {
@@ -108,7 +108,7 @@ fn it_makes_no_difference_which_picture_comes_first() {
     assert!(n_agree > 50 && n_differ > 1000, "{n_agree} agree, {n_differ} differ");
 }
 
-/// Puts the part "first …" of a text in front of the part "second …".
+/// Returns the text with the part "first …" in front of the part "second …".
 fn swapped(text: &str) -> String {
     let Some((before, rest)) = text.split_once(": second ") else { return text.to_owned() };
     let (second, rest) = rest.split_once(", first ").unwrap();
@@ -118,7 +118,8 @@ fn swapped(text: &str) -> String {
     format!("{before}: first {first}, second {second}{after}")
 }
 
-/// Counts the pixels that are out, from the light that the files store.
+/// Counts the pixels that are out, from the light that the files store. Returns `None` for half
+/// floats.
 fn n_out(images: &[Image; 2], forms: [Form; 2], slack: f64) -> Option<u32> {
     let mut n = 0;
     for (one, other) in images[0].pixels().iter().zip(images[1].pixels()) {

@@ -1,4 +1,4 @@
-//! The reference tracer's program; `reference --help` says what it does.
+//! The program `reference`; `reference --help` describes it.
 
 use std::process::ExitCode;
 

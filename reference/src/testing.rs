@@ -2,7 +2,11 @@
 
 use cases::{Scene, scene};
 
-/// The scene of a TOML text; its picture is 8 × 6 unless it says otherwise.
+/// Parses a scene in TOML. A default camera and an 8 × 6 picture of depth 4 are added unless the
+/// text has its own.
+///
+/// # Panics
+/// The text is not a valid scene.
 pub(crate) fn scene(text: &str) -> Scene {
     let has_render = text.contains("[render]");
     let render = if has_render { "" } else { "[render]\nsize = [8, 6]\nmax_depth = 4\n" };

@@ -1,4 +1,5 @@
-//! What a scene does not call for under its course changes no bit of its picture: `auto` is `all`.
+//! Tests that effects which a scene does not call for under its course change no bit of its
+//! picture: `auto` gives the picture of `all`.
 
 mod common;
 
@@ -8,8 +9,8 @@ use cases::film::Image;
 use cases::{Scene, scene};
 use common::{Random, random};
 use rayon::prelude::*;
-use reference::render::{Options, render_by};
 use reference::rules::Rules;
+use reference::trace::render::{Options, render_by};
 use reference::world::World;
 
 fn picture(scene: &Scene, course: &Course) -> Image {
@@ -17,7 +18,7 @@ fn picture(scene: &Scene, course: &Course) -> Image {
     render_by(&world, &Rules::of(course), &Options::of(&world), |_| {}).0
 }
 
-/// The pixels that differ in a bit.
+/// Returns the number of pixels that differ in a bit.
 fn n_different(one: &Image, other: &Image) -> usize {
     let bits = |light: &glam::DVec3| light.to_array().map(f64::to_bits);
     one.pixels().iter().zip(other.pixels()).filter(|(a, b)| bits(a) != bits(b)).count()
@@ -40,7 +41,7 @@ fn auto_is_all_in_300_scenes_under_300_courses() {
         .collect();
     let wrong: Vec<&String> = found.iter().filter_map(|(_, wrong)| wrong.as_ref()).collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
-    // Each effect is called for in some scenes and not in others, or the test tests nothing.
+    // Each effect is called for in some scenes and not in others. Otherwise the test is vacuous.
     for effect in Effect::ALL {
         let n = found.iter().filter(|(effects, _)| effects.has(effect)).count();
         assert!((20..=280).contains(&n), "{effect} is called for in {n} of 300 scenes");
@@ -61,8 +62,8 @@ fn ball(shape: &str, material: &str, course: &Course) -> Scene {
         .unwrap_or_else(|problems| panic!("{problems}"))
 }
 
-/// A convex solid that is lit from behind hides the light from its own far side. Without the course
-/// nothing in the scene says so.
+/// A convex solid that is lit from behind occludes the light for its own far side. The course
+/// decides whether this shows; the scene alone does not.
 #[test]
 fn a_lone_solid_that_is_lit_from_behind_calls_for_shadows() {
     for shape in ["sphere = {}", "box = {}"] {

@@ -1,5 +1,5 @@
-//! The catalogue of hard cases, case by case: decisions exact, values within what conditioning
-//! allows, in both precisions.
+//! Tests of the catalogue of hard cases in both precisions: decisions are exact, and values are
+//! within the error that the conditioning allows.
 
 #[path = "common/catalogue.rs"]
 mod catalogue;
@@ -8,18 +8,19 @@ use catalogue::Hard;
 use reference::hard::evaluate;
 use reference::hard::oracle::right;
 use reference::hard::survey::{Comparison, compare};
-use reference::real::Real;
+use reference::numbers::real::Real;
 use reference::rules::{Lecture, Quadratic, Robustness, RuleSource, Rules, Style, TriangleFormula};
 
-/// Roundings that a well-made formula is allowed, before conditioning.
+/// The number of roundings that a good formula may make, before conditioning.
 const ROUNDINGS: f64 = 8.0;
-/// Where conditioning would excuse more than half of the digits, so many roundings must do: 1e-14
-/// in double precision.
+/// The allowed roundings if the conditioning would excuse more than half of the digits: 1e-14 in
+/// double precision.
 const ROUNDINGS_WHERE_BADLY_CONDITIONED: f64 = 45.0;
 
 const NONE: [&str; 0] = [];
 
-/// The greatest relative error that the case allows in the precision `T`.
+/// Returns the greatest relative error that is allowed in the precision `T`, for the condition
+/// number `kappa`.
 fn allowed<T: Real>(kappa: f64) -> f64 {
     let allowed = (ROUNDINGS * (1.0 + kappa)).ceil() * T::ULP.f64();
     if allowed > T::ULP.sqrt().f64() {
@@ -29,7 +30,8 @@ fn allowed<T: Real>(kappa: f64) -> f64 {
     }
 }
 
-/// What is wrong with the answer to a case in the precision `T`, if anything.
+/// Returns what is wrong with the answer to a case in the precision `T`. `None` if it is correct,
+/// or if `T` cannot represent the question.
 fn wrong<T: Real, R: RuleSource>(rules: R, hard: &Hard) -> Option<String> {
     let question = hard.question.rounded::<T>();
     let mut is_finite = true;
@@ -38,7 +40,7 @@ fn wrong<T: Real, R: RuleSource>(rules: R, hard: &Hard) -> Option<String> {
         x
     });
     if !is_finite {
-        return None; // the precision does not hold the question
+        return None; // The precision cannot represent the question.
     }
     let reply = evaluate::<T, R>(rules, &question);
     let limit = hard.kappa.map_or(f64::INFINITY, allowed::<T>);
@@ -48,7 +50,8 @@ fn wrong<T: Real, R: RuleSource>(rules: R, hard: &Hard) -> Option<String> {
     }
 }
 
-/// The ids of the cases that go wrong; each is explained on the error output.
+/// Returns the ids of the cases that are answered wrongly. Prints the reason of each to the error
+/// stream.
 fn all_wrong<T: Real, R: RuleSource>(rules: R) -> Vec<String> {
     let cases = catalogue::hard();
     let wrong = cases.iter().filter_map(|hard| Some((hard, wrong::<T, R>(rules, hard)?)));
@@ -63,7 +66,7 @@ fn all_wrong<T: Real, R: RuleSource>(rules: R) -> Vec<String> {
 #[test]
 fn the_oracle_agrees_with_the_catalogue() {
     let cases = catalogue::hard();
-    assert_eq!(cases.len(), 115, "cases that ask one function");
+    assert_eq!(cases.len(), 115, "cases that are calls of one function");
     for hard in &cases {
         let found = right(&hard.question);
         assert_eq!(found.is_some(), hard.is_hit, "{}", hard.id);
@@ -102,15 +105,15 @@ fn the_oracle_agrees_with_the_catalogue() {
 }
 
 #[test]
-fn every_case_is_met() {
+fn every_case_is_answered_correctly() {
     assert_eq!(all_wrong::<f64, _>(Lecture), NONE, "in f64");
     assert_eq!(all_wrong::<f32, _>(Lecture), NONE, "in f32");
 }
 
 #[test]
-fn of_two_triangles_that_share_an_edge_one_is_met() {
+fn of_two_triangles_that_share_an_edge_one_is_hit() {
     let cases = catalogue::hard();
-    let is_met = |id: &str| {
+    let is_hit = |id: &str| {
         let hard =
             cases.iter().find(|hard| hard.id == id).unwrap_or_else(|| panic!("no case {id}"));
         [
@@ -122,8 +125,8 @@ fn of_two_triangles_that_share_an_edge_one_is_met() {
         cases.iter().filter_map(|hard| Some((&hard.id, hard.pair.as_ref()?))).collect();
     assert!(pairs.len() >= 4, "{pairs:?}");
     for (one, other) in pairs {
-        for (one_met, other_met) in is_met(one).into_iter().zip(is_met(other)) {
-            assert!(one_met || other_met, "lost between {one} and {other}");
+        for (one_hit, other_hit) in is_hit(one).into_iter().zip(is_hit(other)) {
+            assert!(one_hit || other_hit, "lost between {one} and {other}");
         }
     }
 }

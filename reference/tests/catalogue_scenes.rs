@@ -1,5 +1,5 @@
-//! The catalogue's cases of light: attenuation and interpolation as they stand, shadows and mirrors
-//! as scenes made from its words.
+//! Tests of the catalogue's cases of light: attenuation and interpolation as given, shadows and
+//! mirrors as scenes built from their descriptions.
 
 #[path = "common/catalogue.rs"]
 mod catalogue;
@@ -11,11 +11,11 @@ use cases::{Light, Ray};
 use catalogue::{id, number, three};
 use common::scene;
 use glam::DVec3;
-use reference::answers::answer_in;
 use reference::rules::{Lecture, Rules};
+use reference::trace::answers::answer_in;
 use serde_json::Value;
 
-/// What both precisions say, with the least relative error that is allowed each.
+/// Returns the answers of both precisions, each with the relative rounding error of the precision.
 fn answers(rules: &Rules, ask: &Ask) -> [(Answer, f64); 2] {
     [
         (answer_in::<f64, _>(rules, ask), f64::EPSILON),
@@ -46,7 +46,7 @@ fn light_weakens_without_overflow() {
             position: DVec3::ZERO,
             colour: DVec3::ONE,
             ambient: DVec3::ZERO,
-            // the letters of rule 4 are others
+            // The catalogue exchanges the letters a and c of rule 4.
             attenuation: Attenuation { quadratic: c, linear: b, constant: a },
         };
         let ask = Ask::Attenuation { light, r };
@@ -79,15 +79,16 @@ fn normals_are_mixed_and_of_unit_length() {
     }
 }
 
-/// What stands between the origin, on a floor, and the light; and S there. [rule 5] [rule 6]
+/// A shadow case: the light and the objects around the point `at`, and where the catalogue has S
+/// there. [rule 5] [rule 6]
 struct Shadow {
     id: &'static str,
     light: &'static str,
     materials: &'static str,
     objects: &'static str,
     at: [f64; 3],
-    /// The field of the catalogue that says S, and to which power: a closed surface is crossed
-    /// twice.
+    /// The field of the catalogue with S, and `power`, the power to raise it to: a closed surface
+    /// is crossed twice.
     field: &'static str,
     power: u32,
 }
@@ -197,7 +198,7 @@ const SHADOWS: &[Shadow] = &[
 #[test]
 fn shadows_are_those_of_the_paper() {
     let cases = catalogue::of("shadow");
-    assert_eq!(cases.len(), SHADOWS.len() + 3, "three cases ask for a shade");
+    assert_eq!(cases.len(), SHADOWS.len() + 3, "three cases are about shading");
     for shadow in SHADOWS {
         let case = cases
             .iter()
@@ -249,8 +250,8 @@ fn a_light_at_the_point_or_behind_it_gives_nothing() {
     shaded("H15", "[0, -5, 0]", DVec3::Y, DVec3::new(0.6, 0.8, 0.0));
 }
 
-/// Rule 19 shades with the interpolated normal; the light is behind the face itself, whose own
-/// normal leaves nothing.
+/// Rule 19 shades with the interpolated normal. The light is behind the face itself, whose own
+/// normal would give no light.
 #[test]
 fn a_light_below_the_face_is_seen_by_the_interpolated_normal() {
     let case =
@@ -271,7 +272,7 @@ fn a_light_below_the_face_is_seen_by_the_interpolated_normal() {
     check(&case, &Rules::LECTURE, &term(DVec3::Y), [0.0; 3]);
 }
 
-/// Along the axis between two mirrors that shine with 1.
+/// Returns the question for the colour along the axis between two mirrors that emit 1.
 fn between_mirrors(reflectivity: f64, max_depth: u64, threshold: f64) -> Ask {
     let text = format!(
         "[scene.materials]\nmirror = {{ ke = [1, 1, 1], kr = [{reflectivity}, {reflectivity}, \
@@ -294,8 +295,8 @@ fn mirrors_give_the_geometric_series() {
         let radiance = number(&case["expected"]["radiance"]);
         let Some(max_depth) = case["inputs"]["max_depth"].as_u64() else {
             let ask = between_mirrors(reflectivity, 400, number(&case["inputs"]["threshold"]));
-            // The catalogue casts no ray below the threshold; we cast one and let it bring its own
-            // light [D16].
+            // The catalogue casts no ray below the threshold. The reference casts one, which adds
+            // its own light [D16].
             let sparing = Rules { casts_faint_rays: false, ..Rules::LECTURE };
             check(&case, &sparing, &ask, [radiance; 3]);
             let n_rays = case["expected"]["rays"].as_u64().expect("a number of rays");

@@ -1,4 +1,4 @@
-//! The program from outside: exit codes, messages, files.
+//! Tests of the program from outside: exit codes, messages, files.
 
 mod common;
 
@@ -49,7 +49,7 @@ fn a_greater_depth_calls_for_what_the_file_does_not_within_the_stage() {
     };
     assert_eq!(n_reflected(&["mirror.toml"]), 0);
     assert!(n_reflected(&["mirror.toml", "--max-depth", "1"]) > 0);
-    // the stage allows none
+    // The stage allows no reflection.
     assert_eq!(n_reflected(&["stages/01_one/mirror.toml", "--max-depth", "1"]), 0);
 }
 
@@ -72,8 +72,8 @@ fn a_threshold_ends_paths_and_what_it_leaves_out_is_bounded() {
             serde_json::from_slice(&run(folder.path(), &args, "").stdout).unwrap();
         (stats["rays"]["reflected"].as_u64().unwrap(), stats["left_out_at_most"].as_f64().unwrap())
     };
-    // from inside every ray meets the ball; it glows by 1 and mirrors half: what is left out at
-    // weight w would bring 2 w
+    // From inside, every ray hits the ball, which emits 1 and reflects half. A ray of weight w that
+    // is left out would add 2 w.
     assert_eq!(stats(&[]), (8 * 6 * 6, 2.0 * 0.5 * 0.5 * 0.5 * 0.5 * 0.5 * 0.5 * 0.5));
     assert_eq!(stats(&["--threshold", "1/4"]), (8 * 6 * 3, 2.0 * 0.5 * 0.5 * 0.5 * 0.5));
     assert_eq!(stats(&["--threshold", "0"]).0, 8 * 6 * 6);
@@ -112,7 +112,7 @@ fn what_is_left_out_and_why_is_said() {
         String::from_utf8(output.stdout).unwrap()
     };
     let whole = say(&[]);
-    assert!(whole.contains(" attenuations worked out: lights[0] weakens with distance"), "{whole}");
+    assert!(whole.contains(" attenuations computed: lights[0] weakens with distance"), "{whole}");
     assert!(
         whole.contains("  reflection      not called for: no object's material has kr > 0"),
         "{whole}"
@@ -120,7 +120,7 @@ fn what_is_left_out_and_why_is_said() {
     assert!(whole.contains("left out   nothing, for depth, threshold or light cutoff"), "{whole}");
     let none = say(&["--effects", "none"]);
     assert!(none.contains("  attenuation     left out, though called for: lights[0]"), "{none}");
-    // no lamp brings as much as all the light there is
+    // No lamp gives as much light as the cutoff of 1.
     let cut = say(&["--light-cutoff", "1"]);
     assert!(
         cut.contains(" lights too weak to be followed") && cut.contains("levels (proven)"),
@@ -150,7 +150,7 @@ fn a_case_is_rendered_by_its_course_unless_another_is_given() {
     assert_eq!(
         render(&["stages/01_one/card.toml"]),
         lecture,
-        "no course.toml lies beside those stages"
+        "there is no course.toml beside those stages"
     );
     let scene = SCENE.replace("sphere = {}", "square = {}");
     std::fs::write(folder.path().join("card.toml"), scene).unwrap();
@@ -200,7 +200,7 @@ fn what_cannot_be_read_or_named_is_2() {
     std::fs::write(folder.path().join("bad.toml"), SCENE.replace("fov_y_deg", "fov_deg")).unwrap();
     let bad = render(&["bad.toml", "a.png"]);
     expect(&bad, 2, "bad.toml:9:1");
-    assert!(!bad.stderr.contains(&0x1b), "no colour where no terminal is");
+    assert!(!bad.stderr.contains(&0x1b), "no colours without a terminal");
     assert!(!folder.path().join("a.png").exists(), "nothing was rendered");
 }
 

@@ -1,4 +1,5 @@
-//! The program keeps what it cannot replace: full disks, files that do not fit, names of no files.
+//! Tests of outputs that cannot be written: full disks, files that do not fit, devices. The program
+//! keeps a file that it cannot replace.
 
 mod common;
 
@@ -40,6 +41,6 @@ fn a_file_that_does_not_fit_leaves_the_old_one() {
     let names = std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name());
     assert!(
         !names.into_iter().any(|name| name.to_string_lossy().starts_with(".part-")),
-        "a part stayed behind"
+        "a partial file is left"
     );
 }

@@ -1,4 +1,5 @@
-//! What accuracy costs: which settings are measured, what is made of them, and how it is written.
+//! Tests of `cost`: the settings that are measured, the report of the measurements, and its
+//! formats.
 
 mod shared;
 
@@ -12,8 +13,8 @@ use reference::cost::scaled::scaled;
 use reference::cost::setting::{Formula, Setting};
 use reference::cost::sweep::{About, Axes, Sweep};
 use reference::cost::{csv, page, table};
+use reference::expect::variations::Precision;
 use reference::rules::Rules;
-use reference::variations::Precision;
 use shared::{SCENE, well_formed};
 
 fn scene(text: &str) -> Scene {
@@ -23,30 +24,30 @@ fn scene(text: &str) -> Scene {
     stage::load_scene(&path, &cases::Course::default()).unwrap()
 }
 
-/// Every picture takes as many seconds as it has rays a side of a pixel; the measurement is stopped
-/// before picture number `stops_before`.
-struct Still {
+/// A clock by which every picture takes half a second. It stops the measurement before picture
+/// number `stops_before`.
+struct FakeClock {
     now_s: f64,
-    n_asked: usize,
+    n_calls: usize,
     stops_before: usize,
     work: u64,
 }
 
-impl Still {
+impl FakeClock {
     fn until(stops_before: usize) -> Self {
-        Self { now_s: 0.0, n_asked: 0, stops_before, work: 0 }
+        Self { now_s: 0.0, n_calls: 0, stops_before, work: 0 }
     }
 }
 
-impl Outside for Still {
+impl Outside for FakeClock {
     fn now_s(&mut self) -> f64 {
         self.now_s += 0.5;
         self.now_s
     }
 
     fn goes_on(&mut self) -> bool {
-        self.n_asked += 1;
-        self.n_asked <= self.stops_before
+        self.n_calls += 1;
+        self.n_calls <= self.stops_before
     }
 
     fn done(&mut self, work: u64) {
@@ -54,7 +55,7 @@ impl Outside for Still {
     }
 }
 
-fn report_of(name: &str, n_rounds: usize, outside: &mut Still) -> Option<Report> {
+fn report_of(name: &str, n_rounds: usize, outside: &mut FakeClock) -> Option<Report> {
     let scene = scene(SCENE);
     let sweep =
         Sweep::of(&scene, &Axes { samples: vec![1, 2], truth_samples: 3, ..Axes::of(&scene) });
@@ -94,7 +95,7 @@ fn the_sweep_crosses_what_matters_and_takes_the_rest_one_by_one() {
         }
         assert!(
             accuracy.contains(&Setting { samples, max_depth: 4, ..own }),
-            "the exact one with as many rays"
+            "the exact setting with as many rays"
         );
     }
     for max_depth in [0, 1, 2, 3, 4] {
@@ -104,8 +105,8 @@ fn the_sweep_crosses_what_matters_and_takes_the_rest_one_by_one() {
         assert!(accuracy.contains(&Setting { threshold, ..own }), "threshold {threshold}");
     }
     assert_eq!(sweep.truth, Setting { samples: 8, max_depth: 4, ..own });
-    // 18 crossed, 4 other depths, 4 other thresholds, the exact ones of 2, 4 and 8, and by other
-    // numbers that of 1
+    // 18 are crossed, 4 have other depths, 4 other thresholds, 3 are the exact ones for 2, 4 and 8
+    // rays a side, and 5 have another precision or formula than the exact one for 1.
     assert_eq!(accuracy.len(), 18 + 4 + 4 + 3 + 5);
     let effects: Vec<About> =
         sweep.subjects.iter().map(|(_, about)| *about).filter(|a| *a != About::Accuracy).collect();
@@ -122,7 +123,7 @@ fn nothing_that_the_scene_does_not_call_for_is_swept() {
     let sweep = Sweep::of(&scene, &Axes::of(&scene));
     assert!(
         sweep.subjects.iter().all(|(s, _)| s.max_depth == 2 && s.threshold == 0.0),
-        "no ray is spawned"
+        "depth and threshold vary, but no ray is spawned"
     );
     assert_eq!(sweep.subjects.len(), 18 + 1 + 2, "the truth; without shadows, and with everything");
 }
@@ -147,12 +148,12 @@ fn matrices_and_attenuation_are_left_out_one_by_one_too() {
 
 #[test]
 fn errors_are_taken_from_the_truth_and_times_from_the_clock() {
-    let mut outside = Still::until(usize::MAX);
+    let mut outside = FakeClock::until(usize::MAX);
     let report = report_of("a", 3, &mut outside).unwrap();
     let scene = scene(SCENE);
     let sweep =
         Sweep::of(&scene, &Axes { samples: vec![1, 2], truth_samples: 3, ..Axes::of(&scene) });
-    assert_eq!(outside.work, work(&sweep, 3), "what the bar is told comes to what it was promised");
+    assert_eq!(outside.work, work(&sweep, 3), "the reported work is the work that was announced");
     let row = |setting: Setting| report.row(&setting).unwrap();
     let (own, truth) = (row(report.own), row(report.truth));
     assert_eq!(
@@ -190,9 +191,9 @@ fn errors_are_taken_from_the_truth_and_times_from_the_clock() {
     );
     assert!(
         report.rows.iter().all(|row| row.rounding.is_some()),
-        "everything has its exact sibling"
+        "every setting has its exact sibling"
     );
-    // all take as long, so that only the most accurate can be on the front
+    // All take equally long, so only the most accurate settings can be on the front.
     assert!(report.rows.iter().all(|row| row.is_on_front == (row.error.rms_levels == 0.0)));
     let shadows = report.effects.iter().find(|row| row.without == Some(Effect::Shadows)).unwrap();
     assert_eq!(shadows.rays.shadow, 0);
@@ -201,34 +202,34 @@ fn errors_are_taken_from_the_truth_and_times_from_the_clock() {
     assert_eq!(
         (all.error.max_light, all.more_ms),
         (0.0, 0.0),
-        "what is not called for changes nothing"
+        "an effect that is not called for changes nothing"
     );
 }
 
 #[test]
 fn what_is_stopped_keeps_the_rounds_that_are_done() {
-    let mut count = Still::until(usize::MAX);
+    let mut count = FakeClock::until(usize::MAX);
     let whole = report_of("a", 2, &mut count).unwrap();
     let n_settings = whole.rows.len() + whole.effects.len();
-    assert_eq!((whole.rounds, whole.is_cut_short, count.n_asked), (2, false, 3 * n_settings));
+    assert_eq!((whole.rounds, whole.is_cut_short, count.n_calls), (2, false, 3 * n_settings));
     for (stops_before, rounds) in
         [(0, None), (n_settings, None), (2 * n_settings - 1, None), (2 * n_settings, Some(1))]
     {
-        let report = report_of("a", 2, &mut Still::until(stops_before));
+        let report = report_of("a", 2, &mut FakeClock::until(stops_before));
         assert_eq!(report.as_ref().map(|report| report.rounds), rounds, "{stops_before}");
         assert!(report.is_none_or(
             |report| report.is_cut_short && table::text(&report).contains("Stopped before")
         ));
     }
-    let late = report_of("a", 2, &mut Still::until(3 * n_settings - 1)).unwrap();
-    assert_eq!(late.rounds, 1, "a round that is not whole does not count");
+    let late = report_of("a", 2, &mut FakeClock::until(3 * n_settings - 1)).unwrap();
+    assert_eq!(late.rounds, 1, "an incomplete round does not count");
 }
 
 const HOSTILE: &str = "=1+1,\"</title><script>alert('x')</script>\u{1b}[2J\u{202e}\n{{ 7*7 }}";
 
 #[test]
 fn every_form_is_well_made_whatever_the_scene_is_called() {
-    let report = report_of(HOSTILE, 1, &mut Still::until(usize::MAX)).unwrap();
+    let report = report_of(HOSTILE, 1, &mut FakeClock::until(usize::MAX)).unwrap();
     let json: serde_json::Value =
         serde_json::from_slice(&serde_json::to_vec(&report).unwrap()).unwrap();
     assert_eq!(json["rows"].as_array().unwrap().len(), report.rows.len());
@@ -264,7 +265,7 @@ fn every_form_is_well_made_whatever_the_scene_is_called() {
 fn a_page_needs_nothing_and_allows_nothing_but_its_style() {
     use base64::Engine;
     use sha2::Digest;
-    let page = page::page(&report_of("a", 1, &mut Still::until(usize::MAX)).unwrap());
+    let page = page::page(&report_of("a", 1, &mut FakeClock::until(usize::MAX)).unwrap());
     let style = page.split("<style>").nth(1).unwrap().split("</style>").next().unwrap();
     let hash = base64::prelude::BASE64_STANDARD.encode(sha2::Sha256::digest(style));
     let policy = page
@@ -279,7 +280,11 @@ fn a_page_needs_nothing_and_allows_nothing_but_its_style() {
         policy.starts_with(&format!("default-src 'none'; style-src 'sha256-{hash}';")),
         "{policy}"
     );
-    assert_eq!(page.matches("<style>").count(), 1, "the pictures bring none along");
+    assert_eq!(
+        page.matches("<style>").count(),
+        1,
+        "the pictures have no style sheets of their own"
+    );
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! `reference cost` from outside: tables, files, exit codes. No time is looked at.
+//! Tests of `reference cost` from outside: tables, files, exit codes. No test depends on a measured
+//! time.
 
 mod shared;
 
@@ -29,7 +30,7 @@ fn the_command_prints_a_table_and_writes_every_form() {
     let short = ["scene.toml", "--samples", "1", "--rounds", "1", "--depths", "2"];
     let files = ["--json", "a.json", "--csv", "a.csv", "--svg", "a.svg", "--html", "a.html"];
     let table = check(folder.path(), &[&short[..], &files].concat(), 0, "Pick ");
-    assert!(!table.stdout.contains(&0x1b), "no colour where no terminal is");
+    assert!(!table.stdout.contains(&0x1b), "no colours without a terminal");
     for (file, begins) in [
         ("a.json", "{"),
         ("a.csv", "scene,width"),
@@ -208,7 +209,7 @@ fn an_interrupted_measurement_ends_with_130() {
         .unwrap();
     let mut errors = BufReader::new(child.stderr.take().unwrap());
     let mut line = String::new();
-    errors.read_line(&mut line).unwrap(); // by now Ctrl-C is waited for
+    errors.read_line(&mut line).unwrap(); // From here on the program handles Ctrl-C.
     assert!(line.starts_with("measuring "), "{line}");
     assert!(
         Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success()

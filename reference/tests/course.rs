@@ -1,4 +1,4 @@
-//! A course matters: what it decides is what the reference renders and answers.
+//! Tests that the reference renders and answers as a course decides.
 
 mod common;
 
@@ -9,11 +9,11 @@ use cases::stage::{self, Case};
 use common::{Random, random};
 use glam::DVec3;
 use rayon::prelude::*;
-use reference::answers::answer;
 use reference::expect;
-use reference::misconceptions;
-use reference::render::{Options, render, render_by};
+use reference::rules::misconceptions;
 use reference::rules::{Lecture, Rules};
+use reference::trace::answers::answer;
+use reference::trace::render::{Options, render, render_by};
 use reference::world::World;
 
 fn rules(text: &str) -> Rules {
@@ -31,7 +31,8 @@ fn picture(case: &Case, rules: &Rules) -> Image {
     render_by(&world, rules, &Options::of(&world), |_| {}).0
 }
 
-/// The same choice made by a course and by mistake gives the same bits; the lecture gives others.
+/// A choice gives one picture, whether a course makes it or a mistake does. The lecture gives a
+/// different one.
 #[test]
 fn what_is_a_mistake_in_one_course_is_the_picture_of_another() {
     let table = [
@@ -57,7 +58,7 @@ fn what_is_a_mistake_in_one_course_is_the_picture_of_another() {
         );
         assert!(
             misconceptions::of(&course).iter().all(|known| known.id != mistake.id),
-            "{} is asked for",
+            "{} is a mistake, although the course requires it",
             mistake.id
         );
     }
@@ -71,7 +72,7 @@ fn the_default_course_is_rendered_by_the_kernel_of_the_lecture() {
     assert!(picture(&case, &Rules::of(&Course::default())).pixels() == lecture.pixels());
 }
 
-/// The picture stays upright: with rays through centres it is the same but for rounding, with rays
+/// The picture stays upright. With rays through centres it changes only by rounding, and with rays
 /// through corners it moves by a row.
 #[test]
 fn rows_from_the_bottom_leave_the_picture_upright() {
@@ -84,7 +85,7 @@ fn rows_from_the_bottom_leave_the_picture_upright() {
             .filter(|(a, b)| (**a - **b).abs().max_element() > 1e-6)
             .count()
     };
-    assert!(n_different("# lecture", "row_0 = \"bottom\"") <= 3, "silhouettes apart");
+    assert!(n_different("# lecture", "row_0 = \"bottom\"") <= 3, "only silhouettes may differ");
     assert!(n_different("pixel = \"corner\"", "pixel = \"corner\"\nrow_0 = \"bottom\"") > 100);
     // Row 0 of 4 at the bottom, 90 degrees: y = 2 (0 + 1/2)/4 − 1 = −3/4, and from the corner −1.
     let camera = case.scene.camera;
@@ -104,8 +105,8 @@ fn rows_from_the_bottom_leave_the_picture_upright() {
     }
 }
 
-/// N·L = −0.6 and no highlight: |N·L| kd = 0.6 · 0.5 where the course lights the surface from
-/// behind.
+/// N·L = −0.6 and there is no highlight. If the course lights surfaces from behind, the term is
+/// |N·L| kd = 0.6 · 0.5.
 #[test]
 fn light_from_behind_is_for_those_whom_the_course_gives_it() {
     let term = |text: &str, kt: f64| {
@@ -157,9 +158,9 @@ fn answers_follow_the_course() {
     );
 }
 
-/// The answers on paper say for which courses they hold, so that one command sets up any legal
-/// course: each that differs from the lecture in one key, three keys together that a real course
-/// has, and random ones.
+/// Answers on paper name the courses for which they hold, so one command sets up any legal course.
+/// This test covers each course that differs from the lecture in one key, one that differs in
+/// three, as a real course does, and random ones.
 #[test]
 fn every_legal_course_has_answers_to_all_unit_checks() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
@@ -187,7 +188,7 @@ fn every_legal_course_has_answers_to_all_unit_checks() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// An answer on paper that holds in no other course still has to be right in its own.
+/// An answer on paper that holds in only one course still has to be correct in that one.
 #[test]
 fn an_answer_on_paper_is_checked_where_it_holds() {
     let text = |paper: &str| {

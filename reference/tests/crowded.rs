@@ -1,41 +1,42 @@
-//! Many triangles in one place: those that repeat an earlier one cost nothing, and change nothing.
+//! Tests of many triangles in one place: a triangle that repeats an earlier one costs nothing, and
+//! changes nothing.
 
 mod common;
 
 use cases::{Mesh, Shape};
 use common::{Random, globe, lone};
 use glam::{DAffine3, DVec3};
-use reference::camera::Lens;
-use reference::packet::MOST;
-use reference::ray::Ray;
-use reference::real::Real;
+use reference::numbers::real::Real;
+use reference::rays::camera::Lens;
+use reference::rays::ray::Ray;
 use reference::rules::Lecture;
-use reference::work::Amounts;
+use reference::watch::work::Amounts;
+use reference::world::packet::MOST;
 use reference::world::{Search, World};
 
 const CORNERS: [DVec3; 3] =
     [DVec3::new(-1.0, -1.0, -1.0), DVec3::new(1.0, -1.0, 0.5), DVec3::new(-0.5, 1.0, 1.0)];
 
-/// A mesh in which every triangle has vertices of its own.
+/// Returns a mesh in which every triangle has vertices of its own.
 fn mesh(triangles: impl Iterator<Item = [DVec3; 3]>) -> Mesh {
     let vertices: Vec<DVec3> = triangles.flatten().collect();
     let triangles = (0..vertices.len() as u32 / 3).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
     Mesh { vertices, triangles, normals: None }
 }
 
-/// So many times the same triangle.
+/// Returns a mesh of `n` equal triangles.
 fn repeated(n: usize) -> Mesh {
     mesh((0..n).map(|_| CORNERS))
 }
 
-/// So many times the same three corners, in all of their orders in turn.
+/// Returns a mesh of `n` triangles with equal corners, in all of their orders in turn.
 fn turned(n: usize) -> Mesh {
     let [a, b, c] = CORNERS;
     let orders = [[a, b, c], [b, c, a], [c, a, b], [c, b, a], [b, a, c], [a, c, b]];
     mesh((0..n).map(|k| orders[k % 6]))
 }
 
-/// Part of a globe, with so many times the same triangle before it, and bigger ones about it.
+/// Returns a part of a globe with `n` equal triangles, and bigger triangles before and after them.
 fn among_others(n: usize) -> Mesh {
     let around = globe(20, || 2.0);
     let others =
@@ -45,7 +46,8 @@ fn among_others(n: usize) -> Mesh {
     mesh(bigger.into_iter().chain(others).chain((0..n).map(|_| CORNERS)).chain(bigger))
 }
 
-/// Triangles of so many sizes about one middle, in disorder; none lies in the plane of another.
+/// Returns `n` triangles of different sizes about one centre, in random order. No two lie in one
+/// plane.
 fn nested(n: usize) -> Mesh {
     let mut random = Random(7);
     let mut sizes: Vec<f64> = (1..=n).map(|k| k as f64 / n as f64).collect();
@@ -60,7 +62,8 @@ fn world<T: Real>(mesh: &Mesh, search: Search) -> World<T> {
     )
 }
 
-/// Rays of the scene's camera, and what they hit; and the work that this takes.
+/// Returns the hits of the rays of the scene's camera as text, and the work that they take. Checks
+/// that occlusion and packets agree with the hits.
 fn seen<T: Real>(world: &World<T>) -> (Vec<String>, Amounts) {
     let lens = Lens::<T>::new(Lecture, &world.camera, 24, 18);
     let pixels = (0..18).flat_map(|j| (0..24).map(move |i| (i, j)));
@@ -76,7 +79,7 @@ fn seen<T: Real>(world: &World<T>) -> (Vec<String>, Amounts) {
         })
         .collect();
     for (rays, alone) in rays.chunks(MOST).zip(alone.chunks(MOST)) {
-        let together = rays.iter().zip(world.first_together(rays, &mut work));
+        let together = rays.iter().zip(world.first_of_packet(rays, &mut work));
         let hits = together
             .map(|(ray, found)| found.map(|found| world.hit(Lecture, ray, found, true, &mut ())));
         assert!(hits.map(|hit| format!("{hit:?}")).eq(alone.iter().cloned()));
@@ -84,11 +87,11 @@ fn seen<T: Real>(world: &World<T>) -> (Vec<String>, Amounts) {
     (alone, work)
 }
 
-/// A mesh costs the same, and shows the same, however often its triangles are repeated.
+/// Checks that a mesh has the same hits and the same cost however often its triangles are repeated.
 fn check_growth(name: &str, mesh: fn(usize) -> Mesh) {
     let (hits, work) = seen(&world::<f64>(&mesh(6), Search::Tree));
     let n_hits = hits.iter().filter(|hit| *hit != "None").count();
-    assert!(n_hits > 20, "{name}: only {n_hits} rays hit anything");
+    assert!(n_hits > 20, "{name}: only {n_hits} rays hit the mesh");
     for n in [1_000, 10_000, 100_000] {
         let many = seen(&world::<f64>(&mesh(n), Search::Tree));
         assert!(many.0 == hits, "{name}: {n} triangles look different");
@@ -103,7 +106,7 @@ fn repeated_triangles_cost_nothing() {
     check_growth("among others", among_others);
 }
 
-/// The first of the triangles that repeat one another is hit, with its own normals.
+/// Checks that of equal triangles the first one is hit, with its own normals.
 fn trees_find_what_lists_find<T: Real>() {
     let mut random = Random(0xc0_ffee);
     for mesh in [repeated(300), turned(300), among_others(300), nested(300)] {

@@ -1,17 +1,17 @@
-//! What rays that are not cast can matter: the bound of rule 13, on paper and in pictures.
+//! Tests of the bound on the light of rays that are not cast, on paper and in pictures. [rule 13]
 
 use std::path::Path;
 
 use cases::glam::DVec3;
 use cases::{Effect, Effects, Scene, stage};
-use reference::cutoff::Limits;
 use reference::rules::{Lecture, Rules};
-use reference::trace::Kernel;
+use reference::trace::cutoff::Limits;
+use reference::trace::kernel::Kernel;
 use reference::watch::Notes;
 use reference::world::World;
 
-/// From the middle of a ball that glows by `glow` and mirrors `kr`: every ray meets it, straight
-/// on.
+/// Returns a scene from the centre of a ball that emits `glow` and reflects `kr`. Every ray hits it
+/// at a right angle.
 fn mirror_ball(glow: f64, kr: f64, max_depth: u32, threshold: f64) -> Scene {
     let text = format!(
         "[render]\nsize = [2, 2]\nmax_depth = {max_depth}\nthreshold = {threshold}\n\
@@ -30,7 +30,7 @@ fn load(text: &str) -> Scene {
     stage::load_scene(&path, &cases::Course::default()).unwrap()
 }
 
-/// Light and weight left out of every pixel, and all rays of the picture.
+/// Returns the light and the left-out weight of every pixel, and the number of rays of the picture.
 fn pixels(scene: &Scene, max_depth: u32, threshold: f64) -> (Vec<(DVec3, DVec3)>, u64) {
     let mut world = World::<f64>::new(scene);
     (world.render.max_depth, world.render.threshold) = (max_depth, threshold);
@@ -63,13 +63,13 @@ fn the_figures_worked_out_on_paper() {
     assert_eq!(n_rays, 4 * 51);
     near(limits.of_weight(all[0].1).x, 10.0 - 9.9536160231341);
     near(limits.of_depth(50).x, 10.0 - 9.9536160231341);
-    // 0.9^53 = 0.00376 is the first power below 1/256: that ray is still cast, the next one, of
-    // weight 0.9^54, is not
+    // 0.9^53 = 0.00376 is the first power below 1/256. This ray is still cast; the next one, of
+    // weight 0.9^54, is not.
     let (cut, n_rays) = pixels(&scene, 1000, 1.0 / 256.0);
     assert_eq!(n_rays, 4 * 54);
     near(10.0 - cut[0].0.x, 0.03381391913523);
     near(limits.of_weight(cut[0].1).x, 0.03381391913523);
-    // 0.9^132 = 9.1e-7 is the first below 1e-6
+    // 0.9^132 = 9.1e-7 is the first power below 1e-6.
     assert_eq!(pixels(&scene, 1000, 1e-6).1, 4 * 133);
 }
 
@@ -84,12 +84,16 @@ fn what_does_not_fade_has_no_bound() {
     assert_eq!(endless.of_weight(DVec3::ZERO), DVec3::ZERO, "nothing was left out");
     let scene = mirror_ball(2.0, 1.0, 3, 0.0);
     let dull = Limits::of(&scene, &Rules::LECTURE, Effects::NONE);
-    assert_eq!((dull.sent_on, dull.light().x), (DVec3::ZERO, 2.0), "kr of what is not simulated");
+    assert_eq!(
+        (dull.sent_on, dull.light().x),
+        (DVec3::ZERO, 2.0),
+        "kr has no effect without reflection"
+    );
     assert_eq!(dull.of_depth(0), DVec3::ZERO);
 }
 
-/// For each way of cutting short, no pixel is off by more than the bound; in some pixel of one of
-/// the ways the error is at least `share` of it.
+/// Checks the bound for several depths and thresholds. No pixel may be off by more than its bound,
+/// and the error of some pixel must be at least `share` of it.
 #[track_caller]
 fn check(name: &str, scene: &Scene, deepest: u32, share: f64) {
     let limits = Limits::of(scene, &Rules::LECTURE, scene.effects);
@@ -135,7 +139,7 @@ fn check(name: &str, scene: &Scene, deepest: u32, share: f64) {
         }
     }
     println!("{name}: at best {best:.3} of the bound");
-    assert!(best >= share, "{name}: the bound says nothing: errors are {best} of it at most");
+    assert!(best >= share, "{name}: the bound is too loose: errors are at most {best} of it");
 }
 
 #[test]

@@ -1,5 +1,4 @@
-//! What a scene does not call for is not done, by count; what is counted shows up where it is
-//! called for.
+//! Tests by counts that an effect does work exactly in the scenes that call for it.
 
 use std::path::Path;
 
@@ -7,13 +6,13 @@ use cases::effects::simulate_only;
 use cases::stage::{self, Case};
 use cases::{Effect, Effects, Scene};
 use rayon::prelude::*;
-use reference::render::{Options, count_by, render};
 use reference::rules::{Lecture, Rules};
+use reference::trace::render::{Options, count_by, render};
+use reference::watch::work::Amounts;
 use reference::watch::{Counts, made_by};
-use reference::work::Amounts;
 use reference::world::World;
 
-/// The public cases, small.
+/// Returns the public cases in a small size.
 fn cases() -> Vec<Case> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
     let stages = stage::load_all(&folder, &cases::Course::default())
@@ -29,7 +28,7 @@ fn counted(scene: &Scene, rules: &Rules) -> (Counts, Amounts) {
     (stats.rays, work)
 }
 
-/// How often `effect` made anything of `scene` with no effects but these.
+/// Returns the count of work that `effect` did in `scene`, with only `effects` simulated.
 fn made(scene: &Scene, effects: Effects, effect: Effect) -> u64 {
     let mut scene = scene.clone();
     simulate_only(&mut scene, effects);
@@ -81,6 +80,6 @@ fn counting_changes_no_picture_and_no_count() {
         let plain = render(&world, Lecture, &options, |_| {});
         let (image, stats, work) = count_by(&world, &Rules::LECTURE, &options, |_| {});
         assert_eq!((image, stats), plain, "{}", case.id);
-        assert!(work.objects > 0, "{}: no ray asks any object", case.id);
+        assert!(work.objects > 0, "{}: no ray is tested against an object", case.id);
     });
 }

@@ -1,5 +1,5 @@
-//! `reference expect` from outside: a set of answers is written as a whole or not at all, and
-//! belongs to its cases.
+//! Tests of `reference expect` from outside: a set of answers is written as a whole or not at all,
+//! and belongs to its cases.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -21,7 +21,7 @@ lights = [{ directional = { direction = [0, 0.3, -1], colour = [1, 1, 1] } }]
 objects = [{ sphere = {}, material = "chalk" }]
 "#;
 
-/// t = 1.5 is right.
+/// Returns a unit check with `t` on paper. The correct value is 1.5.
 fn check(t: &str) -> String {
     format!(
         "[[check]]\nname = \"ahead\"\nabout = \"a\"\nrules = [14]\n\
@@ -31,7 +31,7 @@ fn check(t: &str) -> String {
     )
 }
 
-/// A folder with two stages of a case and a check each below `cases/stages`.
+/// Returns a folder with two stages below `cases/stages`, each with a case and a check.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     for stage in ["01_one", "02_two"] {
@@ -56,7 +56,7 @@ fn expect(folder: &Path, args: &[&str], code: i32, said: &str) {
     assert!(text.contains(said), "{args:?}: no {said:?} in\n{text}");
 }
 
-/// Every file below the folder with its content.
+/// Returns the content of every file below the folder, by path.
 fn content(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut all = BTreeMap::new();
     for entry in fs::read_dir(folder).unwrap() {
@@ -69,7 +69,7 @@ fn content(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     all
 }
 
-/// The first stage is right, but an answer of the second one is not.
+/// The first stage is correct, but an answer of the second one is not.
 #[test]
 fn one_wrong_answer_on_paper_keeps_every_file_as_it_was() {
     let folder = folder();
@@ -80,8 +80,8 @@ fn one_wrong_answer_on_paper_keeps_every_file_as_it_was() {
     assert_eq!(content(folder.path()), before);
 }
 
-/// No file may have more than a kibibyte, which the answer to a case has: as on a full disk, it can
-/// be created, but not filled.
+/// The limit on a file is one kibibyte, and the answer to a case is longer. As on a full disk, the
+/// file can be created but not filled.
 #[test]
 fn a_file_that_cannot_be_filled_keeps_every_other_as_it_was() {
     let folder = folder();
@@ -131,7 +131,7 @@ fn one_command_sets_up_another_course() {
     assert_ne!(phong[&png], lecture[&png], "the highlight shows");
 }
 
-/// A hidden set lies beside the public one, under the same course.
+/// A hidden set is beside the public one, and both use one course.
 #[test]
 fn another_course_for_one_of_two_sets_changes_nothing_of_the_other() {
     let folder = folder();
@@ -175,8 +175,8 @@ fn a_stage_is_named_by_its_folder() {
     assert_eq!(here.status.code(), Some(1), "{}", String::from_utf8_lossy(&here.stderr));
 }
 
-/// A word in a title or a description is in no answer; a number of the scene, of the question, or
-/// of the course is.
+/// A title or a description does not affect an answer. The numbers of the scene, the question and
+/// the course do.
 #[test]
 fn an_answer_belongs_to_what_it_was_made_from() {
     let stale = |path: &str, from: &str, to: &str| {
@@ -194,8 +194,7 @@ fn an_answer_belongs_to_what_it_was_made_from() {
         ("cases/stages/01_one/ball.toml", "Grey in the middle", "Grey", 0),
         ("cases/stages/01_one/stage.toml", "about = \"a\"", "about = \"b\"", 0),
         ("cases/stages/01_one/checks/sphere.toml", "about = \"a\"", "about = \"b\"", 0),
-        // The numbers of the picture stay the same to the byte; only what they were made from
-        // differs.
+        // The bytes of the picture do not change, only its inputs.
         ("cases/stages/01_one/ball.toml", "ns = 5", "ns = 5, index = 1.5", 1),
         (
             "cases/stages/01_one/checks/sphere.toml",

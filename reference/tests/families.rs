@@ -1,15 +1,14 @@
-//! The families of hard questions: no wrong decision, and errors within each family's bound, in
-//! both precisions.
+//! Tests of the families of hard questions in both precisions: no decision is wrong, and errors are
+//! within the bound of each family.
 //!
-//! The same at a million draws:
-//! `reference cost --functions --formulas robust --draws 1000000 --rounds 1`.
+//! A million draws: `reference cost --functions --formulas robust --draws 1000000 --rounds 1`.
 
 use reference::hard::families::Bound;
 use reference::hard::oracle::right;
 use reference::hard::question::Line;
 use reference::hard::survey::{Comparison, compare};
 use reference::hard::{FAMILIES, Family, Question, Tally, evaluate, survey};
-use reference::real::Real;
+use reference::numbers::real::Real;
 use reference::rules::{
     Lecture, PlaneFormula, Quadratic, Robustness, Rules, Snell, Style, TriangleFormula,
 };
@@ -17,7 +16,8 @@ use reference::rules::{
 const N_DRAWS: u64 = 100_000;
 const SEED: u64 = 1;
 
-/// What is wrong with a tally, if anything; prints it as a line of a table.
+/// Surveys a family and prints the tally as a line of a table. Returns what is wrong with it, if
+/// anything.
 fn wrong<T: Real>(
     family: &Family,
     precision: &str,
@@ -36,9 +36,9 @@ fn wrong<T: Real>(
         tally.ulps::<T>(),
     );
     let is_right = tally.wrong() == 0 && tally.max_t <= most_t && tally.max_vector <= most_vector;
-    let is_asked = tally.n == N_DRAWS && (N_DRAWS / 10..=N_DRAWS).contains(&tally.n_hits);
+    let is_complete = tally.n == N_DRAWS && (N_DRAWS / 10..=N_DRAWS).contains(&tally.n_hits);
     let of = |what, question| format!("{}, {precision}: {what}: {question:?}", family.name);
-    match (is_right && is_asked, tally.first_wrong, tally.worst) {
+    match (is_right && is_complete, tally.first_wrong, tally.worst) {
         (true, ..) => None,
         (false, Some(first), _) => Some(of("wrong", Some(first))),
         (false, None, worst) => Some(of("an error beyond the bound, or too few hits", worst)),
@@ -55,7 +55,8 @@ fn no_family_is_decided_wrongly() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// The tally of a family by the formulas of `style` without a second step.
+/// Returns the tally of a family by the formulas of `style`, without repeating a decision in two
+/// words.
 fn plain<T: Real>(name: &str, style: Style) -> Tally {
     let family = FAMILIES
         .iter()
@@ -84,29 +85,29 @@ fn textbook_formulas_decide_wrongly_where_they_are_known_to() {
         ("edges of boxes", plain::<f64>("box, at an edge", style)),
         ("rims", plain::<f64>("cylinder, at a rim", style)),
     ] {
-        assert!(tally.wrong() > 0, "{name} are no trap");
+        assert!(tally.wrong() > 0, "{name} mislead no formula");
         assert!(tally.first_wrong.is_some());
     }
     let generic = plain::<f64>("sphere, generic", textbook);
     assert_eq!(
         (generic.wrong(), generic.doubtful),
         (0, 0),
-        "the textbook does where nothing is hard"
+        "the textbook formula is good enough for generic questions"
     );
 }
 
 #[test]
-fn a_tally_is_the_same_each_time_and_other_seeds_ask_other_questions() {
+fn a_tally_is_the_same_each_time_and_other_seeds_draw_other_questions() {
     let of = |seed| survey::<f64, _>(&FAMILIES[0], Lecture, 2_500, seed);
     assert_eq!(of(1), of(1));
     assert_eq!(of(1).n, 2_500);
     assert_ne!(of(1).max_t, of(2).max_t);
 }
 
-/// Found by a million draws: area, depth and 1/d_z multiplied leave the range of single precision,
-/// though each of them and t are within it.
+/// A million draws found this question. The product of area, depth and 1/d_z leaves the range of
+/// single precision, although each factor and t are within it.
 #[test]
-fn a_huge_triangle_is_met_by_a_short_direction() {
+fn a_huge_triangle_is_hit_by_a_short_direction() {
     let line = Line {
         origin: [-122_906_255_360.0, -1_810_572_115_968.0, 106_111_336_448.0],
         direction: [

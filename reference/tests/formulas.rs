@@ -1,23 +1,24 @@
-//! The formulas that students may choose give what the reference's own give, but for roundings.
+//! Tests that the formulas that students may choose give the results of the reference's own, except
+//! for rounding.
 
 mod common;
 
 use common::Random;
 use glam::DVec3;
-use reference::camera::Lens;
-use reference::optics::refract;
-use reference::ray::{Ray, Spot};
+use reference::light::material::Material;
+use reference::light::optics::refract;
+use reference::light::shade::light_term;
+use reference::numbers::vec3::Vec3;
+use reference::rays::camera::Lens;
+use reference::rays::ray::{HitPoint, Ray};
 use reference::rules::{
     CameraFormula, Epsilon, Lecture, PlaneFormula, Power, Quadratic, Rules, Snell, Start, Style,
     ToLight, TriangleFormula,
 };
-use reference::shade::light_term;
-use reference::shapes::{Meeting, Plane, Round, Shear, Solid, Sphere, Triangle};
-use reference::vec3::Vec3;
-use reference::world::Material;
+use reference::shapes::{Plane, Round, ShapeHit, Shear, Solid, Sphere, Triangle};
 
 const N_DRAWS: usize = 2_000;
-/// Relative, in double precision.
+/// The allowed relative difference, in double precision.
 const CLOSE: f64 = 1e-12;
 
 fn with(change: impl Fn(&mut Style)) -> Rules {
@@ -30,7 +31,7 @@ fn vec(v: DVec3) -> Vec3<f64> {
     Vec3::of(v)
 }
 
-fn check(what: &str, ours: Option<Meeting<f64>>, theirs: Option<Meeting<f64>>) {
+fn check(what: &str, ours: Option<ShapeHit<f64>>, theirs: Option<ShapeHit<f64>>) {
     let is_same = match (&ours, &theirs) {
         (Some(a), Some(b)) => {
             (a.t - b.t).abs() <= CLOSE * a.t
@@ -42,8 +43,8 @@ fn check(what: &str, ours: Option<Meeting<f64>>, theirs: Option<Meeting<f64>>) {
     assert!(is_same, "{what}: {theirs:?} is not the reference's {ours:?}");
 }
 
-/// A ray that starts a few units away from `aim` and runs through it, its direction of any length,
-/// as in object space.
+/// Returns a ray that starts a few units away from `aim` and passes through it. Its direction is
+/// not normalised, as in object space.
 fn ray_through(random: &mut Random, aim: DVec3) -> Ray<f64> {
     let way = random.unit();
     Ray::leaving(
@@ -55,16 +56,16 @@ fn ray_through(random: &mut Random, aim: DVec3) -> Ray<f64> {
 
 fn check_solid(random: &mut Random, solid: &Solid<f64>, aim: DVec3) -> bool {
     let ray = ray_through(random, aim);
-    let ours = solid.meet(Lecture, &ray);
+    let ours = solid.intersect(Lecture, &ray);
     for quadratic in Quadratic::ALL {
         check(
             quadratic.says(),
             ours,
-            solid.meet(&with(|style| style.quadratic = *quadratic), &ray),
+            solid.intersect(&with(|style| style.quadratic = *quadratic), &ray),
         );
     }
     for plane in PlaneFormula::ALL {
-        check(plane.says(), ours, solid.meet(&with(|style| style.plane = *plane), &ray));
+        check(plane.says(), ours, solid.intersect(&with(|style| style.plane = *plane), &ray));
     }
     ours.is_some()
 }
@@ -84,19 +85,19 @@ fn spheres() {
         for quadratic in Quadratic::ALL {
             let rules = with(|style| style.quadratic = *quadratic);
             assert_eq!(
-                sphere(radius).meet(&rules, &beside),
+                sphere(radius).intersect(&rules, &beside),
                 None,
                 "{}: the ray passes by",
                 quadratic.says()
             );
             assert_eq!(
-                sphere(0.0).meet(&rules, &beside),
+                sphere(0.0).intersect(&rules, &beside),
                 None,
-                "{}: there is no sphere",
+                "{}: the sphere has no radius",
                 quadratic.says()
             );
-            let far = sphere(radius).meet(Lecture, &from_center);
-            check(quadratic.says(), far, sphere(radius).meet(&rules, &from_center));
+            let far = sphere(radius).intersect(Lecture, &from_center);
+            check(quadratic.says(), far, sphere(radius).intersect(&rules, &from_center));
         }
     }
 }
@@ -118,12 +119,12 @@ fn cylinders_cones_and_planes() {
         let aim = normal * k + normal.any_orthonormal_vector() * random.signed();
         assert!(check_solid(&mut random, &plane, aim));
     }
-    assert!(n_hits > N_DRAWS / 2, "only {n_hits} rays meet a cylinder or a cone");
+    assert!(n_hits > N_DRAWS / 2, "only {n_hits} rays hit a cylinder or a cone");
     let floor = Solid::Plane(Plane { normal: Vec3::axis(1), k: 1.0 });
     let along = Ray::leaving(Lecture, vec(DVec3::ZERO), vec(DVec3::X));
     for plane in PlaneFormula::ALL {
         assert_eq!(
-            floor.meet(&with(|style| style.plane = *plane), &along),
+            floor.intersect(&with(|style| style.plane = *plane), &along),
             None,
             "{}: parallel",
             plane.says()
@@ -131,31 +132,31 @@ fn cylinders_cones_and_planes() {
     }
 }
 
-fn check_triangle(corners: [DVec3; 3], ray: &Ray<f64>, is_met: bool) {
+fn check_triangle(corners: [DVec3; 3], ray: &Ray<f64>, is_hit: bool) {
     let triangle = Triangle { corners: corners.map(vec) };
-    let ours = triangle.meet(Lecture, ray, &Shear::of(ray), 3);
-    assert_eq!(ours.is_some(), is_met, "{corners:?} {ray:?}");
+    let ours = triangle.intersect(Lecture, ray, &Shear::of(ray), 3);
+    assert_eq!(ours.is_some(), is_hit, "{corners:?} {ray:?}");
     for formula in TriangleFormula::ALL {
         let rules = with(|style| style.triangle = *formula);
-        check(formula.says(), ours, triangle.meet(&rules, ray, &Shear::of(ray), 3));
+        check(formula.says(), ours, triangle.intersect(&rules, ray, &Shear::of(ray), 3));
     }
 }
 
 #[test]
 fn triangles() {
     let mut random = Random(0x5eed_0003_2345_6789);
-    let mut n_met = 0;
-    while n_met < N_DRAWS {
+    let mut n_hits = 0;
+    while n_hits < N_DRAWS {
         let corners @ [a, b, c] = [random.unit(), random.unit(), random.unit()];
         let (u, v, w) = (0.05 + random.share(), 0.05 + random.share(), 0.05 + random.share());
         let inside = (a * u + b * v + c * w) / (u + v + w);
         let ray = ray_through(&mut random, inside);
         let n = (b - a).cross(c - a);
         if n.length() < 0.1 || n.normalize().dot(ray.direction.f64().normalize()).abs() < 0.1 {
-            continue; // nearly edge on: t itself is badly conditioned
+            continue; // Nearly edge on, t itself is badly conditioned.
         }
         check_triangle(corners, &ray, true);
-        n_met += 1;
+        n_hits += 1;
         for beside in [a * 1.1 - inside * 0.1, a + b - inside, b + c - inside, c + a - inside] {
             let is_outside = reference::shapes::barycentric(Lecture, corners.map(vec), vec(beside))
                 .min_element()
@@ -205,7 +206,7 @@ fn eye_rays() {
     let ours = Lens::<f64>::new(Lecture, &camera, 24, 18).eye_ray(Lecture, (3, 4), (0.75, 0.375));
     assert!(
         (ours.direction - theirs.direction).length() <= CLOSE,
-        "to the right and down is along i and j"
+        "a nudge to the right and down goes along i and j"
     );
 }
 
@@ -248,17 +249,17 @@ fn gloss(ns: f64) -> Material<f64> {
 #[test]
 fn rays_get_away_from_surfaces() {
     let up = Vec3::axis(1);
-    let spot = Spot { point: Vec3::ZERO, error: Vec3::ONE * 0.25, n_geom: up };
+    let hit_point = HitPoint { point: Vec3::ZERO, error: Vec3::ONE * 0.25, n_geom: up };
     let slanted = vec(DVec3::new(0.6, 0.8, 0.0));
     let spawned = |start, direction| {
         let rules = Rules { epsilon: Epsilon::Fixed(0.125), ..with(|style| style.start = start) };
-        let ray = Ray::spawned(&rules, &spot, direction);
+        let ray = Ray::spawned(&rules, &hit_point, direction);
         (ray.origin, ray.contains(0.125), ray.contains(0.13), ray.contains(1e-9))
     };
     let off_bound = spawned(Start::OffBound, -slanted).0;
     assert!(
         (off_bound + up * 0.25).length() < 1e-15,
-        "the bound goes along N, to the side of the ray: {off_bound:?}"
+        "the start moves along N by the bound, to the side of the ray: {off_bound:?}"
     );
     assert_eq!(spawned(Start::Interval, slanted), (Vec3::ZERO, false, true, false));
     assert_eq!(spawned(Start::AlongNormal, slanted), (up * 0.125, true, true, true));
@@ -267,15 +268,15 @@ fn rays_get_away_from_surfaces() {
     let to_light = |seen, r| {
         let style = |style: &mut Style| (style.start, style.to_light) = (Start::AlongNormal, seen);
         let rules = Rules { epsilon: Epsilon::Fixed(0.125), ..with(style) };
-        let ray = Ray::to_light(&rules, &spot, slanted, r);
+        let ray = Ray::to_light(&rules, &hit_point, slanted, r);
         assert!(!ray.contains(ray.t_max) && ray.contains(ray.t_max.min(1e9) * 0.99));
         ray
     };
     let end = |ray: Ray<f64>| ray.at(ray.t_max) - slanted * 5.0;
-    assert!(end(to_light(ToLight::FromStart, 5.0)).length() <= CLOSE, "it ends at the light");
+    assert!(end(to_light(ToLight::FromStart, 5.0)).length() <= CLOSE, "the ray ends at the light");
     assert!(
         (end(to_light(ToLight::FromPoint, 5.0)) - up * 0.125).length() <= CLOSE,
-        "it is as long and runs beside"
+        "the ray is as long, and parallel to the line from the point to the light"
     );
     assert_eq!(
         to_light(ToLight::FromStart, f64::INFINITY).direction,

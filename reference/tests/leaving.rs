@@ -1,22 +1,22 @@
-//! Rays that leave a surface: none meets it again at once, none slips through it, and none jumps
-//! over more than rounding makes it.
+//! Tests of rays that leave a surface: none hits it again at once, none slips through it, and none
+//! skips more than its rounding error.
 
 mod common;
 
 use cases::{Shape, maths};
 use common::{Random, globe, lone};
 use glam::{DAffine3, DMat3, DQuat, DVec3};
-use reference::ray::Ray;
-use reference::real::Real;
+use reference::numbers::real::Real;
+use reference::numbers::vec3::Vec3;
+use reference::rays::ray::Ray;
 use reference::rules::{Lecture, RuleSource, Rules, Start, Style};
-use reference::vec3::Vec3;
 use reference::world::{Hit, World};
 
-/// Pairs of rays, one to each side of the surface, per shape and precision.
+/// The number of pairs of rays, one to each side of the surface, per shape and precision.
 const N_PAIRS: usize = 100_000;
 const SCALES: [f64; 4] = [1e-3, 1.0, 1e3, 1e6];
 
-/// A convex shape of size 1 or so.
+/// A convex shape of about size 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     Sphere,
@@ -32,17 +32,17 @@ const KINDS: [Kind; 7] =
     [Kind::Sphere, Kind::Plane, Kind::Square, Kind::Box, Kind::Cylinder, Kind::Cone, Kind::Mesh];
 
 impl Kind {
-    /// Whether it has an inside.
+    /// Returns whether the shape has an inside.
     fn is_closed(self) -> bool {
         !matches!(self, Self::Plane | Self::Square)
     }
 
-    /// The shape `scale` times as large, somewhat beside the origin where it can be.
+    /// Returns the shape, `scale` times as large, and off the origin if its kind allows it.
     fn shape(self, scale: f64, random: &mut Random) -> Shape {
         let beside = DVec3::new(random.signed(), random.signed(), random.signed()) * scale;
         match self {
             Self::Sphere => Shape::Sphere { center: beside, radius: 0.7 * scale },
-            // not quite of unit length, as rounding leaves it
+            // The length is not quite 1, as after rounding.
             Self::Plane => Shape::Plane {
                 normal: random.unit() * (1.0 + 1e-7 * random.signed()),
                 k: random.signed() * scale,
@@ -70,8 +70,8 @@ impl Kind {
     }
 }
 
-/// A map that turns, stretches by up to ten to one and moves; the size of what it makes of a thing
-/// of size 1 is `scale` or so.
+/// Returns a map that rotates, stretches by up to ten to one, may mirror, and translates. It takes
+/// a shape of size 1 to about the size `scale`.
 fn affine(scale: f64, random: &mut Random) -> DAffine3 {
     let mut turn = || {
         let angle = 3.0 * random.signed();
@@ -84,23 +84,25 @@ fn affine(scale: f64, random: &mut Random) -> DAffine3 {
     DAffine3::from_mat3_translation(one * DMat3::from_diagonal(sizes * mirror) * other, beside)
 }
 
-/// What became of the rays.
+/// The counts of the rays, by what they hit.
 #[derive(Debug, Default)]
 struct Tally {
     n: usize,
-    /// Outwards, and yet the shape was met again.
+    /// Rays that went outwards, but hit the shape again.
     re_hits: usize,
-    /// Inwards, and no far side was met, though it lies farther away than a ray may jump.
+    /// Rays that went inwards, but missed the far side, although it is farther away than a ray may
+    /// skip.
     leaks: usize,
-    /// As many of these as left a place so near to an edge that the start lies beyond the other
-    /// face, along which the ray runs.
+    /// Rays that went inwards so near to an edge that their start is beyond the other face, along
+    /// which they run. They miss correctly.
     at_edges: usize,
-    /// The longest way from a hit to the start of a new ray, over the size of the object.
+    /// The longest distance from a hit to the start of a new ray, relative to the size of the
+    /// object.
     skipped: f64,
 }
 
-/// `direction` is at an angle to `n` whose cosine lies between 0 and 1: half of the time uniform,
-/// half of the time grazing.
+/// Returns a unit direction on the side of `n`. Half of the directions have a uniform cosine, the
+/// other half are grazing.
 fn direction(random: &mut Random, n: DVec3) -> DVec3 {
     let along = random.unit().cross(n).normalize();
     let cosine = if random.signed() > 0.0 {
@@ -122,7 +124,7 @@ fn leave<T: Real, R: RuleSource>(
     let mut random = Random(0x1ea_5e0f_5afe + scale.to_bits() + kind as u64);
     let mut tally = Tally::default();
     while tally.n < n {
-        // squares and meshes lie at the origin at size 1 unless a frame moves them
+        // A square has size 1. In a frame, so has every other shape.
         let of_shape = if frame || kind == Kind::Square { 1.0 } else { scale };
         let shape = kind.shape(of_shape, &mut random);
         let map = if frame { affine(scale, &mut random) } else { DAffine3::IDENTITY };
@@ -145,7 +147,7 @@ fn leave<T: Real, R: RuleSource>(
     tally
 }
 
-#[allow(clippy::too_many_arguments, reason = "the insides of one loop")]
+#[allow(clippy::too_many_arguments, reason = "the body of one loop")]
 fn both_sides<T: Real, R: RuleSource>(
     rules: R,
     (world, sharp): (&World<T>, &World<f64>),
@@ -157,16 +159,16 @@ fn both_sides<T: Real, R: RuleSource>(
     tally: &mut Tally,
 ) {
     let outwards = direction(random, hit.n_geom.f64());
-    // a plane is as large as the place of the hit is far
+    // The size of a plane is the distance of the hit from the origin.
     let size = if kind == Kind::Plane { scale.max(hit.point.f64().length()) } else { scale };
     for way in [outwards, -outwards] {
-        let ray = Ray::spawned(rules, &hit.spot(hit.n_geom), Vec3::of(way));
+        let ray = Ray::spawned(rules, &hit.hit_point(hit.n_geom), Vec3::of(way));
         tally.skipped = tally.skipped.max((ray.origin - hit.point).f64().length() / size);
-        let met = world.nearest(rules, &ray, &mut ());
+        let next = world.nearest(rules, &ray, &mut ());
         let goes_in = kind.is_closed() && way.dot(hit.n_geom.f64()) < 0.0;
         if !goes_in {
-            tally.re_hits += usize::from(met.is_some());
-        } else if met.is_none() {
+            tally.re_hits += usize::from(next.is_some());
+        } else if next.is_none() {
             let true_ray = Ray::leaving(Lecture, Vec3::of(hit.point.f64()), Vec3::of(way));
             let far = sharp.nearest(Lecture, &true_ray, &mut ()).map_or(0.0, |far| far.t / scale);
             let as_started =
@@ -178,8 +180,8 @@ fn both_sides<T: Real, R: RuleSource>(
     }
 }
 
-/// `most` is the greatest share of an object that a ray may jump over, and of rays that start
-/// beyond an edge.
+/// Checks all shapes. `most` is the greatest share of an object that a ray may skip; ten times less
+/// is the greatest share of rays that start beyond an edge.
 fn check<T: Real>(most: f64) {
     let mut at_edges = 0;
     for kind in KINDS {
@@ -214,8 +216,8 @@ fn in_single_precision_no_ray_is_lost_or_caught() {
     check::<f32>(1e-4);
 }
 
-/// The bound grows with a matrix that nearly loses a dimension, where the way to object space and
-/// back loses as many digits.
+/// If a matrix is nearly singular, the way to object space and back loses digits, and the error
+/// bound grows accordingly.
 #[test]
 fn through_matrices_that_are_nearly_singular_no_ray_is_caught() {
     let mut random = Random(0x5_1a7);
@@ -238,7 +240,7 @@ fn through_matrices_that_are_nearly_singular_no_ray_is_caught() {
                 let n = hit.n_geom.f64();
                 let way = n * cosine
                     + random.unit().cross(n).normalize() * (1.0 - cosine * cosine).sqrt();
-                let ray = Ray::spawned(Lecture, &hit.spot(hit.n_geom), Vec3::of(way));
+                let ray = Ray::spawned(Lecture, &hit.hit_point(hit.n_geom), Vec3::of(way));
                 tally.n += 1;
                 tally.re_hits += usize::from(world.nearest(Lecture, &ray, &mut ()).is_some());
             }
@@ -248,8 +250,8 @@ fn through_matrices_that_are_nearly_singular_no_ray_is_caught() {
     }
 }
 
-/// What the bound replaces: a start that is not moved meets its own surface, and one that is moved
-/// by a constant does so at large scales.
+/// The alternatives to the bound fail. A ray from an unmoved start hits its own surface, and so
+/// does one from a start that is moved by a constant, at large scales.
 #[test]
 fn a_constant_is_wrong_at_some_scale() {
     let rules = |start, epsilon| Rules {

@@ -1,5 +1,5 @@
-//! The program from outside: exit codes as `--help` promises them, streams whose reader has gone,
-//! scenes on standard input.
+//! Tests of the program from outside: the exit codes that `--help` promises, streams whose reader
+//! is gone, scenes on standard input.
 
 use std::fs;
 use std::io::Write;
@@ -13,8 +13,8 @@ const SCENE: &str = "[render]\nsize = [8, 6]\nmax_depth = 1\n[scene.camera]\neye
     directional = { direction = [0, 0, -1], colour = [1, 1, 1] }\n[[scene.objects]]\nsquare = {}\n\
     material = \"m\"\n";
 
-/// A folder with a scene, and the stages `stages/01_one` (a case without its answer) and
-/// `bad/01_one`.
+/// Returns a folder with scenes, courses, and the stage `stages/01_one`, which has a case without
+/// its answer.
 fn place() -> tempfile::TempDir {
     let place = tempfile::tempdir().unwrap();
     let write = |name: &str, text: &str| {
@@ -43,12 +43,12 @@ fn call(place: &Path, args: &[&str]) -> Command {
 
 fn run(place: &Path, args: &[&str], input: &str) -> Output {
     let mut child = call(place, args).spawn().unwrap();
-    // a program that reads nothing may be gone
+    // A program that reads nothing may have ended.
     let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
     child.wait_with_output().unwrap()
 }
 
-/// The calls, in order, each with its exit code and a part of what it says.
+/// The calls, in order, each with its exit code and a part of what it prints.
 const CALLS: &[(&str, i32, &str)] = &[
     ("render scene.toml a.png", 0, ""),
     ("render missing.toml a.png", 2, "there is no file `missing.toml`"),
@@ -101,7 +101,7 @@ fn every_call_ends_as_help_says() {
 #[test]
 fn every_command_and_every_code_of_its_help_is_in_the_table() {
     let place = tempfile::tempdir().unwrap();
-    // What takes a disk that fails, or minutes.
+    // These need a disk that fails, or minutes.
     let excused =
         [("render", 3), ("cost", 3), ("expect", 3), ("vary", 3), ("vary", 0), ("vary", 1)];
     let help = String::from_utf8(run(place.path(), &["--help"], "").stdout).unwrap();
@@ -127,7 +127,7 @@ fn every_command_and_every_code_of_its_help_is_in_the_table() {
             let is_excused = excused.contains(&(name, code));
             assert!(
                 is_called != is_excused,
-                "{name} ends with {code}: no call, or excused for nothing"
+                "{name} ends with {code}: there is no call, or a needless excuse"
             );
         }
     }
@@ -199,7 +199,7 @@ fn a_scene_may_come_on_standard_input() {
     };
     let expected = picture(&["scene.toml"], "");
     assert_eq!(picture(&["-"], SCENE), expected);
-    assert_eq!(picture(&["-", "--max-depth", "0"], SCENE), expected, "the square mirrors nothing");
+    assert_eq!(picture(&["-", "--max-depth", "0"], SCENE), expected, "the square reflects nothing");
     let explained = run(place.path(), &["explain", "-", "4", "3"], SCENE);
     assert!(String::from_utf8_lossy(&explained.stdout).starts_with("eye ray"), "{explained:?}");
     for (input, part) in

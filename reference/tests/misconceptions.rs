@@ -1,15 +1,15 @@
-//! Every classic mistake is seen: it changes the picture of some case or the answer to some unit
-//! check.
+//! Tests that every known mistake is visible: it changes the picture of some case or the answer to
+//! some unit check.
 
 use cases::Course;
 use cases::course::{self, DECISIONS, Decision, Deviation, Legal};
 use cases::film::{Image, level};
 use cases::probe::Ask;
 use cases::stage::{self, Stage};
-use reference::answers::answer;
-use reference::misconceptions::{self, Misconception};
-use reference::render::{Options, render};
+use reference::rules::misconceptions::{self, Misconception};
 use reference::rules::{Depth, Lecture, RuleSource, Rules};
+use reference::trace::answers::answer;
+use reference::trace::render::{Options, render};
 use reference::world::World;
 
 fn stages() -> Vec<Stage> {
@@ -20,7 +20,7 @@ fn stages() -> Vec<Stage> {
     .unwrap()
 }
 
-/// The cases of all stages, small, with the pictures that the lecture's rules give.
+/// Returns the id, the world and the lecture's picture of every public case, in a small size.
 fn worlds(stages: &[Stage]) -> Vec<(String, World<f64>, Image)> {
     let cases = stages.iter().flat_map(|stage| stage.cases.clone());
     cases
@@ -37,15 +37,15 @@ fn picture(world: &World<f64>, rules: impl RuleSource) -> Image {
     render(world, rules, &Options::of(world), |_| {}).0
 }
 
-/// Pixels that differ by more than a quarter of a level.
+/// Returns the number of pixels that differ by more than a quarter of a level.
 fn n_changed(one: &Image, other: &Image) -> usize {
     let is_close = |a: f64, b: f64| (level(a) - level(b)).abs() <= 0.25;
     let differs = |(a, b): (&glam::DVec3, &glam::DVec3)| (0..3).any(|c| !is_close(a[c], b[c]));
     one.pixels().iter().zip(other.pixels()).filter(|pair| differs(*pair)).count()
 }
 
-/// A normal that faces away from the viewer, as an interpolated one may near a silhouette: N·H =
-/// −0.2/√0.4 < 0.
+/// Returns a question whose normal faces away from the viewer, as an interpolated one may near a
+/// silhouette: N·H = −0.2/√0.4 < 0.
 fn turned_away() -> Ask {
     let material = r#"{"name":"gloss","ke":[0,0,0],"ka":[0,0,0],"kd":[0,0,0],"ks":[1,1,1],"kt":[0,0,0],"kr":[0,0,0],"ns":2,"index":1}"#;
     Ask::LightTerm {
@@ -61,7 +61,7 @@ fn turned_away() -> Ask {
 fn every_misconception_changes_some_case_or_check() {
     let stages = stages();
     let worlds = worlds(&stages);
-    let asks: Vec<_> =
+    let questions: Vec<_> =
         stages.iter().flat_map(|stage| &stage.checks).map(|check| &check.ask).collect();
     let turned_away = turned_away();
     for (id, world, lecture) in &worlds {
@@ -74,9 +74,9 @@ fn every_misconception_changes_some_case_or_check() {
     }
     let is_unseen = |m: &&'static Misconception| {
         let rules = m.on(&Rules::LECTURE);
-        let mut asks = asks.iter().copied().chain([&turned_away]);
-        let asked = asks.any(|ask| answer(&rules, ask) != answer(Lecture, ask));
-        !asked
+        let mut questions = questions.iter().copied().chain([&turned_away]);
+        let is_answer_changed = questions.any(|ask| answer(&rules, ask) != answer(Lecture, ask));
+        !is_answer_changed
             && worlds
                 .iter()
                 .all(|(_, world, lecture)| n_changed(&picture(world, &rules), lecture) == 0)
@@ -100,12 +100,12 @@ fn every_rule_has_a_misconception_and_every_id_is_its_own() {
     assert!(all.is_sorted_by_key(|m| m.rule));
 }
 
-/// The courses that differ from the lecture in a rule of light, each by one key.
+/// Returns the courses that differ from the lecture in a rule of light, each by one key.
 fn deviations() -> impl Iterator<Item = Deviation> {
     course::deviations().into_iter().filter(|deviation| deviation.decision.legal != Legal::Effects)
 }
 
-/// What is a mistake in some course, each once.
+/// Returns every mistake of the lecture or of a course that deviates from it, each once.
 fn everywhere() -> Vec<&'static Misconception> {
     let mut all = misconceptions::of(&Rules::LECTURE);
     for deviation in deviations() {
@@ -130,7 +130,7 @@ fn in_every_course_each_mistake_is_one_and_no_two_are_the_same() {
         let mistaken: Vec<_> =
             misconceptions::of(&rules).into_iter().map(|m| (m.id, m.on(&rules))).collect();
         for (n, (id, mistake)) in mistaken.iter().enumerate() {
-            assert_ne!(*mistake, rules, "{id} is what the course with {name} asks for");
+            assert_ne!(*mistake, rules, "{id} is what the course with {name} requires");
             for (other, same) in &mistaken[..n] {
                 assert_ne!(mistake, same, "in the course with {name}, {id} is {other}");
             }
@@ -138,9 +138,9 @@ fn in_every_course_each_mistake_is_one_and_no_two_are_the_same() {
     }
 }
 
-/// Anything else that a course could have chosen is a mistake, but for what students may choose
-/// themselves. A program that counts rows from the other end draws the picture upside down, and one
-/// that allows a bounce more does so at max_depth 0 too.
+/// Every other value that a course could have chosen is a mistake in it, except for the choices of
+/// students. A program that counts rows from the other end draws the picture upside down, and one
+/// that allows one more bounce does so at max_depth 0 too.
 #[test]
 fn every_other_choice_of_a_course_is_a_mistake_in_it() {
     let is_free =
@@ -148,7 +148,7 @@ fn every_other_choice_of_a_course_is_a_mistake_in_it() {
     let of = |text: &str| Rules::of(&course::parse("course.toml", text).unwrap());
     for decision in DECISIONS.iter().filter(is_free) {
         let Legal::OneOf(values) = decision.legal else {
-            panic!("{} is no choice among values", decision.key)
+            panic!("{} is not a choice among values", decision.key)
         };
         let courses: Vec<Rules> =
             values.iter().map(|(value, _)| of(&format!("{} = {value}", decision.key))).collect();
@@ -160,7 +160,7 @@ fn every_other_choice_of_a_course_is_a_mistake_in_it() {
                 let program = Rules { picture_from_top: rules.picture_from_top, depth, ..*other };
                 assert!(
                     wrong.contains(&program),
-                    "{} = {value}: another choice is no known mistake",
+                    "{} = {value}: another choice is not a known mistake",
                     decision.key
                 );
             }

@@ -1,16 +1,16 @@
-//! What holds for every mirrored and every transmitted ray. [rule 7] [rule 8] [rule 10]
+//! Tests of invariants of all reflected and transmitted rays. [rule 7] [rule 8] [rule 10]
 
 mod common;
 
 use common::Random;
 use glam::DVec3;
-use reference::optics::{reflect, refract, smooth_reflect, smooth_refract};
+use reference::light::optics::{reflect, refract, smooth_reflect, smooth_refract};
+use reference::numbers::vec3::Vec3;
 use reference::rules::Lecture;
-use reference::vec3::Vec3;
 
 const N_DRAWS: usize = 20_000;
 
-/// A direction, a normal turned against it, and two indices.
+/// Returns a unit direction, a unit normal turned against it, and two indices.
 fn draw(random: &mut Random) -> (DVec3, DVec3, f64, f64) {
     let (d, n) = (random.unit(), random.unit());
     let n = if d.dot(n) > 0.0 { -n } else { n };
@@ -41,7 +41,7 @@ fn a_transmitted_ray_obeys_snell_and_none_is_lost_below_the_critical_angle() {
                 assert!((t.length() - 1.0).abs() < 1e-14, "length {}", t.length());
                 assert!(
                     (t.cross(n) * eta_t - d.cross(n) * eta_i).length() < 1e-13,
-                    "Snell, as vectors: co-planar too"
+                    "Snell's law in vector form, so T is in the plane of incidence too"
                 );
                 assert!(t.dot(n) <= 0.0, "goes to the other side");
             }
@@ -49,8 +49,8 @@ fn a_transmitted_ray_obeys_snell_and_none_is_lost_below_the_critical_angle() {
     }
 }
 
-/// Grazing rays, normals up to edge on and beyond, indices up to the critical angle: R leaves the
-/// surface and T crosses it, to the last place.
+/// R leaves the surface and T crosses it, to the last place. The rays include grazing ones, shading
+/// normals up to edge on and beyond, and indices up to the critical angle.
 #[test]
 fn smooth_rays_go_to_the_side_they_should() {
     let mut random = Random(0xabcd_ef01_9abc_def1);
@@ -74,5 +74,8 @@ fn smooth_rays_go_to_the_side_they_should() {
         assert!((t.length() - 1.0).abs() < 1e-14);
         n_turned += u32::from(t.dot(n) > -1e-14);
     }
-    assert!(n_turned > 100, "only {n_turned} came as near to the surface as can be");
+    assert!(
+        n_turned > 100,
+        "only {n_turned} transmitted rays are as near to the surface as possible"
+    );
 }

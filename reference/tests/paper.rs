@@ -1,4 +1,4 @@
-//! Numbers worked out on paper.
+//! Tests against numbers that were computed on paper.
 
 mod common;
 
@@ -7,14 +7,14 @@ use cases::probe::{Answer, Ask};
 use cases::ray_tree::{self, RayNode};
 use common::scene;
 use glam::DVec3;
-use reference::answers::answer;
-use reference::lights::Light;
+use reference::light::lights::Light;
 use reference::rules::Lecture;
-use reference::trace::{Kernel, Path};
+use reference::trace::answers::answer;
+use reference::trace::kernel::{Kernel, Path};
 use reference::watch::Recorder;
 use reference::world::World;
 
-/// The colour along the ray from (0, 0, 4) in direction −z.
+/// Returns the colour along the ray from (0, 0, 4) in direction −z.
 fn ahead(text: &str) -> DVec3 {
     let ray = Ray::new(DVec3::new(0.0, 0.0, 4.0), DVec3::NEG_Z);
     colour(&Ask::Trace { scene: Box::new(scene(text)), ray, depth: 0 })
@@ -64,7 +64,7 @@ fn a_mirror_shows_the_background_times_kr() {
     check(ahead(mirror), [0.1, 0.2, 0.2]);
 }
 
-/// Two facing mirrors, each of which glows with 1 and mirrors half.
+/// Returns the colour between two facing mirrors, each of which emits 1 and reflects half.
 fn mirrors(threshold: f64) -> f64 {
     let text = r#"
         [scene.materials.m]
@@ -87,7 +87,7 @@ fn mirrors(threshold: f64) -> f64 {
 #[test]
 fn the_end_of_recursion() {
     assert_eq!(mirrors(0.0), 1.0 + 0.5 + 0.25 + 0.125); // max_depth = 3: depths 0 to 3
-    assert_eq!(mirrors(0.3), 1.0 + 0.5 + 0.25); // the ray of weight 1/4 spawns no more
+    assert_eq!(mirrors(0.3), 1.0 + 0.5 + 0.25); // the ray of weight 1/4 spawns no more rays
     assert_eq!(mirrors(0.25), 1.875); // 1/4 is not below 1/4
 }
 
@@ -115,11 +115,12 @@ fn glass_tints_a_shadow_on_the_way_in_and_on_the_way_out() {
             point: DVec3::new(x, -1.0, 0.0),
         })
     };
-    check(shadow(0.0), [0.25, 0.0625, 1.0]); // the ball behind the lamp hides nothing
+    check(shadow(0.0), [0.25, 0.0625, 1.0]); // the ball behind the lamp occludes nothing
     check(shadow(4.0), [1.0, 1.0, 1.0]);
 }
 
-/// S at (0, 0, −1) of a lamp at (0, 0, 4) behind unit squares in one place, z = 0.
+/// Returns S at (0, 0, −1), for a lamp at (0, 0, 4) and two coincident unit squares between them,
+/// at z = 0.
 fn behind_squares(materials: [&str; 2]) -> DVec3 {
     let head = "[scene.materials]\nglass = { kt = [0.5, 0.25, 1], index = 1.5 }\n\
         wood = { kd = [1, 1, 1] }\n";
@@ -163,7 +164,7 @@ fn tree(text: &str, origin: DVec3, direction: DVec3) -> RayNode {
     let scene = scene(text);
     let world = World::<f64>::new(&scene);
     let kernel = Kernel::new(&world, Lecture, scene.effects);
-    let ray = reference::ray::Ray::of(&Ray::new(origin, direction));
+    let ray = reference::rays::ray::Ray::of(&Ray::new(origin, direction));
     let tree = ray_tree::record(|| {
         kernel.trace(&ray, Path::eye(0), &mut Recorder);
     });
@@ -188,7 +189,7 @@ fn a_slab_of_glass_shifts_a_ray_and_keeps_its_direction() {
     let cos_t = (1.0 - sin_t * sin_t).sqrt();
     assert!(inside.direction.distance(DVec3::new(sin_t, -cos_t, 0.0)) < 1e-15);
     assert!(outside.direction.distance(d) < 1e-15);
-    let shift = outside.origin.cross(d).length(); // from the line on which the ray came
+    let shift = outside.origin.cross(d).length(); // the distance from the line of the incoming ray
     let paper = 0.6 - 0.8 * sin_t / cos_t; // sin(θ_i − θ_t) / cos θ_t, for a thickness of 1
     assert!((shift - paper).abs() < 1e-15, "{shift} is not {paper}");
 }
@@ -199,7 +200,7 @@ fn at_the_critical_angle_a_ray_still_leaves() {
     let refract = |direction| {
         answer(Lecture, &Ask::Refract { direction, normal: DVec3::Y, eta_i: 5.0, eta_t: 3.0 })
     };
-    // no unit vector of doubles has that angle, but (3, −4, 0) does
+    // No unit vector of doubles has this angle, but (3, −4, 0) does.
     let Answer::Vector(along) = refract(DVec3::new(3.0, -4.0, 0.0)) else {
         panic!("exactly critical is transmitted")
     };
@@ -212,16 +213,17 @@ fn a_mirrored_ray_that_would_enter_the_object_is_mirrored_by_the_geometric_norma
     let direction = DVec3::new(0.8, -0.6, 0.0);
     let reflect =
         |n_shading| answer(Lecture, &Ask::SmoothReflect { direction, n_geom: DVec3::Y, n_shading });
-    // About (0.8, 0.6, 0) the ray would go to (0.352, −0.936, 0), below the surface.
+    // Reflected about (0.8, 0.6, 0), the ray would have the direction (0.352, −0.936, 0), below the
+    // surface.
     assert_eq!(reflect(DVec3::new(0.8, 0.6, 0.0)), Answer::Vector(DVec3::new(0.8, 0.6, 0.0)));
     let Answer::Vector(kept) = reflect(DVec3::new(-0.6, 0.8, 0.0)) else {
-        panic!("a mirrored ray is always there")
+        panic!("a reflected ray always exists")
     };
     assert!(kept.distance(DVec3::new(-0.352, 0.936, 0.0)) < 1e-15, "{kept}"); // d·N = −0.96
 }
 
-/// The limit of 1/(a r² + b r + c): a term of coefficient 0 counts for nothing however far the
-/// light is, and any other one without end.
+/// Checks the limit of 1/(a r² + b r + c). A term with the coefficient 0 stays 0 for any r, and any
+/// other term becomes infinite.
 #[test]
 fn attenuation_has_its_limit_infinitely_far_away() {
     let table = [

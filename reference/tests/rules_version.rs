@@ -1,5 +1,5 @@
-//! Whoever changes an answer of the reference raises `RULES_VERSION`, so that answers of the
-//! version before are refused wherever they are stored.
+//! Tests that a change of the reference's answers raises `RULES_VERSION`, so that stored answers of
+//! the version before are refused.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -24,8 +24,8 @@ impl Progress for Unwatched {
     }
 }
 
-/// Returns a hash of the answers to the fixed questions in the lecture and in every course that
-/// differs from it in one key, without the digests in them, which have the version.
+/// Returns a hash of the answers to the fixed questions, in the lecture and in every course that
+/// differs from it in one key. The digests are left out, because they contain the version.
 fn hash() -> String {
     let others = cases::course::deviations().into_iter().map(|deviation| deviation.course);
     let mut hasher = Sha256::new();
@@ -49,8 +49,8 @@ fn hash() -> String {
     hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// A line of the file: a version of the rules, and the hash of the answers in it. `BLESS=1` adds
-/// the line of a new version, and never changes one.
+/// Each line of the file has a version of the rules and the hash of its answers. `BLESS=1` adds the
+/// line of a new version, and never changes a line.
 #[test]
 fn other_answers_have_another_version() {
     let path = data("rules_versions.txt");
@@ -64,12 +64,11 @@ fn other_answers_have_another_version() {
     let stored = stored();
     assert!(
         of_version(&stored),
-        "version {RULES_VERSION} of the rules is new: BLESS=1 notes the hash of its answers"
+        "version {RULES_VERSION} of the rules is new: BLESS=1 stores the hash of its answers"
     );
     assert!(
         stored.lines().any(|line| line == current),
-        "the reference answers otherwise than in version {RULES_VERSION} of the rules: raise \
-            `RULES_VERSION` in \
-         cases/src/answer/digest.rs, then BLESS=1 notes the new hash"
+        "the answers differ from those of version {RULES_VERSION} of the rules: raise \
+            `RULES_VERSION` in cases/src/answer/digest.rs, then BLESS=1 stores the new hash"
     );
 }

@@ -1,20 +1,20 @@
-//! A scene times a power of two has meetings at t times that power: to the bit where the formulas
-//! have room, to a few last places where they have not.
+//! Tests of scenes that are scaled by a power of two: t scales by that power. It does so bit for
+//! bit while the exponents leave room for the formulas, and otherwise to a few last places.
 
 mod common;
 
 use common::Random;
 use glam::DVec3;
-use reference::ray::Ray;
-use reference::real::scaled;
+use reference::numbers::real::scaled;
+use reference::numbers::vec3::Vec3;
+use reference::rays::ray::Ray;
 use reference::rules::Lecture;
 use reference::shapes::{Cuboid, Plane, Round, Shear, Solid, Sphere, Triangle};
-use reference::vec3::Vec3;
 
 const N_DRAWS: usize = 300;
 
-/// Shapes in a scene of that scale, whatever their number; some of them are met from nearby, along
-/// a border, or not at all.
+/// Returns shapes in a scene of the scale 2^e. Some of them are hit from nearby, along a border, or
+/// not at all.
 fn shapes(random: &mut Random, e: i32) -> Vec<Solid<f64>> {
     let (at, size) = (random.unit() * 0.7, 0.1 + random.share());
     let (point, length) = (|v: DVec3| Vec3::of(v).map(|x| scaled(x, e)), |x: f64| scaled(x, e));
@@ -36,7 +36,8 @@ fn shapes(random: &mut Random, e: i32) -> Vec<Solid<f64>> {
     ]
 }
 
-/// t of every shape, and of a triangle, in a scene of the scale 2^e, divided by the scale.
+/// Returns the t of every shape and of a triangle, in a scene of the scale 2^e, divided by the
+/// scale. A miss is `None`.
 fn ts(seed: u64, e: i32) -> Vec<Option<f64>> {
     let mut random = Random(seed);
     let length = |v: DVec3| Vec3::of(v).map(|x| scaled(x, e));
@@ -45,14 +46,14 @@ fn ts(seed: u64, e: i32) -> Vec<Option<f64>> {
     let corners =
         [random.unit(), random.unit(), if random.share() < 0.3 { aim } else { random.unit() }]
             .map(length);
-    let triangle = Triangle { corners }.meet(Lecture, &ray, &Shear::of(&ray), 0);
-    let solids = shapes(&mut random, e).into_iter().map(|solid| solid.meet(Lecture, &ray));
-    solids.chain([triangle]).map(|met| met.map(|met| scaled(met.t, -e))).collect()
+    let triangle = Triangle { corners }.intersect(Lecture, &ray, &Shear::of(&ray), 0);
+    let solids = shapes(&mut random, e).into_iter().map(|solid| solid.intersect(Lecture, &ray));
+    solids.chain([triangle]).map(|hit| hit.map(|hit| scaled(hit.t, -e))).collect()
 }
 
 #[test]
-fn a_scene_times_a_power_of_two_is_met_there() {
-    let (mut n_met, mut n_missed) = (0, 0);
+fn a_scene_times_a_power_of_two_has_scaled_hits() {
+    let (mut n_hits, mut n_missed) = (0, 0);
     for draw in 1..=N_DRAWS as u64 {
         let seed = draw.wrapping_mul(0x9e37_79b9_7f4a_7c15);
         let here = ts(seed, 0);
@@ -69,20 +70,21 @@ fn a_scene_times_a_power_of_two_is_met_there() {
                 );
             }
         }
-        n_met += here.iter().flatten().count();
+        n_hits += here.iter().flatten().count();
         n_missed += here.iter().filter(|t| t.is_none()).count();
     }
-    assert!(n_met > N_DRAWS && n_missed > N_DRAWS, "{n_met} met, {n_missed} missed");
+    assert!(n_hits > N_DRAWS && n_missed > N_DRAWS, "{n_hits} hits, {n_missed} misses");
 }
 
 #[test]
 fn what_is_degenerate_is_a_number_or_a_miss() {
     let sphere = Solid::Sphere(Sphere { center: Vec3::ZERO, radius: 0.0 });
     let through = Ray::all_of(Vec3::new(0.0, 0.0, -5.0), Vec3::new(0.0, 0.0, 1.0));
-    let met =
-        sphere.meet(Lecture, &through).expect("a ray through a sphere without radius meets it");
+    let hit = sphere
+        .intersect(Lecture, &through)
+        .expect("a ray through the centre hits a sphere without radius");
     assert_eq!(
-        (met.t, sphere.normal_where(Lecture, &through, &met)),
+        (hit.t, sphere.normal_at_hit(Lecture, &through, &hit)),
         (5.0, Vec3::new(0.0, 0.0, -1.0))
     );
     let mut random = Random(0x1111_2222_3333_4444);
@@ -91,7 +93,7 @@ fn what_is_degenerate_is_a_number_or_a_miss() {
         let ray = Ray::all_of(Vec3::new(0.1, 0.2, 0.3), direction);
         for solid in shapes(&mut random, 0) {
             assert!(
-                solid.meet(Lecture, &ray).is_none_or(|met| !met.t.is_nan()),
+                solid.intersect(Lecture, &ray).is_none_or(|hit| !hit.t.is_nan()),
                 "{solid:?} along {direction:?}"
             );
         }

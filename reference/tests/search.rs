@@ -1,5 +1,5 @@
-//! Trees find what a walk through the whole list finds, bit for bit; threads change nothing; single
-//! precision stays close.
+//! Tests of the search. Trees find the hits of a scan over all objects, bit for bit; the number of
+//! threads changes nothing; single precision is close to double.
 
 mod common;
 
@@ -9,18 +9,19 @@ use cases::Effect;
 use cases::film::level;
 use common::{Random, scene};
 use glam::{DAffine3, DVec3};
-use reference::bvh::Lanes;
-use reference::camera::Lens;
-use reference::ray::Ray;
-use reference::real::Real;
-use reference::render::{Options, render};
+use reference::lanes::Lanes;
+use reference::numbers::real::Real;
+use reference::numbers::vec3::Vec3;
+use reference::rays::camera::Lens;
+use reference::rays::ray::Ray;
 use reference::rules::Lecture;
-use reference::search::Crossings;
-use reference::vec3::Vec3;
-use reference::work::Amounts;
+use reference::trace::render::{Options, render};
+use reference::watch::work::Amounts;
+use reference::world::search::Crossings;
 use reference::world::{Search, World};
 
-/// Many shapes in disorder, some meshes with triangles that share edges, some without area.
+/// Returns a scene of many random shapes, and a mesh whose triangles share edges. Some triangles
+/// have no area.
 fn disorder(random: &mut Random) -> cases::Scene {
     let mut text = String::from(
         "[scene.materials.m]\nkd = [0.5, 0.6, 0.7]\n[[scene.lights]]\n\
@@ -61,8 +62,8 @@ fn disorder(random: &mut Random) -> cases::Scene {
     scene(&text)
 }
 
-/// Flat things along the axes, in one place or side by side: boxes without thickness, faces that
-/// touch, triangles that lie on one another.
+/// Returns a scene of flat shapes along the axes, coincident or side by side: bounding boxes
+/// without thickness, touching faces, coincident triangles.
 fn order() -> cases::Scene {
     let mut text = String::from("[scene.materials.m]\nkd = [0.5, 0.6, 0.7]\n");
     for n in 0..16 {
@@ -84,7 +85,7 @@ fn order() -> cases::Scene {
     scene(&text)
 }
 
-/// A world searched in every way there is.
+/// A world with every way to search it: a scan, and a tree for each instruction set.
 struct Ways<T> {
     scan: World<T>,
     trees: Vec<World<T>>,
@@ -100,19 +101,19 @@ impl<T: Real> Ways<T> {
         }
     }
 
-    /// Whether the ray meets anything: what it meets is the same to the bit in every way, and all
-    /// trees take the same steps.
-    fn meets(&self, ray: &Ray<T>) -> bool {
+    /// Returns whether the ray hits anything. Checks that every search finds the same hits, bit for
+    /// bit, and that all trees take equal steps.
+    fn intersects(&self, ray: &Ray<T>) -> bool {
         let search = |world: &World<T>| {
             let mut work = Amounts::default();
             let hit = format!("{:?}", world.nearest(Lecture, ray, &mut work));
-            let is_met = world.occluded(Lecture, ray, &mut work);
+            let is_hit = world.occluded(Lecture, ray, &mut work);
             let mut crossings = Crossings::none();
             assert!(
                 world.crossings(Lecture, ray, |_| false, &mut crossings, &mut work),
                 "nothing blocks {ray:?}"
             );
-            ((hit, is_met, format!("{crossings:?}")), work)
+            ((hit, is_hit, format!("{crossings:?}")), work)
         };
         let (found, _) = search(&self.scan);
         let steps: Vec<Amounts> = self
@@ -129,7 +130,7 @@ impl<T: Real> Ways<T> {
     }
 }
 
-fn trees_find_what_lists_find_among_flat_things<T: Real>() {
+fn trees_find_what_lists_find_among_flat_shapes<T: Real>() {
     let ways = Ways::<T>::of(&order());
     let places = [-3.0, -2.0, -1.5, -1.0, -0.0, 0.0, 0.25, 0.5, 1.0, 2.0];
     let steps = [-1.0, -0.0, 0.0, 1.0];
@@ -141,16 +142,16 @@ fn trees_find_what_lists_find_among_flat_things<T: Real>() {
     for direction in three(&steps).into_iter().filter(|d| *d != DVec3::ZERO) {
         for origin in three(&places) {
             let ray = Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(direction));
-            n_hits += usize::from(ways.meets(&ray));
+            n_hits += usize::from(ways.intersects(&ray));
         }
     }
-    assert!(n_hits > 5000, "only {n_hits} rays hit anything: the scene tests nothing");
+    assert!(n_hits > 5000, "only {n_hits} rays hit anything: the test is vacuous");
 }
 
 #[test]
 fn trees_find_what_lists_find_along_axes_and_within_planes() {
-    trees_find_what_lists_find_among_flat_things::<f64>();
-    trees_find_what_lists_find_among_flat_things::<f32>();
+    trees_find_what_lists_find_among_flat_shapes::<f64>();
+    trees_find_what_lists_find_among_flat_shapes::<f32>();
 }
 
 #[test]
@@ -167,14 +168,14 @@ fn trees_find_what_lists_find_from_afar() {
         {
             let mut origin = DVec3::splat(distance);
             (origin[(axis + 1) % 3], origin[(axis + 2) % 3]) = (a, b);
-            n_hits += usize::from(ways.meets(&Ray::leaving(
+            n_hits += usize::from(ways.intersects(&Ray::leaving(
                 Lecture,
                 Vec3::of(origin),
                 Vec3::of(direction),
             )));
         }
     }
-    assert!(n_hits > 1000, "only {n_hits} rays hit anything: the scene tests nothing");
+    assert!(n_hits > 1000, "only {n_hits} rays hit anything: the test is vacuous");
 }
 
 #[test]
@@ -190,13 +191,13 @@ fn trees_find_what_lists_find_however_long_the_direction() {
             if n % 2 == 0 { 0.0 } else { random.signed() },
         );
         let origin = DVec3::new(-3.0, random.signed() * 2.0, random.signed());
-        n_hits += usize::from(ways.meets(&Ray::leaving(
+        n_hits += usize::from(ways.intersects(&Ray::leaving(
             Lecture,
             Vec3::of(origin),
             Vec3::of(slopes * size),
         )));
     }
-    assert!(n_hits > 1000, "only {n_hits} rays hit anything: the scene tests nothing");
+    assert!(n_hits > 1000, "only {n_hits} rays hit anything: the test is vacuous");
 }
 
 fn trees_find_what_lists_find<T: Real>() {
@@ -208,17 +209,18 @@ fn trees_find_what_lists_find<T: Real>() {
         let vertices = &scene.meshes[0].vertices;
         for n in 0..1500 {
             let origin = random.unit() * 4.0;
-            // Half of the rays go anywhere, half straight at a vertex, where several triangles tie.
+            // Half of the rays have a random direction, the other half go straight at a vertex,
+            // where several triangles tie.
             let direction = if n % 2 == 0 {
                 random.unit()
             } else {
                 (vertices[n % vertices.len()] - origin).normalize()
             };
             let ray = Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(direction));
-            n_hits += usize::from(ways.meets(&ray));
+            n_hits += usize::from(ways.intersects(&ray));
         }
     }
-    assert!(n_hits > 3000, "only {n_hits} rays hit anything: the scenes test nothing");
+    assert!(n_hits > 3000, "only {n_hits} rays hit anything: the test is vacuous");
 }
 
 #[test]
@@ -231,8 +233,7 @@ fn trees_find_what_lists_find_in_single_precision() {
     trees_find_what_lists_find::<f32>();
 }
 
-/// Rays from the eyes of all public cases, and from where they meet something in a direction that
-/// points anywhere.
+/// The eye rays of all public cases, and from each hit a ray in a random direction.
 #[test]
 fn trees_find_what_lists_find_in_every_public_case() {
     let stages = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
@@ -245,11 +246,11 @@ fn trees_find_what_lists_find_in_every_public_case() {
             n_scenes += 1;
             for pixel in (0..12).flat_map(|i| (0..9).map(move |j| (i, j))) {
                 let ray = lens.eye_ray(Lecture, pixel, (random.share(), random.share()));
-                n_hits += usize::from(ways.meets(&ray));
+                n_hits += usize::from(ways.intersects(&ray));
                 if let Some(hit) = ways.scan.nearest(Lecture, &ray, &mut ()) {
-                    ways.meets(&Ray::spawned(
+                    ways.intersects(&Ray::spawned(
                         Lecture,
-                        &hit.spot(hit.n_geom),
+                        &hit.hit_point(hit.n_geom),
                         Vec3::of(random.unit()),
                     ));
                 }
@@ -259,7 +260,7 @@ fn trees_find_what_lists_find_in_every_public_case() {
     assert!(n_scenes > 20 && n_hits > 1000, "{n_hits} hits in {n_scenes} scenes");
 }
 
-/// The scene by another map of the world.
+/// Returns the scene with all objects mapped by `map`.
 fn mapped(scene: &cases::Scene, map: DAffine3) -> cases::Scene {
     let mut scene = scene.clone();
     for object in &mut scene.objects {
@@ -269,8 +270,8 @@ fn mapped(scene: &cases::Scene, map: DAffine3) -> cases::Scene {
     scene
 }
 
-/// Where rounding on the way to object space is large: far from the origin, at extreme sizes,
-/// through matrices that are nearly singular.
+/// Checks worlds in which rounding on the way to object space is large: far from the origin, at
+/// extreme sizes, and with nearly singular matrices.
 fn trees_find_what_lists_find_in_far_and_flat_worlds<T: Real>() {
     let mut random = Random(0xfa5_7a4d_f1a7);
     let turn = DAffine3::from_axis_angle(DVec3::new(0.48, 0.6, 0.64), 0.8);
@@ -288,9 +289,9 @@ fn trees_find_what_lists_find_in_far_and_flat_worlds<T: Real>() {
             let object = &scene.objects[n % scene.objects.len()];
             let to = object.world_from_object.transform_point3(random.unit() * 0.4);
             let ray = Ray::leaving(Lecture, Vec3::of(from), Vec3::of((to - from).normalize()));
-            n_hits += usize::from(ways.meets(&ray));
+            n_hits += usize::from(ways.intersects(&ray));
         }
-        assert!(n_hits > 100, "only {n_hits} rays hit anything by {map:?}: it tests nothing");
+        assert!(n_hits > 100, "only {n_hits} rays hit anything under {map:?}: the test is vacuous");
     }
 }
 
@@ -328,7 +329,8 @@ fn single_precision_is_close_to_double() {
         (0..3).any(|c| (level(a[c]) - level(b[c])).abs() > 0.5)
     };
     let n_out = pairs.filter(differs).count();
-    assert!(n_out <= 4, "{n_out} of 432 pixels differ by more than half a level"); // at silhouettes
+    // The pixels that differ are at silhouettes.
+    assert!(n_out <= 4, "{n_out} of 432 pixels differ by more than half a level");
     assert_ne!(single, double, "both pictures are in the same precision");
 }
 

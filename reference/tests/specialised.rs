@@ -1,5 +1,5 @@
-//! The kernel that is made for a scene gives the same picture as the one that can do everything,
-//! bit for bit: on every public case and on 1,000 others.
+//! Tests that the kernel that is chosen for a scene gives the picture of the general kernel, bit
+//! for bit. They cover every public case and 1,000 others.
 
 use std::path::{Path, PathBuf};
 
@@ -7,9 +7,9 @@ use cases::film::Image;
 use cases::stage::{self, Case, Stage};
 use cases::{Effect, Effects};
 use rayon::prelude::*;
-use reference::render::{Options, count_by, render, render_by};
 use reference::rules::{Lecture, Rules};
-use reference::simulated::{EyeAlone, WithShadows};
+use reference::trace::render::{Options, count_by, render, render_by};
+use reference::trace::simulated::{EyeAlone, WithShadows};
 use reference::vary::draw_any;
 use reference::world::World;
 
@@ -26,9 +26,9 @@ fn bits(image: &Image) -> Vec<[u64; 3]> {
     image.pixels().iter().map(|light| light.to_array().map(f64::to_bits)).collect()
 }
 
-/// Renders `case` in this size by its own effects and the kernel that is made for them, by the one
-/// that can do everything, by rules that are looked up, under a count, and with every effect that
-/// its stage allows: five times the same picture.
+/// Checks that five renders of `case` in this size give one picture. They use the kernel for its
+/// effects, the general kernel, rules that are looked up, counting, and every effect that its stage
+/// allows.
 #[track_caller]
 fn check(case: &Case, allowed: Effects, (width, height): (u32, u32)) {
     let mut scene = case.scene.clone();
@@ -47,7 +47,7 @@ fn check(case: &Case, allowed: Effects, (width, height): (u32, u32)) {
     for (picture, how) in
         pictures.iter().zip(["in general", "by rules", "counted", "with everything"])
     {
-        assert!(bits(picture) == right, "{} {how} is another picture:\n{scene:?}", case.id);
+        assert!(bits(picture) == right, "{} {how} gives a different picture:\n{scene:?}", case.id);
     }
 }
 
@@ -60,7 +60,7 @@ fn every_public_case_has_one_picture() {
         .collect::<Vec<_>>()
         .par_iter()
         .for_each(|(case, allowed)| check(case, *allowed, (96, 72)));
-    // each kind of kernel is chosen for some, or the test tests nothing
+    // Each kind of kernel is chosen for some cases. Otherwise the test is vacuous.
     let n = |is: &dyn Fn(Effects) -> bool| all().filter(|(case, _)| is(case.scene.effects)).count();
     let eye_alone = |effects| EyeAlone::new(effects, 0.0).is_some();
     let shadows = |effects| WithShadows::new(effects, 0.0).is_some();
@@ -85,7 +85,7 @@ fn a_thousand_others_have_one_picture_each() {
         for seed in 0..n_seeds {
             let drawn =
                 draw_any(case, &path, &text, *allowed, seed).unwrap_or_else(|why| panic!("{why}"));
-            assert!(drawn.scene != case.scene, "{} does not move", case.id);
+            assert!(drawn.scene != case.scene, "{} does not vary", case.id);
             check(&drawn, *allowed, (32, 24));
         }
     });

@@ -1,5 +1,5 @@
-//! Pictures that must not depend on where a scene lies or how large it is, and pictures in which
-//! every wrong hit would show.
+//! Tests of pictures that must not depend on the place or the size of a scene, and of pictures that
+//! would show every wrong hit.
 
 mod common;
 
@@ -12,7 +12,7 @@ use common::{SCALES, moved, picture, scene};
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// The cases of the stages, small.
+/// Returns the ids and the scenes of the public cases, in a small size.
 fn cases() -> Vec<(String, Scene)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
     let stages = stage::load_all(&folder, &cases::Course::default())
@@ -26,8 +26,8 @@ fn cases() -> Vec<(String, Scene)> {
     all
 }
 
-/// The scene `k` times as large, with light that weakens as much slower: the same picture. No
-/// object gets a frame that has none.
+/// Returns the scene `k` times as large, with attenuation adjusted, so that the picture is the
+/// same. An object without a transform gets none.
 fn scaled(scene: &Scene, k: f64) -> Scene {
     let mut scene = scene.clone();
     scene.camera.eye *= k;
@@ -53,7 +53,7 @@ fn scaled(scene: &Scene, k: f64) -> Scene {
         let of_shape = if is_shared(object.shape, &grown) { 1.0 } else { k };
         let (forth, back) = (&mut object.world_from_object, &mut object.object_from_world);
         (forth.matrix3, forth.translation) = (forth.matrix3 * of_shape, forth.translation * k);
-        // from a mesh that is as large as the world by now
+        // If the mesh has grown with the world, the inverse keeps its matrix.
         let (of_matrix, of_rest) = if of_shape == 1.0 { (1.0, k) } else { (1.0 / k, 1.0) };
         (back.matrix3, back.translation) = (back.matrix3 * of_matrix, back.translation * of_rest);
     }
@@ -80,7 +80,7 @@ fn grow(shape: &mut Shape, k: f64) {
     }
 }
 
-/// Pixels of which a byte differs.
+/// Returns the number of pixels with a byte that differs.
 fn n_differing(one: &Image, other: &Image) -> usize {
     let bytes = |light: &DVec3| light.to_array().map(|x| level(x.clamp(0.0, 1.0)).round());
     one.pixels().iter().zip(other.pixels()).filter(|(a, b)| bytes(a) != bytes(b)).count()
@@ -120,8 +120,8 @@ fn a_scene_scaled_or_moved_by_a_million_gives_the_same_bytes() {
     });
 }
 
-/// Two facing mirrors, of which one glows: each pixel is the sum of every other term of a geometric
-/// series, and a hit too many or too few would change sides.
+/// Two facing mirrors, of which one glows. Each pixel is the sum of every second term of a
+/// geometric series, so a hit too many or too few would give the other terms.
 #[test]
 fn a_hall_of_mirrors_is_a_geometric_series() {
     const DEPTH: u32 = 50;

@@ -1,5 +1,5 @@
-//! Rays that start on surfaces: a primitive does not shadow itself, and no surface is lost or hit
-//! twice.
+//! Tests of rays that start on surfaces: a convex object does not shadow itself, and no surface is
+//! missed or hit twice.
 
 mod common;
 
@@ -10,17 +10,17 @@ use cases::scene::Attenuation;
 use cases::{Effect, Light, Scene, Shape};
 use common::{SCALES, globe, lone, moved, picture, scene};
 use glam::{DAffine3, DVec3};
-use reference::ray::Ray;
-use reference::real::Real;
-use reference::render::{Options, render};
+use reference::numbers::real::Real;
+use reference::numbers::vec3::Vec3;
+use reference::rays::ray::Ray;
 use reference::rules::{Lecture, Rules};
-use reference::search::Crossings;
-use reference::trace::{Kernel, Path as RayPath};
-use reference::vec3::Vec3;
+use reference::trace::kernel::{Kernel, Path as RayPath};
+use reference::trace::render::{Options, render};
 use reference::watch::{Counts, Recorder};
 use reference::world::World;
+use reference::world::search::Crossings;
 
-/// Lights that graze a lone convex thing from many sides.
+/// Returns a scene of a single convex object with lights that graze it from many sides.
 fn grazed(shape: Shape, meshes: Vec<cases::Mesh>, scale: f64) -> Scene {
     let mut scene = lone(shape, meshes, DAffine3::IDENTITY);
     scene.camera.eye *= scale;
@@ -45,10 +45,10 @@ fn grazed(shape: Shape, meshes: Vec<cases::Mesh>, scale: f64) -> Scene {
     scene
 }
 
-/// A lone convex thing shadows only what faces away from the light, and that gets none anyway:
-/// shadows must change no bit.
+/// A single convex object shadows only surfaces that face away from the light, which are dark
+/// anyway. Shadows must change no bit.
 #[test]
-fn no_convex_thing_shadows_itself_up_to_the_terminator() {
+fn no_convex_object_shadows_itself_up_to_the_terminator() {
     fn check<T: Real>(name: &str, scene: &Scene) {
         let world = World::<T>::new(scene);
         let effects = scene.effects.with(Effect::Shadows);
@@ -60,7 +60,7 @@ fn no_convex_thing_shadows_itself_up_to_the_terminator() {
             &Options { effects: effects.without(Effect::Shadows), ..Options::of(&world) },
             |_| {},
         );
-        assert!(stats.rays.shadow > 400, "{name}: {:?} tests nothing", stats.rays);
+        assert!(stats.rays.shadow > 400, "{name}: {:?}: the test is vacuous", stats.rays);
         let n_wrong = with.pixels().iter().zip(without.pixels()).filter(|(a, b)| a != b).count();
         assert_eq!(n_wrong, 0, "{name}");
     }
@@ -90,7 +90,7 @@ fn no_convex_thing_shadows_itself_up_to_the_terminator() {
     }
 }
 
-/// A smooth mesh is shadowed exactly where its own triangles face away from the light.
+/// A smooth mesh is in shadow exactly where its triangles face away from the light.
 #[test]
 fn a_smooth_mesh_is_dark_exactly_where_its_triangles_face_away() {
     for scale in SCALES {
@@ -99,7 +99,7 @@ fn a_smooth_mesh_is_dark_exactly_where_its_triangles_face_away() {
         let mut scene = grazed(Shape::Mesh { mesh: 0 }, vec![mesh], scale);
         scene.lights.truncate(1);
         let Light::Directional { direction, .. } = scene.lights[0] else {
-            panic!("the first light is far away")
+            panic!("the first light is directional")
         };
         let world = World::<f64>::new(&scene);
         let effects = scene.effects.with(Effect::Shadows).with(Effect::SmoothNormals);
@@ -107,7 +107,7 @@ fn a_smooth_mesh_is_dark_exactly_where_its_triangles_face_away() {
         let mut n_dark = 0;
         for (i, j) in (0..64).flat_map(|i| (0..48).map(move |j| (i, j))) {
             let colour = kernel.eye((i, j), (0.5, 0.5), &mut Counts::default());
-            let lens = reference::camera::Lens::new(Lecture, &scene.camera, 64, 48);
+            let lens = reference::rays::camera::Lens::new(Lecture, &scene.camera, 64, 48);
             let Some(hit) =
                 world.nearest(Lecture, &lens.eye_ray(Lecture, (i, j), (0.5, 0.5)), &mut ())
             else {
@@ -125,7 +125,7 @@ fn a_smooth_mesh_is_dark_exactly_where_its_triangles_face_away() {
         }
         assert!(
             n_dark > 0,
-            "no triangle faces away where its normals do not: the mesh is too fine"
+            "no triangle faces away where its vertex normals do not: the mesh is too fine"
         );
     }
 }
@@ -140,8 +140,8 @@ fn tree(scene: &Scene, from: DVec3, direction: DVec3) -> RayNode {
     .expect("a ray was traced")
 }
 
-/// A shell of glass, however thin, has four surfaces for a ray through its middle, and tints a
-/// shadow as often.
+/// A ray through the middle of a shell of glass, however thin, crosses four surfaces. A shadow ray
+/// is tinted as often.
 #[test]
 fn glass_in_glass_has_all_its_surfaces() {
     for scale in SCALES {
@@ -176,15 +176,14 @@ fn glass_in_glass_has_all_its_surfaces() {
             let mut crossings = Crossings::none();
             assert!(
                 world.crossings(Lecture, &ray, |_| false, &mut crossings, &mut ()),
-                "nothing blocks it"
+                "no surface blocks the ray"
             );
             assert_eq!(crossings.len(), 4, "scale {scale:e}, {thickness:e} thick");
         }
     }
 }
 
-/// Things whose tops lie in one plane, as far as decimals and frames can have them, under a light:
-/// no pixel is dark.
+/// Boxes under a light, whose tops are in one plane up to rounding. No pixel is dark.
 #[test]
 fn faces_in_one_plane_do_not_shadow_one_another() {
     for scale in SCALES {
@@ -233,14 +232,14 @@ fn faces_in_one_plane_do_not_shadow_one_another() {
                 (0, hit),
                 "scale {scale:e} about {axis}: of {hit} pixels {lit} are lit"
             );
-            assert!(hit > 500, "the camera misses them");
+            assert!(hit > 500, "the camera misses the boxes");
         }
     }
 }
 
 fn n_hits(scene: &Scene) -> usize {
     let world = World::<f64>::new(scene);
-    let lens = reference::camera::Lens::new(
+    let lens = reference::rays::camera::Lens::new(
         Lecture,
         &scene.camera,
         scene.render.width,
@@ -255,7 +254,7 @@ fn n_hits(scene: &Scene) -> usize {
         .count()
 }
 
-/// A light that touches what could hide it is not hidden; one behind it is.
+/// A light on a surface is not occluded by it; a light just behind the surface is.
 #[test]
 fn a_light_on_a_surface_is_not_hidden_by_it() {
     let mut random = common::Random(0x11_6475);
@@ -269,16 +268,16 @@ fn a_light_on_a_surface_is_not_hidden_by_it() {
         let scene = lone(shape, vec![], DAffine3::IDENTITY);
         let world = World::<f64>::new(&scene);
         let kernel = Kernel::new(&world, Lecture, scene.effects.with(Effect::Shadows));
-        // the point looks at the ball; the light is just on it, or just behind it
+        // The normal at the point faces the ball. The light is on the ball or just inside it.
         let start = center + towards * scale * 4.0;
-        let spot = reference::ray::Spot {
+        let hit_point = reference::rays::ray::HitPoint {
             point: Vec3::of(start),
             error: Vec3::ZERO,
             n_geom: Vec3::of(-towards),
         };
         let lit = |light: DVec3| {
             let (way, r) = ((light - start).normalize(), (light - start).length());
-            kernel.shadow(&spot, Vec3::of(way), r, &mut Counts::default()) == Vec3::ONE
+            kernel.shadow(&hit_point, Vec3::of(way), r, &mut Counts::default()) == Vec3::ONE
         };
         n_lit += usize::from(lit(center + towards * 0.5 * scale));
         n_dark += usize::from(!lit(center + towards * (0.5 - 1e-12) * scale));
@@ -286,7 +285,8 @@ fn a_light_on_a_surface_is_not_hidden_by_it() {
     assert_eq!((n_lit, n_dark), (2000, 2000));
 }
 
-/// The pictures above are of the reference's own way: with RAY_EPSILON some go wrong.
+/// The pictures above use the reference's own start of rays. With RAY_EPSILON some of them are
+/// wrong.
 #[test]
 fn an_epsilon_fails_where_the_bound_holds() {
     let plain = Rules::LECTURE.plain();

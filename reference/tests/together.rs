@@ -1,21 +1,23 @@
-//! Rays searched for together find what each finds alone, bit for bit.
+//! Tests of packets: rays that are traced together find the hits that each finds alone, bit for
+//! bit.
 
 mod common;
 
 use common::{Random, globe, scene};
 use glam::DVec3;
-use reference::bvh::Lanes;
-use reference::camera::Lens;
-use reference::packet::MOST;
-use reference::ray::Ray;
-use reference::real::Real;
-use reference::render::{Options, render, render_by};
+use reference::lanes::Lanes;
+use reference::numbers::real::Real;
+use reference::numbers::vec3::Vec3;
+use reference::rays::camera::Lens;
+use reference::rays::ray::Ray;
 use reference::rules::{Lecture, Rules};
-use reference::vec3::Vec3;
-use reference::work::Amounts;
+use reference::trace::render::{Options, render, render_by};
+use reference::watch::work::Amounts;
+use reference::world::packet::MOST;
 use reference::world::{Search, World};
 
-/// A stone of `n` bands about the origin, and what stands before and behind it.
+/// Returns a scene of a stone of `n` bands about the origin, followed by `rest`: a transform of the
+/// stone, or further objects.
 fn stone(n: u32, rest: &str) -> cases::Scene {
     let mut random = Random(7);
     let mesh = "mesh = { vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles = [[0, 1, 2]] }";
@@ -27,7 +29,7 @@ fn stone(n: u32, rest: &str) -> cases::Scene {
     scene
 }
 
-/// A world searched by every set of instructions, and one that asks everything.
+/// A world with a tree for every instruction set, and a scan over all objects.
 struct Ways<T> {
     scan: World<T>,
     trees: Vec<World<T>>,
@@ -40,17 +42,17 @@ impl<T: Real> Ways<T> {
         Self { scan: World::with_search(scene, Search::Scan), trees }
     }
 
-    /// How many of the rays meet something: each what it meets alone, by the same steps on every
-    /// path.
+    /// Returns how many of the rays hit anything. Checks that each finds the hit that it finds
+    /// alone, and that all trees take equal steps.
     fn check(&self, rays: &[Ray<T>]) -> usize {
         let alone: Vec<_> =
             rays.iter().map(|ray| self.scan.nearest(Lecture, ray, &mut ())).collect();
         let mut steps = vec![];
         for world in &self.trees {
             let mut work = Amounts::default();
-            let together = rays.iter().zip(world.first_together(rays, &mut work));
+            let together = rays.iter().zip(world.first_of_packet(rays, &mut work));
             let hit = |(ray, found): (&_, Option<_>)| {
-                found.map(|met| world.hit(Lecture, ray, met, true, &mut ()))
+                found.map(|hit| world.hit(Lecture, ray, hit, true, &mut ()))
             };
             let together: Vec<_> = together.map(hit).collect();
             assert_eq!(format!("{together:?}"), format!("{alone:?}"), "along {rays:?}");
@@ -70,14 +72,14 @@ const BALL: &str =
 const TURNED: &str = "transforms = [{ scale = [1, 0.5, 2] }, { rotate = { axis = [1, 2, 3], \
     angle_deg = 40 } }, { translate = [0.3, -0.2, 0.1] }]\n";
 
-/// Neighbouring rays from near and far, from within the mesh, and straight at corners and at the
-/// middles of edges.
+/// Checks neighbouring rays from near and far, from inside the mesh, and straight at vertices and
+/// at the middles of edges.
 fn neighbours_find_what_each_finds<T: Real>() {
     let mut random = Random(0x9ac_4e7);
-    let (mut n_met, mut n_rays) = (0, 0);
+    let (mut n_hits, mut n_rays) = (0, 0);
     for scene in [stone(24, BALL), stone(24, TURNED), stone(3, "")] {
         let ways = Ways::<T>::of(&scene);
-        assert!(ways.trees[0].gains_together());
+        assert!(ways.trees[0].gains_by_packets());
         let corners = &scene.meshes[0].vertices;
         for n in 0..400 {
             let far = [0.3, 1.5, 4.0, 1e3, 1e6][n % 5];
@@ -90,13 +92,13 @@ fn neighbours_find_what_each_finds<T: Real>() {
                 _ => aim + random.unit() * spread,
             });
             let rays = to::<T>(origin, targets);
-            n_met += ways.check(&rays);
+            n_hits += ways.check(&rays);
             n_rays += rays.len();
         }
     }
     assert!(
-        n_met > n_rays / 3 && n_met < n_rays,
-        "{n_met} of {n_rays} rays meet anything: it tests too little"
+        n_hits > n_rays / 3 && n_hits < n_rays,
+        "{n_hits} of {n_rays} rays hit anything: the test is too weak"
     );
 }
 
@@ -106,8 +108,8 @@ fn neighbours_find_what_each_finds_in_both_precisions() {
     neighbours_find_what_each_finds::<f32>();
 }
 
-/// Along axes and diagonals, with zeros of both signs, all from one point; among them rays that
-/// have nothing in common.
+/// Rays along axes and diagonals, with zeros of both signs. The rays of a packet start at one
+/// point, but may have nothing else in common.
 #[test]
 fn rays_along_axes_find_what_each_finds() {
     let ways = Ways::<f64>::of(&stone(8, BALL));
@@ -117,7 +119,7 @@ fn rays_along_axes_find_what_each_finds() {
             .into_iter()
             .flat_map(move |x| steps.into_iter().flat_map(move |y| steps.map(|z| [x, y, z])))
     };
-    let mut n_met = 0;
+    let mut n_hits = 0;
     for origin in all().map(|[x, y, z]| DVec3::new(x, y, z) * 2.0) {
         let directions: Vec<DVec3> = all().map(DVec3::from).filter(|d| *d != DVec3::ZERO).collect();
         for directions in directions.chunks(5).chain(directions.chunks(1)) {
@@ -125,13 +127,13 @@ fn rays_along_axes_find_what_each_finds() {
                 .iter()
                 .map(|d| Ray::leaving(Lecture, Vec3::of(origin), Vec3::of(*d)))
                 .collect();
-            n_met += ways.check(&rays);
+            n_hits += ways.check(&rays);
         }
     }
-    assert!(n_met > 500, "only {n_met} rays meet anything");
+    assert!(n_hits > 500, "only {n_hits} rays hit anything");
 }
 
-/// Intervals that begin behind the origin or end early, and origins that differ.
+/// Rays whose intervals begin behind the origin or end early, and rays of different origins.
 #[test]
 fn rays_with_little_in_common_find_what_each_finds() {
     let ways = Ways::<f64>::of(&stone(8, BALL));
@@ -154,13 +156,13 @@ fn rays_with_little_in_common_find_what_each_finds() {
     assert_eq!(changed(&|ray| ray.direction = Vec3::ZERO), 5);
 }
 
-/// Meshes that fill their leaves or do not, and one without area; single precision holds their
-/// corners.
+/// Meshes that do or do not fill their leaves, and one without area. Single precision represents
+/// their vertices exactly.
 #[test]
 fn few_triangles_find_all_that_meet_them() {
     let middle_and_rim = "[0, 0, 0], [1, 0, 0], [1, 1, 0.25], [0, 1, 0.5], [-1, 1, 0], [-1, 0, \
         0.25], [-1, -1, 0.5], [0, -1, 0], [1, -1, 0.25]";
-    let met = [0, 1, 2, 3, 4, 5, 6, 7].map(|n| {
+    let hit = [0, 1, 2, 3, 4, 5, 6, 7].map(|n| {
         let fan: Vec<[usize; 3]> = (0..n).map(|k| [0, k + 1, k + 2]).chain([[0, 0, 1]]).collect();
         let mesh = format!("mesh = {{ vertices = [{middle_and_rim}], triangles = {fan:?} }}");
         let text = format!(
@@ -171,10 +173,10 @@ fn few_triangles_find_all_that_meet_them() {
         Ways::<f64>::of(&scene(&text))
             .check(&to(DVec3::new(0.1, 0.2, 9.0), targets.into_iter().flatten()))
     });
-    assert!(met.is_sorted() && met[0] == 0 && met[1] > 0 && met[7] > 12, "{met:?}");
+    assert!(hit.is_sorted() && hit[0] == 0 && hit[1] > 0 && hit[7] > 12, "{hit:?}");
 }
 
-/// A walk for sixteen rays takes far fewer steps than sixteen walks.
+/// Checks that one traversal for sixteen rays takes far fewer steps than sixteen traversals.
 fn steps_are_shared<T: Real>() {
     let world = World::<T>::new(&stone(24, ""));
     let (mut together, mut alone) = (Amounts::default(), Amounts::default());
@@ -183,7 +185,7 @@ fn steps_are_shared<T: Real>() {
         let targets =
             (0..MOST).map(|k| corner + DVec3::new((k % 4) as f64, (k / 4) as f64, 0.0) * 0.01);
         let rays = to::<T>(DVec3::new(0.1, 0.2, 4.0), targets);
-        world.first_together(&rays, &mut together);
+        world.first_of_packet(&rays, &mut together);
         for ray in &rays {
             world.first(Lecture, ray, &mut alone);
         }
@@ -198,29 +200,29 @@ fn steps_are_shared_in_both_precisions() {
     steps_are_shared::<f32>();
 }
 
-/// The eye rays of all public cases, in blocks that the picture's border cuts.
+/// The eye rays of all public cases, in blocks of which some are cut by the border of the picture.
 #[test]
 fn eye_rays_find_what_each_finds_in_every_public_case() {
     let stages = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/stages");
-    let (mut n_together, mut n_met) = (0, 0);
+    let (mut n_packets, mut n_hits) = (0, 0);
     for stage in cases::stage::load_all(&stages, &cases::Course::default()).unwrap() {
         for case in &stage.cases {
             let ways = Ways::<f64>::of(&case.scene);
-            n_together += usize::from(ways.trees[0].gains_together());
+            n_packets += usize::from(ways.trees[0].gains_by_packets());
             let lens = Lens::<f64>::new(Lecture, &case.scene.camera, 13, 10);
             for (i, j) in (0..13).step_by(4).flat_map(|i| (0..10).step_by(4).map(move |j| (i, j))) {
                 let pixels =
                     (j..(j + 4).min(10)).flat_map(|j| (i..(i + 4).min(13)).map(move |i| (i, j)));
                 let rays: Vec<_> =
                     pixels.map(|pixel| lens.eye_ray(Lecture, pixel, (0.5, 0.5))).collect();
-                n_met += ways.check(&rays);
+                n_hits += ways.check(&rays);
             }
         }
     }
-    assert!(n_together > 2 && n_met > 1000, "{n_met} hits, {n_together} cases with a mesh");
+    assert!(n_packets > 2 && n_hits > 1000, "{n_hits} hits, {n_packets} cases with a mesh");
 }
 
-/// By rules looked up at run time rays go one by one.
+/// With rules that are looked up at run time, rays are traced one by one.
 #[test]
 fn pictures_are_the_same_with_rays_together_and_one_by_one() {
     let mut scene = stone(20, BALL);

@@ -1,4 +1,5 @@
-//! The legal variations: each takes its freedoms as published, and none strays from the reference.
+//! Tests of the legal variations: each takes its freedoms as published, and none differs visibly
+//! from the reference.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -7,16 +8,16 @@ use std::sync::LazyLock;
 use cases::film::{Image, level};
 use cases::stage::{self, Case, Stage};
 use rayon::prelude::*;
-use reference::misconceptions;
-use reference::render::{Options, render};
+use reference::expect::variations::{Precision, Variation, published, variations};
+use reference::rules::misconceptions;
 use reference::rules::{Lecture, Rules};
-use reference::variations::{Precision, Variation, published, variations};
+use reference::trace::render::{Options, render};
 use reference::world::World;
 
-/// A pixel strays where a channel differs by more levels than this.
+/// A pixel strays if a channel differs by more levels than this.
 const LEVELS: f64 = 2.0;
-/// A variation with a greater share of straying pixels is ill: its noise shows, or the case is
-/// unfair to it.
+/// The greatest allowed share of straying pixels. Beyond it, the noise of the variation is visible,
+/// or the case is unfair to it.
 const STRAY_SHARE: f64 = 0.01;
 
 static STAGES: LazyLock<Vec<Stage>> = LazyLock::new(|| {
@@ -28,14 +29,14 @@ static STAGES: LazyLock<Vec<Stage>> = LazyLock::new(|| {
 fn n_stray(centre: &Image, other: &Image) -> usize {
     let differs = |(a, b): (&glam::DVec3, &glam::DVec3)| {
         (0..3).any(|c| {
-            let is_close = (level(a[c]) - level(b[c])).abs() <= LEVELS; // false for NaN
+            let is_close = (level(a[c]) - level(b[c])).abs() <= LEVELS; // False for NaN.
             !is_close
         })
     };
     centre.pixels().iter().zip(other.pixels()).filter(|pair| differs(*pair)).count()
 }
 
-/// For every variation the share of the pixels of a case on which it strays.
+/// Returns, for every variation, the share of the pixels of a case on which it strays.
 fn stray_shares<'a>(
     case: &'a Case,
     variations: &'a [Variation],
@@ -49,7 +50,7 @@ fn stray_shares<'a>(
     variations.iter().map(|v| (share(v), case.id.as_str(), v)).collect()
 }
 
-/// A line for every variation and case, the worst first.
+/// Prints the variations and cases that stray most, the worst first.
 #[test]
 fn no_variation_strays_from_the_reference() {
     let variations = variations(&Rules::LECTURE);
@@ -78,7 +79,10 @@ fn noise_that_is_too_large_strays() {
         v.rules.style.nudge = [0.5, 0.5];
     }
     let shares = stray_shares(&STAGES[0].cases[0], &noisy);
-    assert!(shares.iter().all(|(share, ..)| *share > STRAY_SHARE), "half a pixel goes unnoticed");
+    assert!(
+        shares.iter().all(|(share, ..)| *share > STRAY_SHARE),
+        "a nudge by half a pixel is not noticed"
+    );
 }
 
 #[test]
@@ -105,8 +109,8 @@ fn what_is_free_is_published() {
     );
 }
 
-/// A mistake is one change to the rules, whatever else a student chooses: the case that shows it
-/// shows it in any style.
+/// A mistake is one change to the rules, independent of a student's other choices. A case that
+/// shows it must show it in any style.
 #[test]
 fn a_mistake_shows_in_any_style() {
     const SIZE: (u32, u32) = (48, 36);

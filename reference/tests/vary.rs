@@ -1,4 +1,4 @@
-//! `reference vary` from outside: what it writes, what it refuses, and how it ends.
+//! Tests of `reference vary` from outside: its files, its refusals, and its exit codes.
 
 use std::fs;
 use std::path::Path;
@@ -16,7 +16,7 @@ ask = { fn = "sphere", ray = { origin = [0, 0, 2], direction = [0, 0, -1] }, cen
 
 const MESH: &str = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
 
-/// A case of a triangle from a file, with these bounds.
+/// Returns a case of a triangle from a file, with the bounds `vary`.
 fn case(vary: &str) -> String {
     format!(
         r#"title = "A card" # of paper
@@ -47,8 +47,8 @@ material = "paper"
     )
 }
 
-/// A folder with the stages `cases/stages/01_one`: a case with these bounds, a check, and the mesh
-/// of the case.
+/// Returns a folder with the stage `cases/stages/01_one`, which has a case with the bounds `vary`
+/// and a check, and with the mesh of the case.
 fn folder(vary: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let stage = "cases/stages/01_one";
@@ -65,8 +65,7 @@ fn folder(vary: &str) -> tempfile::TempDir {
     folder
 }
 
-/// Runs the program in `folder`: its exit code, and what it says on the error stream and the output
-/// stream.
+/// Runs the program in `folder`. Returns the exit code, the error stream and the output stream.
 fn run(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {
     let program =
         Command::new(env!("CARGO_BIN_EXE_reference")).current_dir(folder).args(args).output();
@@ -76,7 +75,7 @@ fn run(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {
 
 const NARROW: &str = "\n[vary]\neye = 0.1\ncolours = 0.05\n";
 
-/// All files below `folder` with their bytes, by path.
+/// Returns all files below `folder` with their bytes, by path.
 fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     let mut found = vec![];
     for entry in fs::read_dir(folder).unwrap() {
@@ -90,7 +89,7 @@ fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     found
 }
 
-/// The originals have no course of their own, and the place of the set has one beside it.
+/// The originals have no course, but there is one beside the place of the set.
 #[test]
 fn a_course_beside_the_set_decides_nothing() {
     let folder = folder(NARROW);
@@ -165,7 +164,7 @@ fn says_how_well_the_bounds_hold() {
     assert!(!folder.path().join("varied-1").exists());
 }
 
-/// The bounds, what is asked, and how it must end.
+/// Each row has the bounds, the arguments, the exit code and a part of the error.
 #[test]
 fn what_cannot_be_varied_is_an_error_that_says_why() {
     let table = [
@@ -213,8 +212,7 @@ fn what_cannot_be_varied_is_an_error_that_says_why() {
     }
 }
 
-/// A varied set is whole: it has its answers, and what does not say how far it may be moved as it
-/// was.
+/// A varied set is complete: it has its answers, and unchanged copies of the cases without bounds.
 #[test]
 fn a_case_without_bounds_is_copied_as_it_is_with_a_warning() {
     let folder = folder(NARROW);
@@ -228,7 +226,7 @@ fn a_case_without_bounds_is_copied_as_it_is_with_a_warning() {
     assert_eq!(
         copied,
         case("").replace("../../meshes", "up/up/meshes"),
-        "nothing but the place of the mesh changes"
+        "only the path of the mesh changes"
     );
     let (code, errors, _) = run(folder.path(), &["expect", "--check", "varied-1"]);
     assert_eq!(code, Some(0), "{errors}");

@@ -1,29 +1,29 @@
-//! Closed meshes are closed: no ray from inside gets out between two triangles, least of all one
-//! that is aimed there.
+//! Tests that closed meshes are watertight: no ray from inside escapes between two triangles, even
+//! if it is aimed at a vertex or an edge.
 
 mod common;
 
 use cases::{Mesh, Shape};
 use common::{Random, globe, lone};
 use glam::{DAffine3, DVec3};
-use reference::ray::Ray;
-use reference::real::Real;
+use reference::numbers::real::Real;
+use reference::numbers::vec3::Vec3;
+use reference::rays::ray::Ray;
 use reference::rules::{Lecture, Robustness, RuleSource, Rules, Start, Style, TriangleFormula};
-use reference::vec3::Vec3;
 use reference::world::{Search, World};
 
-/// Rays at vertices, and as many at edges, per precision and place.
+/// The number of rays at vertices, and of rays at edges, per precision and place.
 const N_RAYS: usize = 50_000;
 const FAR_AWAY: DVec3 = DVec3::new(148_376.0, 1234.0, -223_423.0);
 
-/// What a ray is aimed at.
+/// The target of a ray.
 #[derive(Clone, Copy, Debug)]
 enum Aim {
     Vertex,
     Edge,
 }
 
-/// A point of the mesh, on the line that `T` makes of its edges.
+/// Returns a vertex or a point of an edge of the mesh, whose vertices are first rounded to `T`.
 fn aim<T: Real>(at: Aim, mesh: &Mesh, random: &mut Random) -> DVec3 {
     let corner = |v: DVec3| Vec3::<T>::of(v).f64();
     let pick = |random: &mut Random, n: usize| ((random.share() * n as f64) as usize).min(n - 1);
@@ -37,7 +37,8 @@ fn aim<T: Real>(at: Aim, mesh: &Mesh, random: &mut Random) -> DVec3 {
     }
 }
 
-/// How many of `n` rays from inside a jittered globe around `center` meet nothing.
+/// Returns how many of `n` rays from inside a jittered globe around `center` miss it, or are not
+/// occluded by it.
 fn n_lost<T: Real, R: RuleSource>(
     rules: R,
     center: DVec3,
@@ -56,7 +57,7 @@ fn n_lost<T: Real, R: RuleSource>(
             false => mesh.vertices.iter_mut().for_each(|v| *v += center),
         }
         let mut scene = lone(Shape::Mesh { mesh: 0 }, vec![mesh.clone()], frame);
-        // so many more things, far away, that the world needs a tree as well
+        // Enough objects far away that the world needs a tree as well.
         for i in 0..12 {
             let mut beside = scene.objects[0].clone();
             beside.shape =
@@ -70,8 +71,8 @@ fn n_lost<T: Real, R: RuleSource>(
             let from = center + random.unit() * 0.5;
             let to = aim::<T>(at, &mesh, &mut random) + if in_frame { center } else { DVec3::ZERO };
             let ray = Ray::<T>::leaving(rules, Vec3::of(from), Vec3::of((to - from).normalize()));
-            let is_met = world.nearest(rules, &ray, &mut ()).is_some_and(|hit| hit.object == 0);
-            lost += usize::from(!is_met || !world.occluded(rules, &ray, &mut ()));
+            let is_hit = world.nearest(rules, &ray, &mut ()).is_some_and(|hit| hit.object == 0);
+            lost += usize::from(!is_hit || !world.occluded(rules, &ray, &mut ()));
         }
     }
     lost
@@ -101,7 +102,7 @@ fn nothing_gets_out_in_single_precision() {
     check::<f32>();
 }
 
-/// The same rays get out where triangles are tested by themselves.
+/// The rays escape if each triangle is tested independently of its neighbours.
 #[test]
 fn a_formula_that_is_not_watertight_loses_some() {
     let style = Style {

@@ -1,18 +1,18 @@
-//! Rays and work of one eye ray, counted on paper: what cannot matter is not done, though the
-//! kernel could do everything.
+//! Tests of the rays and the work of one eye ray, counted on paper: the general kernel does no work
+//! that cannot matter.
 
 use std::path::Path;
 
 use cases::{Effects, scene};
-use reference::render::{Options, count_by};
 use reference::rules::Rules;
+use reference::trace::render::{Options, count_by};
 use reference::world::{Search, World};
 
-/// An eye ray straight down the z axis from (0, 0, 4), followed to depth 10.
+/// The head of a scene with one eye ray, from (0, 0, 4) along −z, that is followed to depth 10.
 const HEAD: &str = "[render]\nsize = [1, 1]\nmax_depth = 10\n[scene]\n\
     camera = { eye = [0, 0, 4], look_at = [0, 0, 0], up = [0, 1, 0], fov_y_deg = 40 }\n";
 
-/// Materials, lights and objects of the scenes below.
+/// The materials and lights of the scenes below.
 const MATERIALS: &str = "materials = { chalk = { kd = [0.5, 0.5, 0.5] }, gloss = { kd = [0.5, \
     0.5, 0.5], ks = [0.5, 0.5, 0.5], kr = [0, 0, 0], ns = 8 }, ember = { ke = [1, 0, 0] }, red = \
     { kr = [1, 0, 0] }, green = { kr = [0, 1, 0] }, glass = { kt = [0.5, 1, 1], kr = [0, 0, 0], \
@@ -24,8 +24,9 @@ const BEHIND: &str =
     "point = { position = [3, 0, -3], colour = [1, 1, 1], attenuation = { linear = 1 } }";
 const BLACK: &str = "point = { position = [3, 0, 3], colour = [0, 0, 0], ambient = [1, 1, 1] }";
 
-/// `what` of a scene comes to these figures, keys of `Counts` and `Amounts`. No tree spares a ray
-/// an object: each is asked, one after another.
+/// Checks the counts of a scene, by keys of `Counts` and `Amounts`. The scene has no tree, so each
+/// ray is tested against all objects in order. Returns the light that was skipped as too faint, in
+/// the first channel.
 #[track_caller]
 fn check(
     what: &str,
@@ -62,7 +63,7 @@ fn square_at(place: [i32; 3], material: &str) -> String {
 }
 
 #[test]
-fn a_lamp_that_adds_nothing_is_not_asked_for() {
+fn a_lamp_that_adds_nothing_casts_no_shadow_ray() {
     let (chalk, gloss, ember) = (square("chalk"), square("gloss"), square("ember"));
     for (what, lamp, object, shadow, powers, attenuations) in [
         ("a glossy square", LAMP, &gloss, 1, 1, 0),
@@ -75,23 +76,23 @@ fn a_lamp_that_adds_nothing_is_not_asked_for() {
         let figures =
             [("eye", 1), ("shadow", shadow), ("powers", powers), ("attenuations", attenuations)];
         check(what, &[lamp], &[object], 0.0, &figures);
-        // once more, in another order: each lamp for itself
+        // Once more, in another order: each lamp counts for itself.
         check(what, &[BLACK, lamp, BLACK], &[object], 0.0, &figures);
     }
 }
 
 #[test]
-fn a_shadow_ray_ends_at_the_first_thing_that_hides_the_lamp() {
+fn a_shadow_ray_ends_at_the_first_opaque_object() {
     let [near, far] = [[1, 0, 1], [2, 0, 2]].map(|place| square_at(place, "chalk"));
     let [pane, other] = [[1, 0, 1], [2, 0, 2]].map(|place| square_at(place, "glass"));
     let gloss = square("gloss");
-    // the eye ray asks all three; the shadow ray asks the square that it leaves and the first that
-    // it meets
+    // The eye ray is tested against all three squares. The shadow ray is tested against the square
+    // that it leaves and the first one that it hits.
     let hidden =
         [("objects", 3 + 2), ("moved_rays", 2 + 1), ("tinted_crossings", 0), ("powers", 0)];
     check("two opaque squares", &[LAMP], &[&gloss, &near, &far], 0.0, &hidden);
     check("the other way round", &[LAMP], &[&gloss, &far, &near], 0.0, &hidden);
-    // glass has to be crossed: each pane is met, and a plane once only
+    // A shadow ray goes through glass: it hits each pane, which is flat, once.
     let tinted =
         [("objects", 3 + 3), ("moved_rays", 2 + 2), ("tinted_crossings", 2), ("powers", 1)];
     check("two panes", &[LAMP], &[&gloss, &pane, &other], 0.0, &tinted);
@@ -120,20 +121,20 @@ fn a_path_that_counts_for_nothing_ends() {
         );
     }
     check("no mirror", &[], &[&square("gloss"), &red], 0.0, &[("reflected", 0), ("refracted", 0)]);
-    // through one pane, to where nothing is
+    // Through one pane, into the background.
     check("a pane", &[], &[&square("glass")], 0.0, &[("reflected", 0), ("refracted", 1)]);
 }
 
 #[test]
-fn what_stands_where_it_was_made_is_asked_there() {
+fn an_identity_transform_moves_no_ray() {
     let by = |step: &str| format!("{}, transforms = [{{ {step} }}]", square("chalk"));
-    // to find it, to place the hit, and once for the shadow ray
+    // Once to find the hit, once to compute its point, and once for the shadow ray.
     check("made twice as large", &[LAMP], &[&by("scale = 2")], 0.0, &[("moved_rays", 3)]);
     check("made as large as it is", &[LAMP], &[&by("scale = 1")], 0.0, &[("moved_rays", 0)]);
     check("moved nowhere", &[LAMP], &[&by("translate = [0, 0, 0]")], 0.0, &[("moved_rays", 0)]);
 }
 
-/// N·V < 0 < N·L and N·H < 0, which takes a shading normal that faces away from the eye.
+/// N·V < 0 < N·L and N·H < 0. This needs a shading normal that faces away from the eye.
 #[test]
 fn a_highlight_beyond_the_edge_is_raised_to_no_power() {
     let mesh = |normal: &str| {
@@ -153,7 +154,7 @@ fn a_highlight_beyond_the_edge_is_raised_to_no_power() {
 #[test]
 fn faint_light_is_not_followed_and_what_that_matters_is_known() {
     let chalk = square("chalk");
-    // 1/9 of the light, half of which comes back: 0.0556 at most
+    // At most 1/9 of the light, half of which is reflected: 0.0556.
     let faint = |cutoff, shadow, skipped| {
         check(
             "a lamp",

@@ -1,5 +1,5 @@
-//! One object: takes the ray to object space, asks the object's shape, brings the hit back. Given:
-//! nothing to write here.
+//! One object: takes the ray to object space, intersects it with the object's shape, and brings the
+//! hit back. Given: nothing to write here.
 
 use cases::{Effect, Hit, Mesh, Object, Ray, Scene, Shape, SurfaceHit};
 use glam::DVec3;
@@ -19,7 +19,7 @@ struct TwoNormals {
     n_shading: DVec3,
 }
 
-/// Nearest hit of `ray` with the object of that index, or `None`; ray and hit are in world space.
+/// Returns the nearest hit of `ray` with the object of that index, or `None`, all in world space.
 pub fn intersect_object(scene: &Scene, index: usize, ray: &Ray) -> Option<Hit> {
     let object = &scene.objects[index];
     let smooth = scene.effects.has(Effect::SmoothNormals);
@@ -33,13 +33,13 @@ pub fn intersect_object(scene: &Scene, index: usize, ray: &Ray) -> Option<Hit> {
     })
 }
 
-/// Nearest hit of a world-space `ray` with an `object` that is no mesh, or `None`.
+/// Returns the nearest hit of a world-space `ray` with an `object` that is no mesh, or `None`.
 pub fn intersect_transformed(object: &Object, ray: &Ray) -> Option<SurfaceHit> {
     in_world(object, &[], false, ray).map(|hit| SurfaceHit { t: hit.t, normal: hit.n_geom })
 }
 
-/// An object whose matrix is the identity is asked in world space, so stages 1 to 4 need no
-/// transform. [rule 20]
+/// Intersects a world-space ray with an object. If the object's matrix is the identity, world space
+/// is object space, so that stages 1 to 4 need no transform. [rule 20]
 fn in_world(object: &Object, meshes: &[Mesh], smooth: bool, ray: &Ray) -> Option<TwoNormals> {
     if object.is_untransformed() {
         return in_object(&object.shape, meshes, smooth, ray);
@@ -72,7 +72,8 @@ fn in_object(shape: &Shape, meshes: &[Mesh], smooth: bool, ray: &Ray) -> Option<
     hit.map(|hit| TwoNormals { t: hit.t, n_geom: hit.normal, n_shading: hit.normal })
 }
 
-/// Every triangle in turn; of two hits at equal t the earlier triangle's counts. [rule 2] [rule 16]
+/// Tests every triangle in turn. Of two hits at equal t, the earlier triangle's counts. [rule 2]
+/// [rule 16]
 fn intersect_mesh(mesh: &Mesh, smooth: bool, ray: &Ray) -> Option<TwoNormals> {
     let mut nearest: Option<(SurfaceHit, [usize; 3])> = None;
     for triangle in &mesh.triangles {

@@ -1,4 +1,4 @@
-//! Mirror images. Stage 03.
+//! Reflected rays. Stage 03.
 
 use cases::ray_tree::RayKind;
 use cases::{Ray, Scene};
@@ -7,33 +7,33 @@ use glam::DVec3;
 use crate::surface::Surface;
 use crate::trace::{Path, trace};
 
-/// R = d − 2 (d·N) N, the direction of the mirrored ray. [rule 7]
+/// Returns R = d − 2 (d·N) N, the direction of the reflected ray. [rule 7]
 ///
 /// - `direction` d and `normal` N are unit vectors in the same frame; d points *towards* the
-///   surface. So is R, away from it.
-/// - Which of the two normals, N or −N, makes no difference.
+///   surface. R is a unit vector in this frame too, and points away from the surface.
+/// - N and −N give the same R.
 pub fn reflect(direction: DVec3, normal: DVec3) -> DVec3 {
     todo!("reflect [rule 7]: src/reflection.rs")
 }
 
-/// Whether a ray may spawn further rays. [rule 13]
+/// Returns whether a ray may spawn further rays. [rule 13]
 ///
-/// - `depth` is that of the ray that met the surface; the eye ray's is 0. A ray of depth
+/// - `depth` is that of the ray that hit the surface; the eye ray's is 0. A ray of depth
 ///   `max_depth` spawns no more.
-/// - `weight` is the product of the factors (kr or kt) along the way to it, (1, 1, 1) for the eye
-///   ray. A weight below `threshold` in *every* channel spawns no more either; a `threshold` of 0
-///   switches this test off.
+/// - `weight` is the product of the factors (kr or kt) along the path of this ray, (1, 1, 1) for
+///   the eye ray. A weight below `threshold` in *every* channel spawns no more either; a
+///   `threshold` of 0 switches this test off.
 pub fn goes_on(depth: u32, max_depth: u32, weight: DVec3, threshold: f64) -> bool {
     todo!("goes_on [rule 13]: src/reflection.rs")
 }
 
-/// The light that the surface mirrors to the viewer: kr · trace(Q, R). [rule 7]
+/// Returns the light that the surface reflects to the viewer: kr · trace(Q, R). [rule 7]
 ///
-/// - `at` is in world space: its point is Q, `at.reflected_direction()` is R, its material has kr.
-///   Products are channel by channel.
-/// - `path` is that of the ray that came here; the mirrored ray's is
+/// - `at` is in world space: its point is Q, `at.reflected_direction()` is R, and its material has
+///   kr. Products are channel by channel.
+/// - `path` is that of the ray that hit the surface; the reflected ray's is
 ///   `path.extended(RayKind::Reflected, kr)`.
-/// - Called only where kr is not black and the ray `goes_on`.
+/// - The function is called only if kr is not black and the ray `goes_on`.
 pub fn reflected_light(scene: &Scene, at: &Surface, path: &Path) -> DVec3 {
     todo!("reflected_light [rule 7]: src/reflection.rs")
 }

@@ -3,22 +3,22 @@
 use cases::Ray;
 use glam::{DAffine3, DVec3};
 
-/// The same ray in object space. [rule 20]
+/// Returns the same ray in object space. [rule 20]
 ///
 /// - `ray` is in world space, `object_from_world` is M⁻¹.
 /// - The origin is a point and moves with the translation; the direction is a vector and does not.
-/// - The direction is *not* normalised, and the interval stays as it is: so t means the same point
-///   in both spaces.
+/// - The direction is *not* normalised, and the interval stays as it is, so that t means the same
+///   point in both spaces.
 pub fn ray_to_object(ray: &Ray, object_from_world: &DAffine3) -> Ray {
     todo!("ray_to_object [rule 20]: src/transform.rs")
 }
 
-/// The world-space normal N along A⁻ᵀ N′, a unit vector. [rule 20]
+/// Returns the world-space normal N along A⁻ᵀ N′, a unit vector. [rule 20]
 ///
 /// - `normal` is N′, a unit normal in object space; `object_from_world` is M⁻¹, whose linear part
 ///   is A⁻¹.
-/// - Not A N′: that is right for rotations and uniform scaling only.
-/// - An outward normal stays outward, under a mirroring M too.
+/// - A N′ would be right for rotations and uniform scaling only.
+/// - An outward normal stays outward, even if M mirrors.
 pub fn normal_to_world(normal: DVec3, object_from_world: &DAffine3) -> DVec3 {
     todo!("normal_to_world [rule 20]: src/transform.rs")
 }

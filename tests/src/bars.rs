@@ -1,34 +1,34 @@
-//! How a judge did over all variants, and the bars that this grader must take.
+//! The results of a judge over all variants, and the bars that this grader must reach.
 
 use std::collections::BTreeMap;
 
 use crate::lab::Trial;
 use crate::variants::Nature;
 
-/// Percent of the bugs that must lose their first points in the stage where they are.
+/// The percentage of bugs that must lose their first points in their own stage.
 pub const RIGHT_STAGE: usize = 95;
 
-/// Percent of the bugs that a known misconception describes which must be called by its name first.
+/// The percentage of bugs with a known misconception that must be named as it first.
 pub const RIGHT_NAME: usize = 95;
 
-/// How a judge did, name by name.
+/// The results of a judge, with the names of the variants that it judged wrongly.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
-    /// Right variants.
+    /// The number of correct variants.
     pub n_right: usize,
-    /// Variants with a bug that changes something the judge could see.
+    /// The number of variants with a bug that the judge could see.
     pub n_wrong: usize,
-    /// Right variants that failed, and where.
+    /// The correct variants that failed, and where.
     pub false_fails: Vec<String>,
-    /// Bugs that passed.
+    /// The bugs that passed.
     pub misses: Vec<String>,
-    /// Bugs that failed first in another stage than theirs, and where.
+    /// The bugs that failed first in another stage than their own, and where.
     pub misplaced: Vec<String>,
 }
 
 impl Tally {
-    /// Of a judge for whom a trial fails first in the stage that `first_stage` gives, among the
-    /// `trials` that it could tell apart.
+    /// Returns the results of a judge on `trials`. `first_stage` gives the first stage in which the
+    /// judge fails a trial, `place` says where it fails.
     pub fn of<'a>(
         trials: impl IntoIterator<Item = &'a Trial>,
         first_stage: impl Fn(&Trial) -> Option<String>,
@@ -58,27 +58,27 @@ impl Tally {
         tally
     }
 
-    /// Of this grader.
+    /// Returns the results of this grader.
     pub fn of_this_grader(trials: &[Trial]) -> Self {
         Self::of(trials, |trial| trial.first_stage().map(str::to_owned), lost)
     }
 
-    /// Bugs that failed.
+    /// Returns the number of bugs that failed.
     pub fn n_caught(&self) -> usize {
         self.n_wrong - self.misses.len()
     }
 
-    /// Bugs that failed first in their own stage.
+    /// Returns the number of bugs that failed first in their own stage.
     pub fn n_in_right_stage(&self) -> usize {
         self.n_caught() - self.misplaced.len()
     }
 
-    /// What keeps this grader from its bars.
+    /// Returns the faults that keep this grader from its bars.
     fn faults(&self) -> Vec<String> {
-        let mut faults = say("right, but it lost points", &self.false_fails);
-        faults.extend(say("wrong, but it lost none", &self.misses));
+        let mut faults = say("a correct program lost points", &self.false_fails);
+        faults.extend(say("a bug lost no points", &self.misses));
         if self.n_in_right_stage() * 100 < self.n_caught() * RIGHT_STAGE {
-            faults.extend(say("it lost its first points in another stage", &self.misplaced));
+            faults.extend(say("a bug first lost points in another stage", &self.misplaced));
         }
         faults
     }
@@ -88,21 +88,22 @@ fn say(what: &str, names: &[String]) -> Vec<String> {
     names.iter().map(|name| format!("{what}: {name}")).collect()
 }
 
-/// How this grader named bugs.
+/// The mistakes that this grader named.
 #[derive(Clone, Debug, Default)]
 pub struct Naming {
-    /// Caught bugs that a known misconception describes.
+    /// The number of caught bugs with a known misconception.
     pub n_known: usize,
-    /// Those of them that were called by another name first, or by none.
+    /// The bugs among them that were named as another misconception first, or as none.
     pub misnamed: Vec<String>,
-    /// Right variants of which a misconception was named.
-    pub slandered: Vec<String>,
-    /// Bugs that no misconception describes, and what was named first all the same.
-    pub likened: Vec<String>,
+    /// The correct variants with a named misconception.
+    pub falsely_named: Vec<String>,
+    /// The bugs without a known misconception, with the misconception that was named first
+    /// nevertheless.
+    pub named_without_cause: Vec<String>,
 }
 
 impl Naming {
-    /// That in `trials`.
+    /// Returns the names that were given in `trials`.
     pub fn of(trials: &[Trial]) -> Self {
         let mut naming = Self::default();
         for trial in trials {
@@ -110,7 +111,9 @@ impl Naming {
             let named = trial.named_first();
             match &trial.variant.nature {
                 Nature::Right if named.is_empty() => {}
-                Nature::Right => naming.slandered.push(format!("{name}: {}", named.join(" or "))),
+                Nature::Right => {
+                    naming.falsely_named.push(format!("{name}: {}", named.join(" or ")))
+                }
                 Nature::Wrong { diagnosis: Some(right), .. } if trial.first_stage().is_some() => {
                     naming.n_known += 1;
                     if !named.contains(&right.as_str()) {
@@ -124,32 +127,35 @@ impl Naming {
                 }
                 Nature::Wrong { .. } if named.is_empty() => {}
                 Nature::Wrong { .. } => {
-                    naming.likened.push(format!("{name}: {}", named.join(" or ")))
+                    naming.named_without_cause.push(format!("{name}: {}", named.join(" or ")))
                 }
             }
         }
         naming
     }
 
-    /// Bugs that were called by their names first.
+    /// Returns the number of bugs that were named as their misconception first.
     pub fn n_named(&self) -> usize {
         self.n_known - self.misnamed.len()
     }
 
-    /// What keeps this grader from its bar for names.
+    /// Returns the faults that keep this grader from its bar for names; empty if the bar is
+    /// reached.
     pub fn faults(&self) -> Vec<String> {
         let is_enough = self.n_named() * 100 >= self.n_known * RIGHT_NAME;
-        if is_enough { vec![] } else { say("called by another name", &self.misnamed) }
+        if is_enough { vec![] } else { say("a bug was named as another mistake", &self.misnamed) }
     }
 }
 
-/// What keeps this grader from its bars for points, and right programs that it calls wrong.
+/// Returns the faults that keep this grader from its bars for points, and the correct programs with
+/// a named mistake.
 pub fn faults(trials: &[Trial]) -> Vec<String> {
-    let slander = say("right, but a mistake is named", &Naming::of(trials).slandered);
+    let slander =
+        say("a mistake was named for a correct program", &Naming::of(trials).falsely_named);
     [Tally::of_this_grader(trials).faults(), slander].concat()
 }
 
-/// The checks that cost points, by stage: the first few of each.
+/// Lists the checks that cost points by stage, at most three names for each.
 fn lost(trial: &Trial) -> String {
     let mut by_stage: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
     for check in trial.lost() {

@@ -1,16 +1,16 @@
-//! Numbers that look like chance and are the same everywhere: SplitMix64.
+//! Random-looking numbers that are the same everywhere: SplitMix64.
 
-/// A sequence of numbers that follows from its seed alone.
+/// A sequence of numbers that depends only on its seed.
 #[derive(Clone, Debug)]
 pub struct Dice(u64);
 
 impl Dice {
-    /// The sequence of that seed.
+    /// Returns the sequence of `seed`.
     pub fn new(seed: u64) -> Self {
         Self(seed)
     }
 
-    /// The next whole number.
+    /// Returns the next 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -18,12 +18,12 @@ impl Dice {
         mixed ^ (mixed >> 31)
     }
 
-    /// The next whole number below `n`, which is not 0.
+    /// Returns the next whole number below `n`, which must not be 0.
     pub fn below(&mut self, n: usize) -> usize {
         (self.bits() % n as u64) as usize
     }
 
-    /// The next number from `least` to below `most`, of 53 binary digits.
+    /// Returns the next number in [`least`, `most`), with 53 random bits.
     pub fn between(&mut self, least: f64, most: f64) -> f64 {
         let share = (self.bits() >> 11) as f64 / (1u64 << 53) as f64;
         least + share * (most - least)
@@ -36,7 +36,7 @@ mod tests {
 
     #[test]
     fn the_sequence_is_the_published_one() {
-        // the first numbers that the authors' program gives for the seed 1234567
+        // The first numbers of the authors' program for the seed 1234567.
         let mut dice = Dice::new(1_234_567);
         assert_eq!(
             [dice.bits(), dice.bits()],

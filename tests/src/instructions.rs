@@ -1,9 +1,9 @@
-//! Instructions that the reference takes for a fixed set of scenes, counted by callgrind, against
-//! the budget in `tests/instructions.toml`.
+//! Instruction counts of the reference on a fixed set of scenes, by callgrind, compared with the
+//! budget in `tests/instructions.toml`.
 //!
-//! Seconds are noise where a machine does other things besides. Instructions of one thread are the
-//! same in every run but for a few thousand, and on every machine of one architecture, since
-//! valgrind pretends the same processor everywhere.
+//! Seconds are noise on a machine that does other work. The instructions of one thread are the same
+//! in every run, up to a few thousand. They are also the same on every machine of one architecture,
+//! because valgrind emulates the same processor everywhere.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -13,12 +13,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::workspace;
 
-/// How far a count may be from its budget, as a share of it: more is slower, less is a budget that
-/// no longer holds anything.
+/// The relative distance that a count may have from its budget. A larger count is slower code; a
+/// smaller one means a stale budget, which would hide the next regression.
 const SLACK: f64 = 0.03;
-/// How the budget is lowered, or raised.
+/// The command that lowers or raises the budget.
 const WAY_OUT: &str = "cargo run --release -p tests --bin instructions -- --bless";
-/// What stands at the head of the file.
+/// The head of the file.
 const HEAD: &str = "# Instructions of `reference render SCENE -o OUT.png --threads 1`, the whole \
     process, by callgrind. Written by\n# `";
 
@@ -26,27 +26,28 @@ const HEAD: &str = "# Instructions of `reference render SCENE -o OUT.png --threa
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Budget {
-    /// The compiler and the machine whose code was counted.
+    /// The compiler and the target of the code that was counted.
     pub toolchain: String,
-    /// What is counted.
+    /// The scenes that are counted.
     pub scene: Vec<Scene>,
 }
 
-/// A scene, and what it may take.
+/// A scene and its budget.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
-    /// As `reference render` takes it: the id of a case, or a file of the workspace.
+    /// The name as `reference render` takes it: the id of a case, or a file of the workspace.
     pub name: String,
-    /// Width and height, such as `160x120`; the scene's own where it is left out.
+    /// The width and height, such as `160x120`; the scene's own if left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub size: Option<String>,
-    /// Instructions, 0 for one that was never counted.
+    /// The budget in instructions; 0 if the scene was never counted.
     pub instructions: u64,
 }
 
 impl Scene {
-    /// What is wrong with a count of `found`, if anything is.
+    /// Returns a complaint if the count `found` is too far from the budget, or if there is no
+    /// budget.
     pub fn complaint(&self, found: u64) -> Option<String> {
         let share = found as f64 / self.instructions as f64 - 1.0;
         let (name, budget) = (&self.name, self.instructions);
@@ -60,36 +61,37 @@ impl Scene {
         match share {
             share if share > SLACK => Some(format!("{by}: slower")),
             share if share < -SLACK => {
-                Some(format!("{by}: faster, so that the budget would hide what is lost again"))
+                Some(format!("{by}: faster, so a stale budget would hide the next regression"))
             }
             _ => None,
         }
     }
 }
 
-/// Where the budget lies.
+/// Returns the path of the budget.
 pub fn path() -> PathBuf {
     workspace().join("tests/instructions.toml")
 }
 
-/// The budget of a text.
+/// Parses a budget.
 ///
 /// # Errors
-/// What is wrong with the text.
+/// Returns the message of the TOML parser.
 pub fn parse(text: &str) -> Result<Budget, String> {
     toml::from_str(text).map_err(|why| why.to_string())
 }
 
-/// The text of a budget.
+/// Returns the text of a budget.
 ///
 /// # Errors
-/// What the writer of TOML says.
+/// Returns the message of the TOML writer.
 pub fn to_text(budget: &Budget) -> Result<String, String> {
     let body = toml::to_string(budget).map_err(|why| why.to_string())?;
     Ok(format!("{HEAD}{WAY_OUT}`, which keeps the list of scenes.\n\n{body}"))
 }
 
-/// What keeps `counts`, one for every scene in order, from the budget; empty where nothing does.
+/// Returns the complaints about `counts`, one count for every scene in order. Empty if there are
+/// none.
 pub fn complaints(budget: &Budget, counts: &[u64], toolchain: &str) -> String {
     let found: Vec<String> = budget
         .scene
@@ -104,18 +106,18 @@ pub fn complaints(budget: &Budget, counts: &[u64], toolchain: &str) -> String {
     if budget.toolchain != toolchain {
         let _ = write!(
             text,
-            "\nthe budget is of {}, this is {toolchain}: that alone may be why",
+            "\nthe budget is of {}, this is {toolchain}; this alone may be the reason",
             budget.toolchain
         );
     }
-    let _ = write!(text, "\nwhere this is meant, or not to be had otherwise: {WAY_OUT}");
+    let _ = write!(text, "\nto accept the new counts: {WAY_OUT}");
     text
 }
 
-/// The compiler, and the machine it makes code for.
+/// Returns the version and the host of the compiler.
 ///
 /// # Errors
-/// A compiler that cannot be asked.
+/// Returns an error if `rustc` cannot be run.
 pub fn toolchain() -> Result<String, String> {
     let said = run(Command::new("rustc").arg("-vV"))?;
     let line = |start: &str| {
@@ -124,10 +126,10 @@ pub fn toolchain() -> Result<String, String> {
     Ok(format!("rustc {}, {}", line("rustc "), line("host: ")))
 }
 
-/// Builds the reference; the path of the program.
+/// Builds the reference, and returns the path of the program.
 ///
 /// # Errors
-/// What the build says.
+/// Returns an error if cargo cannot be run or the build fails.
 pub fn build() -> Result<PathBuf, String> {
     let cargo = Command::new("cargo")
         .args([
@@ -158,10 +160,11 @@ pub fn build() -> Result<PathBuf, String> {
     }
 }
 
-/// The instructions that `program` takes to render the scene; files go into `folder`.
+/// Returns the number of instructions that `program` executes to render the scene. Files go into
+/// `folder`.
 ///
 /// # Errors
-/// A missing valgrind, a program that fails, or a count that is not there.
+/// Returns an error if valgrind is missing, the program fails, or the output has no count.
 pub fn count(program: &Path, scene: &Scene, folder: &Path) -> Result<u64, String> {
     let counted = folder.join("callgrind.out");
     let mut command = Command::new("valgrind");
@@ -175,7 +178,7 @@ pub fn count(program: &Path, scene: &Scene, folder: &Path) -> Result<u64, String
     if let Some(size) = &scene.size {
         command.args(["--size", size]);
     }
-    // What the environment holds is copied, searched and so counted.
+    // The environment is copied and searched, and so would change the count.
     command.env_clear().current_dir(workspace());
     run(&mut command).map_err(|why| {
         format!("{why}\nhelp: valgrind counts the instructions; apt-get install valgrind")
@@ -188,7 +191,7 @@ pub fn count(program: &Path, scene: &Scene, folder: &Path) -> Result<u64, String
         .ok_or_else(|| format!("{}: no count", counted.display()))
 }
 
-/// What a command says.
+/// Runs a command, and returns its standard output.
 fn run(command: &mut Command) -> Result<String, String> {
     let shown = format!("{command:?}");
     let out = command.output().map_err(|why| format!("{shown}: {why}"))?;
@@ -255,7 +258,7 @@ mod tests {
         );
         let stored = std::fs::read_to_string(path()).unwrap();
         let budget = parse(&stored).unwrap();
-        assert_eq!(to_text(&budget).unwrap(), stored, "not as --bless writes it");
+        assert_eq!(to_text(&budget).unwrap(), stored, "differs from what --bless writes");
         for scene in &budget.scene {
             let case = workspace().join(format!("cases/stages/{}.toml", scene.name));
             assert!(

@@ -1,5 +1,5 @@
-//! Variants before the judge: each is made, built and graded on the public stages, and its pictures
-//! are kept for other judges.
+//! Grades variants: each is made, built and graded on the public stages, and its pictures are kept
+//! for other judges.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -13,60 +13,61 @@ use crate::rules::{Picture, RULES};
 use crate::variants::{Nature, Variant};
 use crate::{public_stages, workspace};
 
-/// What all trials share.
+/// The parts that all trials share.
 #[derive(Debug)]
 pub struct Lab {
     bench: Bench,
-    /// In the order of the stages.
+    /// The image cases, in the order of the stages.
     cases: Vec<Reference>,
-    /// Where pictures that are not the right ones byte by byte are kept.
+    /// The folder for pictures that differ in some byte from the expected ones.
     gallery: Option<PathBuf>,
 }
 
-/// An image case as a variant's pictures are compared with it.
+/// An image case with the pictures that a variant's picture is compared with.
 #[derive(Debug)]
 struct Reference {
     id: String,
     expected: Picture,
-    /// What the solution makes of it.
+    /// The picture of the solution.
     solution: Picture,
-    /// Pixels on which right tracers disagree.
+    /// The pixels on which correct tracers disagree.
     contested: Vec<bool>,
 }
 
-/// What came of a variant.
+/// The results of a variant.
 #[derive(Clone, Debug)]
 pub struct Trial {
-    /// It.
+    /// The variant.
     pub variant: Variant,
-    /// What the judge says.
+    /// The record of the judge.
     pub record: Record,
-    /// Its pictures in the order of the cases.
+    /// The pictures, in the order of the cases.
     pub shown: Vec<Shown>,
 }
 
 /// A variant's picture of a case.
 #[derive(Clone, Debug)]
 pub struct Shown {
-    /// Id of the case.
+    /// The id of the case.
     pub case: String,
-    /// Where it lies in the gallery; `None` where it is the right one byte by byte, or where there
+    /// The path in the gallery. `None` if the picture is the expected one byte by byte, or if there
     /// is no gallery.
     pub file: Option<PathBuf>,
-    /// Whether there is a picture.
+    /// True if there is a picture.
     pub is_there: bool,
-    /// Pixels outside the contested ones that differ from the solution's in some byte; all of them
-    /// where there is no picture.
+    /// The number of pixels outside the contested ones that differ from the solution's in some
+    /// byte. If there is no picture, all pixels count.
     pub n_changed: usize,
-    /// Which of [`RULES`] it passes.
+    /// The results of [`RULES`].
     pub passes: [bool; RULES.len()],
 }
 
 impl Lab {
-    /// Reads the public stages, and has the solution make its pictures.
+    /// Reads the public stages, and grades the solution to get its pictures. Pictures of variants
+    /// are kept in `gallery`.
     ///
     /// # Errors
-    /// Says what cannot be read or graded.
+    /// Returns an error if the stages cannot be read or the solution cannot be graded.
     pub fn open(gallery: Option<PathBuf>) -> Result<Self, String> {
         let stages = public_stages();
         let bench = Bench::open(&stages).map_err(|why| why.to_string())?;
@@ -92,7 +93,7 @@ impl Lab {
         Ok(Self { bench, cases, gallery })
     }
 
-    /// The ids of the image cases, in order.
+    /// Returns the ids of the image cases, in order.
     pub fn cases(&self) -> impl Iterator<Item = &str> {
         self.cases.iter().map(|case| case.id.as_str())
     }
@@ -100,7 +101,8 @@ impl Lab {
     /// Makes, builds and grades `variant` on one core.
     ///
     /// # Errors
-    /// An edit that cannot be made, a variant that does not compile, a failure of the grader.
+    /// Returns an error if an edit cannot be made, the variant does not compile, or the grader
+    /// fails.
     pub fn try_one(&self, variant: &Variant) -> Result<Trial, String> {
         let folder = variant.make()?;
         let options =
@@ -146,23 +148,23 @@ impl Lab {
         let n_changed =
             pairs.zip(&case.contested).filter(|((a, b), contested)| a != b && !**contested).count();
         let file = match &self.gallery {
-            Some(gallery) if actual != case.expected => Some(hang(gallery, &id, &actual)?),
+            Some(gallery) if actual != case.expected => Some(store_picture(gallery, &id, &actual)?),
             _ => None,
         };
         let passes = RULES.map(|rule| (rule.passes)(&case.expected, &actual));
         Ok(Shown { case: id, file, is_there: true, n_changed, passes })
     }
 
-    /// Tries all, `jobs` at a time; `hear` is told of each that is done. The order is that of
-    /// `variants`.
+    /// Tries all variants, `jobs` at a time, and calls `on_done` for each that is done. The results
+    /// are in the order of `variants`.
     ///
     /// # Errors
-    /// What kept variants from being tried, each with its name.
+    /// Returns the errors of [`Self::try_one`], each with the name of its variant.
     pub fn try_all(
         &self,
         variants: &[Variant],
         jobs: usize,
-        hear: &(dyn Fn(&Variant) + Sync),
+        on_done: &(dyn Fn(&Variant) + Sync),
     ) -> Result<Vec<Trial>, Vec<String>> {
         let next = AtomicUsize::new(0);
         let worker = || {
@@ -172,7 +174,7 @@ impl Lab {
             });
             let tried = mine.map(|(index, variant)| {
                 let trial = self.try_one(variant);
-                hear(variant);
+                on_done(variant);
                 (index, trial)
             });
             tried.collect::<Vec<_>>()
@@ -196,7 +198,7 @@ impl Lab {
 }
 
 impl Trial {
-    /// The checks that lost points.
+    /// Returns the checks that lost points.
     pub fn lost(&self) -> impl Iterator<Item = &CheckRecord> {
         self.record
             .stages
@@ -205,7 +207,7 @@ impl Trial {
             .filter(|check| check.earned < check.possible)
     }
 
-    /// The first stage that lost points.
+    /// Returns the id of the first stage that lost points.
     pub fn first_stage(&self) -> Option<&str> {
         self.record
             .stages
@@ -214,8 +216,8 @@ impl Trial {
             .map(|stage| stage.id.as_str())
     }
 
-    /// Ids of the misconceptions named first; several where what was asked does not tell them
-    /// apart.
+    /// Returns the ids of the misconceptions that were named first, or several if the checks do not
+    /// distinguish them.
     pub fn named_first(&self) -> Vec<&str> {
         let first = self.record.diagnoses.first();
         first.map_or(vec![], |first| {
@@ -223,12 +225,12 @@ impl Trial {
         })
     }
 
-    /// Whether some picture differs from the solution's outside contested pixels.
+    /// Returns whether some picture differs from the solution's outside contested pixels.
     pub fn is_seen(&self) -> bool {
         self.shown.iter().any(|shown| shown.n_changed > 0)
     }
 
-    /// The stage of its bug; `None` for a right variant.
+    /// Returns the stage of the bug; `None` for a correct variant.
     pub fn stage(&self) -> Option<&str> {
         match &self.variant.nature {
             Nature::Right => None,
@@ -237,13 +239,13 @@ impl Trial {
     }
 }
 
-/// As many jobs as there are cores.
+/// Returns the number of cores.
 pub fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// Stores a picture under the hash of its bytes, once.
-fn hang(gallery: &Path, case: &str, picture: &Picture) -> Result<PathBuf, String> {
+/// Stores a picture under the hash of its bytes, unless it is already there, and returns its path.
+fn store_picture(gallery: &Path, case: &str, picture: &Picture) -> Result<PathBuf, String> {
     let file = gallery.join(case).join(format!("{}.png", picture.digest()));
     let wrong = |why: &dyn std::fmt::Display| format!("{}: {why}", file.display());
     if !file.exists() {

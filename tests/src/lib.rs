@@ -1,5 +1,5 @@
-//! What the proofs across crates share: where the workspace is, its source files, and variants of
-//! the solution before the judge.
+//! The shared parts of the tests across crates: the paths of the workspace, its source files, and
+//! the grading of variants of the solution.
 
 pub mod bars;
 pub mod dice;
@@ -17,16 +17,16 @@ use std::process::Command;
 
 use grader::grade::{Bench, Graded, Options, Silent, grade};
 
-/// The root of the workspace.
+/// Returns the root of the workspace.
 pub fn workspace() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate lies in the workspace")
 }
 
-/// All files below `folder` of the workspace whose names end in `.ending`, ordered, without build
-/// output.
+/// Returns all files below `folder` of the workspace with names that end in `.ending`, ordered,
+/// without build output.
 ///
 /// # Panics
-/// Where a folder cannot be listed.
+/// Panics if a folder cannot be listed.
 pub fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
     collect(&workspace().join(folder), ending, &mut found);
@@ -48,10 +48,10 @@ fn collect(folder: &Path, ending: &str, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Returns the paths of the files that git tracks, below the workspace.
+/// Returns the paths of the files that git tracks, relative to the workspace.
 ///
 /// # Panics
-/// Where git cannot list them.
+/// Panics if git cannot list them.
 pub fn tracked() -> Vec<String> {
     let listed = Command::new("git")
         .args(["ls-files", "-z"])
@@ -66,17 +66,17 @@ pub fn tracked() -> Vec<String> {
         .collect()
 }
 
-/// `path` below the workspace, with forward slashes.
+/// Returns `path` relative to the workspace, with forward slashes.
 pub fn name(path: &Path) -> String {
     path.strip_prefix(workspace()).unwrap_or(path).to_string_lossy().replace('\\', "/")
 }
 
 /// Returns the lines of a Rust source file that are code, without comments and tests.
 ///
-/// A test module in the file ends the code. Other lines behind `#[cfg(test)]` are left out.
+/// A test module in the file ends the code. Other lines after `#[cfg(test)]` are left out.
 ///
 /// # Panics
-/// Where the file cannot be read.
+/// Panics if the file cannot be read.
 pub fn code_lines(path: &Path) -> Vec<(usize, String)> {
     let text =
         std::fs::read_to_string(path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
@@ -99,13 +99,13 @@ pub fn code_lines(path: &Path) -> Vec<(usize, String)> {
 /// Grades the submission in `folder` on the whole public exam.
 ///
 /// # Panics
-/// Where the grader itself fails.
+/// Panics if the grader itself fails.
 pub fn grade_all(folder: &Path) -> Graded {
     let bench = Bench::open(&public_stages()).unwrap_or_else(|why| panic!("{why}"));
     grade(&bench, &Options::new(folder), &Silent).unwrap_or_else(|why| panic!("{why}"))
 }
 
-/// The folder of the public stages.
+/// Returns the folder of the public stages.
 pub fn public_stages() -> PathBuf {
     workspace().join("cases/stages")
 }

@@ -1,6 +1,7 @@
-//! The page `docs/judging.md`: how this grader and others do on the same programs.
+//! Writes the page `docs/judging.md`: the results of this grader and of other judges on the same
+//! programs.
 
-use crate::bars::{Naming, Tally};
+use crate::bars::{Naming, RIGHT_STAGE, Tally};
 use crate::lab::Trial;
 use crate::peers::Tool;
 use crate::rules::RULES;
@@ -12,7 +13,7 @@ struct Judge {
     tally: Tally,
 }
 
-/// The page in Markdown.
+/// Returns the page in Markdown.
 pub fn page(trials: &[Trial], tools: &[Tool]) -> String {
     let seen: Vec<&Trial> =
         trials.iter().filter(|trial| trial.stage().is_none() || trial.is_seen()).collect();
@@ -42,7 +43,7 @@ fn pictures_lost(trial: &Trial) -> Option<String> {
     trial.lost().find(|check| is_picture(&check.id)).map(|check| check.id.clone())
 }
 
-/// The tally of a judge by the first case that it fails.
+/// Returns the tally of a judge from the first case that it fails in each trial.
 fn by_first_case(trials: &[&Trial], first: impl Fn(&Trial) -> Option<String>) -> Tally {
     let stage =
         |trial: &Trial| first(trial).and_then(|case| case.split('/').next().map(str::to_owned));
@@ -52,31 +53,41 @@ fn by_first_case(trials: &[&Trial], first: impl Fn(&Trial) -> Option<String>) ->
 fn head(trials: &[Trial], seen: &[&Trial], ours: &Tally, naming: &Naming) -> String {
     let n_seen = seen.iter().filter(|trial| trial.stage().is_some()).count();
     let n_cases = trials.first().map_or(0, |trial| trial.shown.len());
+    let is_reached = [
+        ours.false_fails.is_empty(),
+        ours.misses.is_empty(),
+        ours.n_in_right_stage() * 100 >= ours.n_caught() * RIGHT_STAGE,
+        naming.faults().is_empty(),
+        naming.falsely_named.is_empty(),
+    ];
+    let n_bars = is_reached.len();
+    let n_reached = is_reached.into_iter().filter(|is| *is).count();
     format!(
         "\
 # How well the judge judges
 
 Made by `cargo run --release -p tests --bin judge -- --out docs/judging.md`; do not edit.
 
-[tests/mutants](../tests/mutants/README.md) holds {n_wrong} programs with a single bug each and \
-{n_right} right ones written differently. All are built and
-graded on the public stages: {n_cases} image cases and the unit checks.
+{n_reached} of {n_bars} bars are reached.
 
 | this grader, pictures and unit checks | | bar |
 |---|---|---|
-| right programs that lose points | {n_false} of {n_right} | 0 |
-| bugs that lose none | {n_missed} of {n_wrong} | 0 |
-| bugs that lose their first points in their own stage | {n_placed} of {n_caught}, {share} | 95 % |
-| bugs that a known mistake describes and that are called by its name first | {n_named} of \
-{n_known}, {named} | 95 % |
-| right programs of which a mistake is named | {n_slandered} of {n_right} | 0 |
+| correct programs that lose points | {n_false} of {n_right} | 0 |
+| bugs that lose no points | {n_missed} of {n_wrong} | 0 |
+| bugs that first lose points in their own stage | {n_placed} of {n_caught}, {share} | 95 % |
+| bugs with a known mistake that are named as it first | {n_named} of {n_known}, {named} | 95 % |
+| correct programs with a named mistake | {n_slandered} of {n_right} | 0 |
+
+[tests/mutants](../tests/mutants/README.md) holds {n_wrong} programs with a single bug each and
+{n_right} correct ones written differently. All are built and graded on the public stages:
+{n_cases} image cases and the unit checks.
 
 ## Beside other judges
 
-Other judges compare pictures only, so here this grader does too, on the {n_seen} bugs that \
-change some byte of a picture outside contested pixels. A
-program fails where any of its {n_cases} pictures fails; a program without a picture fails. The \
-tools are the real ones, at their defaults (perceptualdiff is left out: no package registry has it).
+Other judges compare only pictures, so this grader does the same here, on the {n_seen} bugs
+that change some byte of a picture outside contested pixels. A program fails if any of its
+{n_cases} pictures fails or is missing. The tools are the real ones, at their defaults
+(perceptualdiff is left out: no package registry has it).
 
 ",
         n_wrong = ours.n_wrong,
@@ -89,13 +100,13 @@ tools are the real ones, at their defaults (perceptualdiff is left out: no packa
         n_named = naming.n_named(),
         n_known = naming.n_known,
         named = percent(naming.n_named(), naming.n_known),
-        n_slandered = naming.slandered.len(),
+        n_slandered = naming.falsely_named.len(),
     )
 }
 
 fn table(judges: &[Judge]) -> String {
     let mut text = "\
-| judge | right programs failed | bugs passed | bugs caught in the right stage first |
+| judge | correct programs failed | bugs passed | bugs caught first in their own stage |
 |---|---:|---:|---:|
 "
     .to_owned();
@@ -108,7 +119,7 @@ fn table(judges: &[Judge]) -> String {
             percent(tally.n_in_right_stage(), tally.n_wrong),
         );
     }
-    text += "\nA picture passes where\n\n";
+    text += "\nConditions under which a picture passes:\n\n";
     for Judge { name, says, .. } in judges {
         text += &format!("- {name}: {says}\n");
     }
@@ -117,27 +128,29 @@ fn table(judges: &[Judge]) -> String {
 
 fn lists(ours: &Tally, naming: &Naming, judges: &[Judge]) -> String {
     let mut text = "\n## What went wrong\n\n### This grader\n\n".to_owned();
-    text += &list("Right, but lost points", &ours.false_fails);
-    text += &list("Wrong, but lost none", &ours.misses);
-    text += &list("Lost first points in another stage", &ours.misplaced);
-    text += &list("Called by another name", &naming.misnamed);
-    text += &list("Right, but a mistake is named", &naming.slandered);
-    text += &list("Described by no known mistake, but likened to one", &naming.likened);
+    text += &list("Correct programs that lost points", &ours.false_fails);
+    text += &list("Bugs that lost no points", &ours.misses);
+    text += &list("Bugs that first lost points in another stage", &ours.misplaced);
+    text += &list("Bugs named as another mistake", &naming.misnamed);
+    text += &list("Correct programs with a named mistake", &naming.falsely_named);
+    text +=
+        &list("Bugs without a known mistake that were named as one", &naming.named_without_cause);
     for Judge { name, tally, .. } in &judges[1..] {
         text += &format!("### {name}\n\n");
-        text += &list("Right, but failed", &tally.false_fails);
-        text += &list("Wrong, but passed", &tally.misses);
+        text += &list("Correct programs that failed", &tally.false_fails);
+        text += &list("Bugs that passed", &tally.misses);
     }
     text.trim_end().to_owned() + "\n"
 }
 
+/// Returns a list with a bullet for each name.
 fn list(what: &str, names: &[String]) -> String {
-    match names {
-        [] => format!("{what}: none.\n\n"),
-        _ => {
-            format!("{what}: {}.\n\n", names.join("; ").replace("wrong/", "").replace("right/", ""))
-        }
+    if names.is_empty() {
+        return format!("{what}: none.\n\n");
     }
+    let bullet =
+        |name: &String| format!("- {}\n", name.replace("wrong/", "").replace("right/", ""));
+    format!("{what}:\n\n{}\n", names.iter().map(bullet).collect::<String>())
 }
 
 fn percent(n: usize, of: usize) -> String {

@@ -1,4 +1,4 @@
-//! Other judges of pictures, asked through the real tools: `tests/peers`.
+//! Runs other judges of pictures through the real tools: `tests/peers`.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -11,18 +11,19 @@ use serde::{Deserialize, Serialize};
 use crate::lab::Trial;
 use crate::{public_stages, workspace};
 
-/// A tool, and what it says of the variants.
+/// A tool, and its verdicts on the variants.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Tool {
-    /// With its version.
+    /// The name with the version.
     pub name: String,
-    /// When a picture passes.
+    /// The condition under which a picture passes.
     pub says: String,
-    /// By name of the variant: the first case that fails.
+    /// The first case that fails, by the name of the variant.
     pub fails: BTreeMap<String, String>,
 }
 
-/// The pictures of a variant that are not the right ones byte by byte, in the order of the cases.
+/// The pictures of a variant that differ in some byte from the expected ones, in the order of the
+/// cases.
 #[derive(Serialize)]
 struct Sequence<'a> {
     name: &'a str,
@@ -33,15 +34,15 @@ struct Sequence<'a> {
 struct Pair<'a> {
     case: &'a str,
     expected: PathBuf,
-    /// `None`: the program gave no picture.
+    /// The picture of the variant; `None` if the program gave none.
     actual: Option<&'a Path>,
 }
 
-/// Installs the tools in `folder`, and has them judge the pictures of `trials`.
+/// Installs the tools in `folder`, and lets them judge the pictures of `trials`.
 ///
 /// # Errors
-/// A tool that cannot be installed or fails, in its own words.
-pub fn ask(folder: &Path, trials: &[Trial]) -> Result<Vec<Tool>, String> {
+/// Returns an error if a tool cannot be installed or fails.
+pub fn run_tools(folder: &Path, trials: &[Trial]) -> Result<Vec<Tool>, String> {
     fs::create_dir_all(folder).map_err(|why| format!("{}: {why}", folder.display()))?;
     let ours = workspace().join("tests/peers");
     run(Command::new("bash").arg(ours.join("install.sh")).arg(folder))?;

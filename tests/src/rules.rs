@@ -1,37 +1,37 @@
-//! How other graders of this assignment compare two pictures, each rule in a few lines.
+//! The rules by which other graders of this assignment compare two pictures, each in a few lines.
 
 use cases::film::{self, Image, PictureError};
 
-/// A picture as a file of 8 bits a channel holds it.
+/// A picture as a file with 8 bits per channel stores it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
     width: usize,
-    /// Three a pixel, row by row from the top.
+    /// Three bytes per pixel, row by row from the top.
     bytes: Vec<u8>,
 }
 
 impl Picture {
-    /// `image`, rounded.
+    /// Returns `image`, rounded to 8 bits.
     pub fn of(image: &Image) -> Self {
         let bytes =
             image.pixels().iter().flat_map(|pixel| pixel.to_array().map(film::byte)).collect();
         Self { width: image.width() as usize, bytes }
     }
 
-    /// A picture of `bytes`, three a pixel, in rows of `width` pixels.
+    /// Returns a picture of `bytes`, three per pixel, in rows of `width` pixels.
     pub fn new(width: usize, bytes: Vec<u8>) -> Self {
         Self { width, bytes }
     }
 
-    /// Red, green and blue, row by row from the top.
+    /// Returns red, green and blue of each pixel, row by row from the top.
     pub fn pixels(&self) -> impl Iterator<Item = &[u8]> {
         self.bytes.chunks_exact(3)
     }
 
-    /// As a PNG file.
+    /// Returns the picture as a PNG file.
     ///
     /// # Errors
-    /// What the encoder says.
+    /// Returns the error of the encoder.
     pub fn png(&self) -> Result<Vec<u8>, PictureError> {
         let height = self.bytes.len() / 3 / self.width;
         let image = Image::from_fn(self.width as u32, height as u32, |x, y| {
@@ -41,7 +41,7 @@ impl Picture {
         film::encode(film::Kind::Png, &image)
     }
 
-    /// A hash of its bytes, for a name (FNV-1a).
+    /// Returns a hash of the bytes, for a name (FNV-1a).
     pub fn digest(&self) -> String {
         let add = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3);
         format!("{:016x}", self.bytes.iter().fold(0xcbf2_9ce4_8422_2325, add))
@@ -51,15 +51,15 @@ impl Picture {
 /// A rule of another grader.
 #[derive(Clone, Copy, Debug)]
 pub struct Rule {
-    /// Whose, and what it measures.
+    /// The measure, and its source.
     pub name: &'static str,
-    /// When a picture passes.
+    /// The condition under which a picture passes.
     pub says: &'static str,
-    /// Whether the second picture passes for the first.
+    /// Returns whether the second picture passes if the first one is expected.
     pub passes: fn(&Picture, &Picture) -> bool,
 }
 
-/// The rules; those without a threshold of their own say so.
+/// The rules. A rule without a threshold of its own says so.
 pub const RULES: [Rule; 4] = [
     Rule {
         name: "mean difference (UC Riverside)",
@@ -82,8 +82,8 @@ pub const RULES: [Rule; 4] = [
     Rule {
         name: "3×3 neighbourhood (GMU)",
         says: "each pixel against the nearest of the other picture's 3×3 around it, both ways, \
-            the larger mean kept; \
-               the score 100 − 10 · mean % (no threshold of its own) rounds to 100",
+            the larger mean kept; the score 100 − 10 · mean % (no threshold of its own) rounds to \
+            100",
         passes: |expected, actual| 100.0 - 10.0 * neighbourhood_percent(expected, actual) >= 99.5,
     },
 ];
@@ -129,7 +129,7 @@ fn one_way_percent(from: &Picture, to: &Picture) -> f64 {
 mod tests {
     use super::*;
 
-    /// 4 × 4 pixels of the level 100, some samples changed.
+    /// Returns 4 × 4 pixels of the level 100, with some samples changed.
     fn grey(changes: &[(usize, u8)]) -> Picture {
         let mut bytes = vec![100; 48];
         for (at, byte) in changes {

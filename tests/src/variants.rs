@@ -1,4 +1,4 @@
-//! Variants of the solution: with one bug each, and right but written differently. They are data,
+//! Variants of the solution: with one bug each, and correct but written differently. They are data,
 //! `tests/mutants/README.md`.
 
 use std::collections::BTreeMap;
@@ -14,43 +14,44 @@ use crate::{files, workspace};
 /// A submission made by changing another one.
 #[derive(Clone, Debug)]
 pub struct Variant {
-    /// Its path below `tests/mutants`, such as `wrong/reflect/backwards`.
+    /// The path below `tests/mutants`, such as `wrong/reflect/backwards`.
     pub name: String,
-    /// What it does differently, in a sentence.
+    /// The difference from the solution, in a sentence.
     pub does: String,
-    /// What a judge should say of it.
+    /// The expected verdict.
     pub nature: Nature,
     /// The folder of the submission that is changed.
     pub base: PathBuf,
-    /// The changes, made one after the other.
+    /// The changes, which are made one after the other.
     pub edits: Vec<Edit>,
 }
 
-/// What a judge should say of a variant.
+/// The expected verdict on a variant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Nature {
-    /// All points, and no misconception is named.
+    /// The variant earns all points, and no misconception is named.
     Right,
-    /// Points are lost.
+    /// The variant loses points.
     Wrong {
         /// The first stage that loses points.
         stage: String,
-        /// Id of the misconception that is to be named first; `None` where none describes the bug.
+        /// The id of the misconception that should be named first; `None` if none describes the
+        /// bug.
         diagnosis: Option<String>,
     },
 }
 
 impl Variant {
-    /// Whether it deserves all points.
+    /// Returns whether the variant deserves all points.
     pub fn is_right(&self) -> bool {
         self.nature == Nature::Right
     }
 
-    /// Makes the submission in a folder of its own.
+    /// Writes the submission into a folder of its own.
     ///
     /// # Errors
-    /// A text to search for that does not stand in its file exactly once; a file that cannot be
-    /// read or written.
+    /// Returns an error if a text to search for does not occur in its file exactly once, or if a
+    /// file cannot be read or written.
     pub fn make(&self) -> Result<TempDir, String> {
         let folder = tempfile::tempdir().map_err(|why| format!("a temporary folder: {why}"))?;
         copy(&self.base, folder.path()).map_err(|why| format!("{}: {why}", self.base.display()))?;
@@ -66,20 +67,20 @@ impl Variant {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Edit {
-    /// Which, relative to the submission.
+    /// The path of the file, relative to the submission.
     pub file: String,
-    /// Text that stands there exactly once; `None`: the whole file.
+    /// The text to replace, which occurs exactly once; `None` for the whole file.
     pub search: Option<String>,
-    /// What comes in its place.
+    /// The new text.
     pub replace: String,
 }
 
 impl Edit {
-    /// Makes it in the submission in `folder`.
+    /// Changes the file in the submission in `folder`.
     ///
     /// # Errors
-    /// A text to search for that does not stand there exactly once, a change that changes nothing,
-    /// a file that cannot be read or written.
+    /// Returns an error if the text to search for does not occur exactly once, if nothing changes,
+    /// or if the file cannot be read or written.
     pub fn make(&self, folder: &Path) -> Result<(), String> {
         let path = folder.join(&self.file);
         let text = fs::read_to_string(&path).map_err(|why| why.to_string())?;
@@ -89,7 +90,7 @@ impl Edit {
                 1 => text.replacen(search.as_str(), &self.replace, 1),
                 n => {
                     return Err(format!(
-                        "the text to search for stands there {n} times, not once: {search}"
+                        "the text to search for occurs {n} times, not once: {search}"
                     ));
                 }
             },
@@ -101,7 +102,7 @@ impl Edit {
     }
 }
 
-/// `wrong/FUNCTION.toml`: bugs in one function.
+/// The file `wrong/FUNCTION.toml`: bugs in one function.
 #[derive(Deserialize)]
 struct WrongFile {
     file: String,
@@ -122,7 +123,7 @@ struct Bug {
     more: Vec<Edit>,
 }
 
-/// `right/TOPIC.toml`: right ways to write it.
+/// The file `right/TOPIC.toml`: correct ways to write it.
 #[derive(Deserialize)]
 #[serde(transparent)]
 struct RightFile {
@@ -135,7 +136,7 @@ struct Way {
     does: String,
     #[serde(default = "solution")]
     base: String,
-    /// Other right ways, `TOPIC/NAME`, whose edits are made first.
+    /// Other correct ways, `TOPIC/NAME`, with edits that are made first.
     #[serde(default)]
     with: Vec<String>,
     #[serde(default)]
@@ -146,10 +147,10 @@ fn solution() -> String {
     "tests/solution".to_owned()
 }
 
-/// All of them by name, the right ones first.
+/// Returns all variants by name, the correct ones first.
 ///
 /// # Errors
-/// What in the files is wrong, and in which.
+/// Returns the name of a wrong file, with the problem.
 pub fn all() -> Result<Vec<Variant>, String> {
     let topics = tables::<RightFile>("right")?;
     let named = |(topic, file): (String, RightFile)| {
@@ -192,7 +193,8 @@ pub fn all() -> Result<Vec<Variant>, String> {
     Ok(variants)
 }
 
-/// The edits of a right way and, before them, of those it builds on, each once.
+/// Returns the edits of the ways that a correct way builds on, each once, followed by its own
+/// edits.
 fn edits_of(ways: &BTreeMap<String, Way>, name: &str) -> Result<Vec<Edit>, String> {
     fn collect<'a>(
         ways: &'a BTreeMap<String, Way>,
@@ -223,7 +225,8 @@ fn tables<T: DeserializeOwned>(kind: &str) -> Result<Vec<(String, T)>, String> {
     files(&format!("tests/mutants/{kind}"), "toml").into_iter().map(read).collect()
 }
 
-/// Copies what a student hands in: the manifest of a submission in another language, and sources.
+/// Copies the files that a student hands in: sources, and the manifest of a submission in another
+/// language.
 fn copy(from: &Path, to: &Path) -> std::io::Result<()> {
     for entry in fs::read_dir(from)? {
         let path = entry?.path();

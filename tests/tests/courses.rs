@@ -1,9 +1,9 @@
-//! Any legal course can be set up: its answers can be made, and a program that follows the course
-//! earns everything.
+//! Tests that any legal course can be set up. Its answers can be made, and a program that follows
+//! the course earns everything.
 //!
-//! The program is the reference behind a script that names the course. Most courses are tried on
-//! small pictures, since making their answers takes a minute of processor time for each course at
-//! full size.
+//! The program is the reference behind a script that passes the course. Most courses are tested on
+//! small pictures, because making the answers at full size takes a minute of processor time for
+//! each course.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -17,10 +17,10 @@ use reference::expect::{self, Expected, Progress, Set};
 use tempfile::TempDir;
 use tests::workspace;
 
-/// The stages of the course.
+/// The public stages.
 const PUBLIC: &str = "cases/stages";
 
-/// Work that nobody watches or stops.
+/// A progress receiver that ignores reports and never stops the work.
 struct Unwatched;
 
 impl Progress for Unwatched {
@@ -31,14 +31,14 @@ impl Progress for Unwatched {
     }
 }
 
-/// The public cases in pictures of a `part`-th of their width and height, under a course, with
-/// answers.
+/// The stages of a course with answers, in pictures with a `part`-th of the width and height.
 struct Exam {
     folder: TempDir,
 }
 
 impl Exam {
-    /// Copies the stages in the folder `from` of the workspace.
+    /// Copies the stages in the folder `from` of the workspace, without answers, and sets the
+    /// course.
     fn new(from: &str, course: &str, part: u32) -> Self {
         let exam = Self { folder: tempfile::tempdir().expect("a temporary folder") };
         copy(&workspace().join("cases/assets"), &exam.at("assets"), &|text| text);
@@ -55,7 +55,7 @@ impl Exam {
         self.at("stages")
     }
 
-    /// Makes the answers; a sentence for each that cannot be made.
+    /// Makes the answers. Returns a sentence for each that cannot be made.
     fn expect(&self, course: &Course) -> Result<(), String> {
         let stages =
             stage::load_all(&self.stages(), course).map_err(|problems| problems.to_string())?;
@@ -67,7 +67,7 @@ impl Exam {
             .map_err(|why| why.to_string())
     }
 
-    /// Grades a program that follows the course; a line for each check that does not earn
+    /// Grades a program that follows the course. Returns a line for each check that does not earn
     /// everything.
     fn lost(&self) -> Result<Vec<String>, String> {
         let submission = self.at("follower");
@@ -85,9 +85,9 @@ impl Exam {
         let options = Options { jobs: 1, ..Options::new(&submission) };
         let record = grade(&bench, &options, &Silent).map_err(|why| why.to_string())?.record;
         let checks = record.stages.iter().flat_map(|stage| &stage.checks);
-        let n_asked: usize =
+        let n_checks: usize =
             bench.exam.stages.iter().map(|it| it.stage.cases.len() + it.stage.checks.len()).sum();
-        assert_eq!(checks.clone().count(), n_asked, "the whole exam is graded");
+        assert_eq!(checks.clone().count(), n_checks, "the whole exam is graded");
         let lost =
             checks.filter(|check| check.verdict != Verdict::Pass || check.earned != check.possible);
         Ok(lost
@@ -98,8 +98,8 @@ impl Exam {
     }
 }
 
-/// Copies the files of cases and meshes below `from`, no answers, the text of cases as `change`
-/// makes it.
+/// Copies the files of cases and meshes below `from`, without answers. `change` is applied to the
+/// text of cases.
 fn copy(from: &Path, to: &Path, change: &dyn Fn(String) -> String) {
     fs::create_dir_all(to).expect("a folder in a temporary folder");
     for entry in fs::read_dir(from).expect("a folder of the workspace") {
@@ -117,7 +117,7 @@ fn copy(from: &Path, to: &Path, change: &dyn Fn(String) -> String) {
     }
 }
 
-/// A case whose picture has a `part`-th of its columns and rows.
+/// Returns the text of a case with a picture of a `part`-th of the columns and rows.
 fn smaller(text: &str, part: u32) -> String {
     let line = |line: &str| {
         let sides = line.strip_prefix("size = [").and_then(|rest| rest.split_once(']'));

@@ -1,5 +1,5 @@
-//! The cases as a whole: every rule is covered, every case shows what it says it shows, points add
-//! up, answers are current.
+//! Tests of all cases together: every rule is covered, every case shows what it promises, points
+//! add up, answers are current.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -12,17 +12,17 @@ use cases::stage::{self, Case, Stage};
 use cases::{Course, Effect, Effects, Scene};
 use grader::judge;
 use grader::record::Verdict;
-use reference::answers;
+use reference::expect::variations::{Precision, Variation, variations};
 use reference::expect::{self, Set};
-use reference::misconceptions::{self, Misconception};
-use reference::real::Real;
-use reference::render::{self, Options};
+use reference::numbers::real::Real;
+use reference::rules::misconceptions::{self, Misconception};
 use reference::rules::{Epsilon, Lecture, RuleSource, Rules};
-use reference::variations::{Precision, Variation, variations};
+use reference::trace::answers;
+use reference::trace::render::{self, Options};
 use reference::watch::Counts;
 use reference::world::World;
 
-/// The rules that stages test; the rest are extras.
+/// The rules that stages test; the others are extras.
 const RULES: std::ops::RangeInclusive<u8> = 1..=21;
 
 static STAGES: LazyLock<Vec<Stage>> = LazyLock::new(|| {
@@ -61,17 +61,17 @@ fn passes(case: &Case, actual: &Image) -> bool {
     judge::picture(actual, &stored(case)).verdict == Verdict::Pass
 }
 
-/// Whether the case would let a program pass that follows `rules` instead of the lecture's.
+/// Returns whether the case passes a program that follows `rules` instead of the lecture's.
 fn forgives(case: &Case, rules: &Rules) -> bool {
     passes(case, &picture::<f64, _>(&case.scene, rules, case.scene.effects))
 }
 
-/// Fails with all the lines there are.
+/// Fails with all lines if there are any.
 fn none(wrong: Vec<String>) {
     assert!(wrong.is_empty(), "{} wrong:\n{}", wrong.len(), wrong.join("\n"));
 }
 
-/// 25 points a stage, in thousandths.
+/// Each stage has 25 points; the values are in thousandths.
 #[test]
 fn every_stage_is_worth_25_points() {
     for stage in STAGES.iter() {
@@ -108,7 +108,8 @@ fn every_rule_that_a_case_names_can_be_seen_broken_in_it() {
     );
 }
 
-/// The cases that name its rule first: the others are rendered only where those do not show it.
+/// The cases that name the rule of the mistake come first. The others are rendered only if none of
+/// those fails it.
 #[test]
 fn every_misconception_is_caught() {
     none(
@@ -149,7 +150,7 @@ fn check_answers(stage: &Stage) -> Vec<CheckAnswer> {
     answer::check_answers_from_str(&text).unwrap_or_else(|why| panic!("{}: {why}", path.display()))
 }
 
-/// The first stage adds nothing to another one, so its cases have nothing to fail without.
+/// The first stage is skipped, because it adds nothing to another one.
 #[test]
 fn no_case_passes_without_what_its_stage_adds() {
     let later = SET.stages.iter().enumerate().skip(1);
@@ -162,8 +163,8 @@ fn no_case_passes_without_what_its_stage_adds() {
     );
 }
 
-/// What a scene does not call for changes nothing: all that the stage allows gives the same bits,
-/// and casts no ray of a kind not called for.
+/// An effect that a scene does not call for changes no bit of the picture. Without the effect, no
+/// ray of its kind is cast.
 #[test]
 fn a_case_is_the_same_with_the_effects_it_does_not_call_for() {
     let cases = STAGES.iter().flat_map(|stage| stage.cases.iter().map(|case| (case, stage.allows)));
@@ -220,7 +221,7 @@ fn a_program_in_single_precision_passes_every_case() {
     );
 }
 
-/// The ways that students may choose, each with each precision, and with rays through the very
+/// The variations that students may choose, each with each precision, with rays through the exact
 /// centres of pixels.
 #[test]
 fn every_legal_way_of_computing_passes_every_check() {

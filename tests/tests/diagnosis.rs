@@ -1,5 +1,5 @@
-//! The diagnosis against itself: a program that makes a known mistake, and nothing else, has that
-//! mistake named, and no other; nonsense has none.
+//! Tests of the diagnosis. For a program that makes only one known mistake, that mistake alone is
+//! named; for nonsense none is.
 
 use std::sync::LazyLock;
 
@@ -13,21 +13,21 @@ use grader::exam::Exam;
 use grader::judge;
 use grader::record::Verdict;
 use rayon::prelude::*;
-use reference::answers::answer_in;
-use reference::misconceptions::{self, Misconception};
-use reference::render::{Options, render};
 use reference::rules::Rules;
+use reference::rules::misconceptions::{self, Misconception};
+use reference::trace::answers::answer_in;
+use reference::trace::render::{Options, render};
 use reference::world::World;
 
 /// An image case with its answer and the pictures of mistakes.
-type Asked = (&'static Case, &'static ImageAnswer, Vec<Wrong>);
-/// The light of a pixel by its place.
+type Sent = (&'static Case, &'static ImageAnswer, Vec<Wrong>);
+/// The light of a pixel by its column and row.
 type Fill<'a> = &'a (dyn Fn(u32, u32) -> DVec3 + Sync);
 
 static EXAM: LazyLock<Exam> = LazyLock::new(|| {
     Exam::load(&tests::public_stages()).unwrap_or_else(|problems| panic!("{problems}"))
 });
-static CASES: LazyLock<Vec<Asked>> = LazyLock::new(|| {
+static CASES: LazyLock<Vec<Sent>> = LazyLock::new(|| {
     let cases = EXAM
         .stages
         .iter()
@@ -50,12 +50,13 @@ fn known() -> Vec<&'static Misconception> {
     misconceptions::of(&Rules::LECTURE)
 }
 
-/// What is named for these pictures and answers; each counts alike.
+/// Returns the diagnoses for these pictures and answers. All cases have the same weight, and so do
+/// all checks.
 fn named(
     picture: impl Fn(&Case, &ImageAnswer, &[Wrong]) -> Image,
     reply: impl Fn(&Check, &CheckAnswer) -> Answer,
 ) -> Vec<Named> {
-    let of_case = |(case, answer, mistakes): &Asked| {
+    let of_case = |(case, answer, mistakes): &Sent| {
         let actual = picture(case, answer, mistakes);
         match judge::picture(&actual, answer).verdict {
             Verdict::Pass => {
@@ -74,7 +75,7 @@ fn named(
     rank(&CASES.iter().map(of_case).chain(checks().map(of_check)).collect::<Vec<_>>())
 }
 
-/// Fails with what is named for each mistake of which not just that one is.
+/// Fails with the diagnoses of each mistake that is not named alone.
 fn each_is_named(
     mistakes: &[&'static Misconception],
     named: impl Fn(&Misconception) -> Vec<Named> + Sync,
@@ -88,7 +89,7 @@ fn each_is_named(
     assert!(faults.is_empty(), "{} of {}:\n{}", faults.len(), mistakes.len(), faults.join("\n"));
 }
 
-/// The picture as the answer file has it.
+/// Returns the picture of a mistake as the answer file stores it.
 fn stored(id: &str, answer: &ImageAnswer, mistakes: &[Wrong]) -> Image {
     let Some(wrong) = mistakes.iter().find(|wrong| wrong.id == id) else {
         return answer.expected.clone();
@@ -111,7 +112,7 @@ fn every_mistake_is_named_first_and_alone() {
     });
 }
 
-/// Every ninth, as a program in single precision makes it.
+/// Every ninth mistake, rendered in single precision.
 #[test]
 fn mistakes_are_named_in_single_precision_too() {
     let mistakes: Vec<_> = known().into_iter().step_by(9).collect();
@@ -145,7 +146,7 @@ fn nothing_is_named_for_nonsense() {
         assert_eq!(
             named(picture, |_, right| right.answer.clone()),
             [],
-            "{name} in the place of every picture"
+            "{name} instead of every picture"
         );
         assert_eq!(
             named(picture, |_, _| Answer::Miss(true)),

@@ -1,4 +1,4 @@
-//! The documents agree with the files beside them, and with each other.
+//! Tests that the documents agree with the files beside them, and with each other.
 
 use tests::{tracked, workspace};
 
@@ -22,7 +22,7 @@ fn links_between_documents_lead_somewhere() {
     }
 }
 
-/// A path in backticks that names a file of the workspace. Placeholders are in capitals.
+/// Paths in backticks must name files of the workspace. Placeholders are in capitals.
 #[test]
 fn files_that_documents_name_exist() {
     let is_path = |word: &str| {
@@ -60,7 +60,7 @@ fn the_front_page_repeats_what_the_judge_found() {
     };
     let page = text("docs/judging.md");
     assert!(
-        page.contains("69 right ones") && page.contains("the 273 bugs"),
+        page.contains("69 correct ones") && page.contains("the 273 bugs"),
         "the totals have changed"
     );
     let said = rows("README.md");
@@ -70,7 +70,7 @@ fn the_front_page_repeats_what_the_judge_found() {
     for row in judges {
         if row[0] == "this grader, pictures and unit checks" {
             let (failed, passed) =
-                (of("right programs that lose points"), of("bugs that lose none"));
+                (of("correct programs that lose points"), of("bugs that lose no points"));
             assert_eq!([&row[1], &row[2]], [&failed[1], &passed[1]]);
             continue;
         }

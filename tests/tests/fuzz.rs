@@ -1,9 +1,9 @@
-//! Every parser of foreign bytes reads some mutations of good files without a panic.
-//! `tests --bin fuzz` does the same for as long as one likes.
+//! Every parser of foreign bytes reads some mutations of valid files without a panic.
+//! `tests --bin fuzz` does the same for any time.
 
 use tests::fuzz::{parsers, read_some};
 
-/// Mutations of each parser.
+/// The number of mutations for each parser.
 const N: u64 = 400;
 
 #[test]

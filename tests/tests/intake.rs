@@ -1,9 +1,9 @@
-//! Grades changes beside the student's own files: the verdict is the same in place, as a copy and
-//! in an archive.
+//! Tests of changes to files that are not the student's own. The verdict is the same in place, as a
+//! copy and in an archive.
 //!
-//! In place means within a workspace of their own, whose template they have edited: the grader that
-//! runs there must not take anything from it. The exam is `tests/exam`, where the untouched
-//! `light.rs` costs four points of ten.
+//! "In place" means within the student's own workspace, in which the template was edited. The
+//! grader that runs there must not take anything from that template. The exam is `tests/exam`,
+//! where the untouched `light.rs` costs four of ten points.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -17,10 +17,10 @@ use grader::submission::limits::{LIMITS, NESTED, size};
 use tempfile::TempDir;
 use tests::workspace;
 
-/// A student's change: files with what stands in them afterwards, `None` for one that is deleted.
+/// A student's change: files with their new text, or `None` for a deleted file.
 type Edits<'a> = &'a [(&'a str, Option<String>)];
 
-/// The grader that decides, far from any student, with its crates compiled.
+/// The official grader, outside of any student's workspace, with its crates compiled.
 static FINAL: LazyLock<Bench> = LazyLock::new(|| {
     let bench = open(workspace().join("tests/exam"));
     bench.workshop.sdk(&|_| ()).unwrap_or_else(|why| panic!("{why}"));
@@ -43,7 +43,8 @@ fn replaced(path: &str, from: &str, to: &str) -> Option<String> {
     Some(text.replace(from, to))
 }
 
-/// A student's workspace: the template is filled in, but for `light.rs`, and then changed.
+/// Returns a student's workspace. All files of the template except `light.rs` are filled in, and
+/// then the edits are made.
 fn students(edits: Edits) -> TempDir {
     let root = TempDir::new().unwrap();
     for name in ["Cargo.toml", "Cargo.lock", "cases/Cargo.toml"] {
@@ -61,8 +62,8 @@ fn students(edits: Edits) -> TempDir {
         &workspace().join("student_template/src/light.rs"),
         &root.path().join("student_template/src/light.rs"),
     );
-    // What is compiled is shared, so that a workspace costs no minutes. Its names are hashes of
-    // what went in.
+    // The store of compiled files is shared, because compiling takes minutes. Its names are hashes
+    // of the inputs.
     fs::create_dir(root.path().join("target")).unwrap();
     std::os::unix::fs::symlink(FINAL.workshop.store(), root.path().join("target/grader")).unwrap();
     for (name, text) in edits {
@@ -86,7 +87,7 @@ fn copy_folder(from: &Path, to: &Path) {
     }
 }
 
-/// Grades with the grader of a workspace, and clears what differs from run to run.
+/// Grades with the grader of a workspace, and clears the fields that differ between runs.
 fn graded(bench: &Bench, submission: &Path) -> Record {
     let options = Options { name: "student".to_owned(), jobs: 1, ..Options::new(submission) };
     let mut record = grade(bench, &options, &Silent).unwrap_or_else(|why| panic!("{why}")).record;
@@ -104,7 +105,7 @@ fn packed(command: &mut Command) {
     assert!(output.status.success(), "{command:?}: {}", String::from_utf8_lossy(&output.stderr));
 }
 
-/// Grades the change in all ways, and returns the record that all must give.
+/// Grades the change in all ways, checks that the records are equal, and returns the record.
 fn everywhere(edits: Edits) -> Record {
     let root = students(edits);
     let in_place = root.path().join("student_template");
@@ -134,7 +135,7 @@ fn everywhere(edits: Edits) -> Record {
     record
 }
 
-/// The change builds, earns so many points, and these words are said of it.
+/// Checks that the change builds, earns `points`, and gets remarks with these words.
 fn check(edits: Edits, points: u64, words: &[&str]) {
     let record = everywhere(edits);
     assert_eq!(record.build.verdict, Verdict::Pass, "{:?}", record.build);
@@ -143,7 +144,7 @@ fn check(edits: Edits, points: u64, words: &[&str]) {
     assert!(words.iter().all(|words| said.contains(words)), "{said}");
 }
 
-/// The change does not build, and the message names the files that are not used.
+/// Checks that the change does not build, and that the message names the files that are not used.
 fn check_broken(edits: Edits, words: &[&str]) {
     let record = everywhere(edits);
     assert_eq!(record.build.verdict, Verdict::Fail, "{:?}", record.build);
@@ -309,7 +310,7 @@ fn every_hand_in_of_a_class_has_a_row() {
 }
 
 #[test]
-fn students_are_told_the_limits() {
+fn the_documents_state_the_limits() {
     let limits = [
         format!("{} an archive", size(LIMITS.archive_bytes)),
         format!("{} a file", size(LIMITS.file_bytes)),

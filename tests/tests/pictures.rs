@@ -1,4 +1,4 @@
-//! What pictures earn that are not right, on every public case: anti-aliased ones, shifted ones,
+//! Tests of the points for wrong pictures on every public case: anti-aliased ones, shifted ones,
 //! and ones without the effect.
 
 use std::collections::BTreeMap;
@@ -12,9 +12,9 @@ use cases::stage::{Case, load_all};
 use grader::judge::{self, Judgement};
 use grader::record::{FindingKind, Verdict};
 use reference::expect::Set;
-use reference::misconceptions;
-use reference::render::{self, Options};
+use reference::rules::misconceptions;
 use reference::rules::{RuleSource, Rules};
+use reference::trace::render::{self, Options};
 use reference::world::World;
 use tests::public_stages;
 
@@ -25,7 +25,7 @@ static SET: LazyLock<Set> = LazyLock::new(|| {
     Set::new(stages, &course)
 });
 
-/// The right pictures by id of the case.
+/// The correct pictures by the id of the case.
 static PICTURES: LazyLock<BTreeMap<&str, Image>> =
     LazyLock::new(|| public_cases().map(|case| (case.id.as_str(), SET.picture(case))).collect());
 
@@ -46,12 +46,12 @@ fn judged<R: RuleSource>(case: &Case, rules: R, samples: u32) -> Judgement {
     judge::picture(&picture, &stored(case))
 }
 
-/// Fails with all the lines there are.
+/// Fails with all lines if there are any.
 fn none(wrong: Vec<String>) {
     assert!(wrong.is_empty(), "{} wrong:\n{}", wrong.len(), wrong.join("\n"));
 }
 
-/// Several rays a pixel: named, and never failed. A case with few edges may let it pass.
+/// Several rays per pixel are recognised and never fail. A case with few edges may let them pass.
 #[test]
 fn anti_aliased_pictures_are_named_on_every_case() {
     let tries = public_cases().flat_map(|case| [2, 3, 4].map(|samples| (case, samples)));
@@ -67,22 +67,25 @@ fn anti_aliased_pictures_are_named_on_every_case() {
     none(wrong.map(|(one, id, n)| format!("{id}, {n} × {n} rays: {one:?}")).collect());
 }
 
-/// A shift of half a pixel stays between the neighbours too, but is no mean of them.
+/// A picture shifted by half a pixel also stays between the neighbours, but is no mean of them.
 #[test]
 fn a_shift_is_not_taken_for_anti_aliasing() {
     let wrong =
         misconceptions::of(&Rules::LECTURE).into_iter().find(|wrong| wrong.id == "pixel_corner");
     let rules = wrong.expect("the mistake is known").on(&Rules::LECTURE);
     let judged = public_cases().map(|case| (judged(case, &rules, 1), &case.id));
-    let is_told = |judgement: &Judgement| {
+    let is_wrong = |judgement: &Judgement| {
         judgement.finding.as_ref().is_some_and(|it| it.kind == FindingKind::Wrong)
     };
     none(
-        judged.filter(|(one, _)| !is_told(one)).map(|(one, id)| format!("{id}: {one:?}")).collect(),
+        judged
+            .filter(|(one, _)| !is_wrong(one))
+            .map(|(one, id)| format!("{id}: {one:?}"))
+            .collect(),
     );
 }
 
-/// The colour of most pixels.
+/// Returns the most frequent colour.
 fn most_frequent(picture: &Image) -> DVec3 {
     let mut counts: BTreeMap<[u8; 3], u32> = BTreeMap::new();
     for pixel in picture.pixels() {
@@ -92,7 +95,7 @@ fn most_frequent(picture: &Image) -> DVec3 {
     DVec3::from(most.map(f64::from)) / 255.0
 }
 
-/// Pictures that have nothing of the case in them, each with its name.
+/// Returns pictures that contain nothing of the case, each with its name.
 fn blanks(n: usize, case: &'static Case) -> impl Iterator<Item = (String, Image)> {
     let expected = &PICTURES[case.id.as_str()];
     let (width, height) = (expected.width(), expected.height());

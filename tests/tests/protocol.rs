@@ -1,5 +1,5 @@
-//! `docs/protocol.md` is true: its examples parse, its answers are right, and no question is
-//! missing.
+//! Tests that `docs/protocol.md` is correct: its examples parse, its answers are right, and no
+//! question is missing.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 use cases::probe::{Question, Reply};
 use cases::scene::json;
 use cases::stage;
-use reference::answers::answer;
 use reference::expect::allowed::Allowance;
 use reference::rules::Lecture;
+use reference::trace::answers::answer;
 
 fn root(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
@@ -19,13 +19,13 @@ fn page() -> String {
     std::fs::read_to_string(root("docs/protocol.md")).unwrap()
 }
 
-/// The text of every block that opens with ```` ```KIND ````.
+/// Returns the text of every block that opens with ```` ```KIND ````.
 fn blocks(page: &str, kind: &str) -> Vec<String> {
     let opening = format!("```{kind}\n");
     page.split(&opening).skip(1).map(|rest| rest.split("```").next().unwrap().to_owned()).collect()
 }
 
-/// The lines of all examples, the scene put in for its name.
+/// Returns the lines of all examples, with the scene substituted for its name.
 fn lines() -> Vec<String> {
     let page = page();
     let scene: serde_json::Value = serde_json::from_str(&blocks(&page, "json scene")[0]).unwrap();

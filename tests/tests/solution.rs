@@ -1,4 +1,5 @@
-//! What the template earns untouched, what the solution earns, and what each stage's files add.
+//! Tests of the points of the untouched template and of the solution, and of the points that each
+//! stage's files add.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -10,7 +11,7 @@ use grader::report::terminal::{self, Look};
 use tempfile::TempDir;
 use tests::{grade_all, public_stages, workspace};
 
-/// The student's files of the template, by stage.
+/// Returns the student's files of the template, by stage.
 fn files_by_stage() -> BTreeMap<String, Vec<String>> {
     let text = fs::read_to_string(workspace().join("student_template/template.toml"))
         .expect("the list of files");
@@ -24,7 +25,8 @@ fn text_of(value: &toml::Value) -> String {
     value.as_str().expect("a path").to_owned()
 }
 
-/// A submission: the template, with the files of the stages in `done` taken from the solution.
+/// Returns a submission: the template, with the files of the stages in `done` taken from the
+/// solution.
 fn submission(done: &[String]) -> TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     fs::create_dir(folder.path().join("src")).expect("an empty folder");
@@ -42,7 +44,7 @@ fn grade(folder: &Path) -> Record {
     grade_all(folder).record
 }
 
-/// Thousandths of a point by stage.
+/// Returns the earned thousandths of a point by stage.
 fn earned(record: &Record) -> BTreeMap<String, u64> {
     record.stages.iter().map(|stage| (stage.id.clone(), stage.earned)).collect()
 }
@@ -59,8 +61,8 @@ fn the_untouched_template_builds_scores_nothing_and_crashes_nowhere() {
     }
 }
 
-/// What the handout says to write first, file by file, and how many of the first stage's ten
-/// pictures are right then.
+/// Each step adds files in the order of the handout, and gives the number of correct pictures among
+/// the ten of the first stage.
 #[test]
 fn the_first_files_give_as_many_pictures_as_the_handout_says() {
     let first = ["camera", "sphere", "nearest", "shade"];
@@ -88,7 +90,7 @@ fn the_first_files_give_as_many_pictures_as_the_handout_says() {
     }
 }
 
-/// A bug of its own in each of five functions: the file, what is right, what stands there.
+/// A separate bug in each of five functions: the file, the correct code, and the wrong code.
 const FIVE_BUGS: [(&str, &str, &str); 5] = [
     ("shade", "material.kd * n_dot_l", "material.kd * n_dot_l * n_dot_l"),
     ("shadow", "share *= kt;", "share = kt;"),

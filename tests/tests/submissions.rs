@@ -1,11 +1,11 @@
-//! Programs that misbehave, `tests/submissions/NAME`, each with the record that must come of it in
+//! Tests of programs that misbehave, `tests/submissions/NAME`, each with its expected record in
 //! `record.json`.
 //!
-//! The exam is `tests/exam`: flat colours, so that any program can be right and one deviation at a
-//! time can be seen. A folder with a `main.py` gets `honest.py`, the right program in parts, laid
-//! beside it; one with a `src` gets the files of the solution that it lacks.
-//! `BLESS=1 cargo test -p tests --test submissions` writes the records; look at what changed before
-//! it is committed.
+//! The exam is `tests/exam`. It has flat colours, so that any program can be correct and one
+//! deviation at a time can be seen. A folder with a `main.py` gets a copy of `honest.py`, the
+//! correct program in parts. A folder with a `src` gets the files of the solution that it lacks.
+//! `BLESS=1 cargo test -p tests --test submissions` writes the records; review the changes before
+//! committing them.
 
 use std::fs;
 use std::os::unix::ffi::OsStrExt;
@@ -30,7 +30,7 @@ fn submissions() -> Vec<PathBuf> {
     folders
 }
 
-/// A copy as a student would hand it in: without the record.
+/// Returns a copy as a student would hand it in, without the record.
 fn copy(folder: &Path) -> TempDir {
     let copy = tempfile::tempdir().expect("a temporary folder");
     copy_into(folder, copy.path());
@@ -67,7 +67,7 @@ fn copy_into(from: &Path, to: &Path) {
     }
 }
 
-/// The record without what differs from run to run and from machine to machine.
+/// Returns the record without the fields that differ between runs and machines.
 fn settled(mut record: Record) -> Record {
     record.epoch.clear();
     record.grader.clear();
@@ -85,7 +85,7 @@ fn settled(mut record: Record) -> Record {
     record
 }
 
-/// `Err` says how the record differs from the stored one.
+/// Checks a submission. Returns the difference between the record and the stored one as an error.
 fn check(bench: &Bench, folder: &Path) -> Result<(), String> {
     let name = folder.file_name().expect("a name").to_string_lossy().into_owned();
     let copy = copy(folder);
@@ -125,7 +125,7 @@ fn every_submission_gets_the_record_it_deserves() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// Whether the submission builds, but ends before it does anything.
+/// Returns whether the submission builds, but ends before it does anything.
 fn is_never_run(folder: &Path) -> bool {
     ["panics_at_start", "no_interpreter", "no_such_command"]
         .iter()

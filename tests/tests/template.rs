@@ -1,9 +1,9 @@
-//! The template is the solution with the bodies taken out, and `template.toml` says whose each file
-//! is.
+//! Tests that the template is the solution without its function bodies, and that `template.toml`
+//! says whether a file is given or the student's.
 //!
-//! The grader carries the template in `grader/given`, where no student edits it. After a change
-//! there, `BLESS=1 cargo test -p tests --test template` copies it to the template and its given
-//! files to the solution.
+//! The grader carries the template in `grader/given`, which no student edits. After a change there,
+//! `BLESS=1 cargo test -p tests --test template` copies it to the template, and its given files to
+//! the solution.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -33,7 +33,7 @@ fn manifest() -> Manifest {
     toml::from_str(&text("student_template/template.toml")).unwrap()
 }
 
-/// The names of the files in a folder, as paths below `src`.
+/// Returns the names of the files in a folder, as paths below `src`.
 fn sources(folder: &str) -> BTreeSet<String> {
     let entries = fs::read_dir(root(folder)).unwrap();
     entries
@@ -41,7 +41,7 @@ fn sources(folder: &str) -> BTreeSet<String> {
         .collect()
 }
 
-/// Every public function of a file: its doc comment and signature.
+/// Returns the doc comment and the signature of every public function of a file.
 fn contracts(source: &str) -> Vec<String> {
     let mut found = vec![];
     let mut contract = String::new();
@@ -88,7 +88,7 @@ fn every_file_of_the_students_belongs_to_one_stage() {
 
 /// Returns a complaint if the file at `path` differs from the text that the grader carries.
 ///
-/// With `BLESS` set, that text is written there first.
+/// If `BLESS` is set, that text is written there first.
 fn copied(path: &str, carried: &str) -> Option<String> {
     if std::env::var_os("BLESS").is_some() {
         fs::write(root(path), carried).unwrap_or_else(|why| panic!("{path}: {why}"));
@@ -133,7 +133,7 @@ fn the_lists_of_the_grader_are_those_of_the_template() {
     assert_eq!(carried.dependencies, dependencies);
 }
 
-/// The files below a folder, relative to it.
+/// Returns the files below a folder, relative to it.
 fn below(folder: &str) -> BTreeSet<String> {
     let files = grader::files::below(&root(folder)).unwrap();
     files
@@ -153,7 +153,7 @@ fn the_solution_keeps_the_contracts_of_the_template() {
     assert_eq!(n_functions, 26);
 }
 
-/// Reports name the functions by this table.
+/// Reports take the names and files of functions from this table.
 #[test]
 fn the_functions_that_reports_name_are_where_the_table_says() {
     let manifest = manifest();
@@ -173,7 +173,7 @@ fn the_functions_that_reports_name_are_where_the_table_says() {
     assert!(keys.iter().all(|key| n_of(key) == 1), "{keys:?}");
 }
 
-/// A body says which function it is, by which rule, and where; and there is nothing else in it.
+/// A body names its function, its rule and its file, and contains nothing else.
 #[test]
 fn nothing_in_the_template_is_written_yet() {
     for file in manifest().student {

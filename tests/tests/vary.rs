@@ -1,5 +1,5 @@
-//! Hidden sets: every public case can be varied, its numbers stay within their bounds, the solution
-//! earns everything on it, and the public pictures nothing.
+//! Tests of hidden sets: every public case can be varied within its bounds, the solution earns
+//! everything, and the public pictures earn nothing.
 
 use std::path::Path;
 use std::sync::LazyLock;
@@ -19,9 +19,9 @@ use tempfile::TempDir;
 use tests::{public_stages, workspace};
 use toml::Value;
 
-/// Each case is graded under one of these.
+/// The seeds. Each case is graded under one of them.
 const SEEDS: [u64; 3] = [1, 2026, u64::MAX];
-/// Thousandths of its points that a picture may earn on another case by chance.
+/// The thousandths of its points that a picture may earn on another case by chance.
 const NEXT_TO_NOTHING: u32 = 50;
 
 static PUBLIC: LazyLock<Set> = LazyLock::new(|| {
@@ -41,7 +41,7 @@ static ORIGINALS: LazyLock<Vec<Original>> = LazyLock::new(|| {
     originals.varying
 });
 
-/// The case under `seed`, where two right programs stand for all.
+/// Returns the case under `seed`. Only two correct programs check that it is fair.
 fn varied(original: &Original, seed: u64) -> Varied {
     original.vary(&PUBLIC, seed, Care::Quick).unwrap_or_else(|wrong| panic!("{wrong}"))
 }
@@ -58,7 +58,8 @@ fn bounds(case: &Case) -> &Bounds {
     case.bounds.as_ref().unwrap_or_else(|| panic!("{} has no `[vary]`", case.id))
 }
 
-/// A folder with a third of the cases of a seed, answered: every case is in the folder of one seed.
+/// Returns a folder with a third of the cases under a seed, with answers. Every case is in the
+/// folder of one seed.
 fn hidden(n: usize) -> TempDir {
     let third = ORIGINALS.iter().enumerate().filter(|(at, _)| at % SEEDS.len() == n);
     let third: Vec<Varied> = third.map(|(_, original)| varied(original, SEEDS[n])).collect();
@@ -74,7 +75,7 @@ fn hidden(n: usize) -> TempDir {
     place
 }
 
-/// Work that nobody watches or stops.
+/// A progress receiver that ignores reports and never stops the work.
 struct Silent;
 
 impl Progress for Silent {
@@ -110,15 +111,15 @@ fn every_number_stays_within_its_bound_and_all_else_stays() {
     }
 }
 
-/// What a varied case holds: all but its bounds.
+/// The keys of a varied case: all except its bounds.
 const KEYS: [&str; 6] = ["title", "about", "rules", "points", "render", "scene"];
 
 fn toml_of(text: &str) -> Value {
     Value::Table(text.parse().unwrap_or_else(|why| panic!("{why}")))
 }
 
-/// Notes every number of `moved` that is farther from that of `original` than its key allows, and
-/// whatever else differs.
+/// Adds to `wrong` every number of `moved` that is farther from that of `original` than its key
+/// allows, and every other difference.
 fn compare(original: &Value, moved: &Value, path: &str, bounds: &Bounds, wrong: &mut Vec<String>) {
     match (original, moved) {
         (Value::Table(one), Value::Table(other)) if one.keys().eq(other.keys()) => {
@@ -148,7 +149,7 @@ fn number(value: &Value) -> Option<f64> {
     value.as_float().or(value.as_integer().map(|whole| whole as f64))
 }
 
-/// How far the number at `path` may be moved, by the key that it belongs to.
+/// Returns the distance by which the number at `path` may move, from the key that it belongs to.
 fn bound(path: &str, was: f64, bounds: &Bounds) -> f64 {
     let parts: Vec<&str> = path.split('.').filter(|part| part.parse::<usize>().is_err()).collect();
     let axis: usize = path.rsplit('.').next().and_then(|last| last.parse().ok()).unwrap_or(0);
@@ -197,8 +198,8 @@ fn lost_by_the_solution(bench: &Bench) -> Vec<String> {
     lost.map(|check| format!("{}: {:?}", check.id, said(check))).collect()
 }
 
-/// Right tracers agree on a hidden case; who has learned the public picture by heart earns what two
-/// pictures have in common by chance.
+/// Checks that correct tracers agree on a hidden case. The public picture of the case may earn only
+/// what two pictures have in common by chance.
 fn check_answer(id: &str, answer: &ImageAnswer) {
     let contested = answer.contested_share();
     assert!(contested < 0.03, "{id}: {:.1} % of the pixels are contested", 100.0 * contested);

@@ -1,4 +1,4 @@
-//! Answers to unit checks.
+//! Stored answers to unit checks.
 
 use std::collections::BTreeMap;
 
@@ -8,40 +8,40 @@ use super::Digest;
 use super::mistake::lines;
 use crate::probe::Answer;
 
-/// The answer to a unit check, one of the list stored as `checks.answers.json` in its stage.
+/// The stored answer to a unit check, an item of the list `checks.answers.json` in its stage.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CheckAnswer {
     /// The id of the check.
     pub id: String,
-    /// What the answer was made from. A list without digests is read as one of stale answers.
+    /// Digest of the course, the rules and the check that the answer was made from. An item without
+    /// a digest gets the default digest, which makes the answer stale.
     #[serde(default)]
     pub made_from: Digest,
-    /// The right answer.
+    /// The correct answer.
     pub answer: Answer,
-    /// How far each number of the answer may be from it, absolutely: from the conditioning of the
-    /// question.
+    /// Greatest absolute error of each number of the answer, from the conditioning of the question.
     pub allowed: f64,
-    /// Whether the decision (hit or miss, yes or no) flips within rounding of the inputs, so that
-    /// either is right.
+    /// Whether the decision (hit or miss, yes or no) flips within the rounding of the inputs, so
+    /// that both decisions are correct.
     pub either: bool,
-    /// What a program says that makes a known mistake, by the mistake's id; only answers that are
-    /// wrong.
+    /// Answers of programs that make a known mistake, by the id of the mistake. Mistakes that leave
+    /// the answer correct are missing.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub wrong: BTreeMap<String, Answer>,
 }
 
-/// The text to store for the unit checks of a stage: a JSON list, an answer a line.
+/// Returns the text to store for the unit checks of a stage: a JSON list with one answer per line.
 ///
 /// # Errors
-/// What the encoder says.
+/// An error of the JSON encoder.
 pub fn check_answers_to_string(answers: &[CheckAnswer]) -> Result<String, serde_json::Error> {
     lines(answers)
 }
 
-/// The answers that `text` holds.
+/// Parses the stored answers in `text`.
 ///
 /// # Errors
-/// What is missing or of the wrong kind, with line and column.
+/// A part that is missing or of the wrong kind, with line and column.
 pub fn check_answers_from_str(text: &str) -> Result<Vec<CheckAnswer>, serde_json::Error> {
     serde_json::from_str(text)
 }

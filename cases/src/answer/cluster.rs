@@ -1,29 +1,30 @@
-//! Clusters: correct tracers leave single pixels that are out, mistakes leave blobs.
+//! Finds clusters of out pixels. Correct tracers leave single pixels that are out, mistakes leave
+//! blobs.
 
-/// The size of the largest 8-connected cluster of pixels that are `out`, in rows of `width`; 0
-/// where none is.
+/// Returns the size of the largest 8-connected cluster of `out` pixels in rows of `width`, or 0 if
+/// no pixel is out.
 pub fn largest_cluster(out: &[bool], width: u32) -> u32 {
     let mut clusters = Clusters::default();
     out.chunks(width.max(1) as usize).for_each(|row| clusters.row(row));
     clusters.largest()
 }
 
-/// `Clusters` finds the clusters of a picture that comes row by row. Its memory is that of two
-/// rows.
+/// The clusters of out pixels in a picture that arrives row by row, as a union-find forest of runs.
+/// Its memory is that of two rows.
 #[derive(Clone, Debug, Default)]
 pub struct Clusters {
-    /// Of each run, the run it was joined to; a root is joined to itself.
+    /// Parent of each run; a root is its own parent.
     joined: Vec<u32>,
-    /// Of each root, the pixels of its cluster.
+    /// Number of pixels in the cluster of each root.
     sizes: Vec<u32>,
-    /// The runs of the row before: first and last column, number.
+    /// Runs of the previous row: first column, last column, number of the run.
     before: Vec<(usize, usize, u32)>,
-    /// The largest cluster so far has this many pixels.
+    /// Number of pixels in the largest cluster so far.
     largest: u32,
 }
 
 impl Clusters {
-    /// Takes the next row from the top.
+    /// Adds the next row, from top to bottom.
     pub fn row(&mut self, out: &[bool]) {
         let mut runs = Vec::new();
         let mut at = 0;
@@ -53,7 +54,8 @@ impl Clusters {
         self.largest
     }
 
-    /// Keeps only the clusters that the runs of the last row belong to: no other can still grow.
+    /// Drops all clusters without a run in the last row, which cannot grow any more, and renumbers
+    /// the runs.
     fn forget(&mut self, runs: &mut [(usize, usize, u32)]) {
         self.largest = self.sizes.iter().copied().fold(self.largest, u32::max);
         let mut kept = vec![None; self.joined.len()];
@@ -95,8 +97,8 @@ impl Clusters {
     }
 }
 
-/// The pixels around the one with index `at`, corners included, that lie in a picture of `n`
-/// pixels.
+/// Returns the indices of the pixels that touch pixel `at` by a side or a corner. The picture has
+/// `n` pixels in rows of `width`.
 pub fn neighbours(at: usize, width: usize, n: usize) -> impl Iterator<Item = usize> {
     let (x, y) = (at % width, at / width);
     let (columns, rows) =
@@ -129,7 +131,7 @@ mod tests {
         check(&["##.##", "...#.", "#####"], 8);
     }
 
-    /// Counts the pixels that are connected with the one at `at`, and takes them out.
+    /// Counts the pixels that are connected with the one at `at`, and clears them.
     fn flood(out: &mut [bool], width: usize, at: usize) -> u32 {
         let mut reached = vec![at];
         let mut n = 0;

@@ -1,5 +1,4 @@
-//! What a stored answer was made from, as a digest: an answer is trusted only if it belongs to its
-//! case.
+//! Digests of the inputs of stored answers: an answer is trusted only if it belongs to its case.
 
 use std::fmt;
 
@@ -12,20 +11,20 @@ use crate::stage::{Base, Case, Check};
 
 /// The version of the rules of light by which the reference makes answers.
 ///
-/// It rises with every change after which the reference gives another answer to the same case: a
-/// formula, a legal variation, a known mistake, a weight, a limit.
+/// The version rises with every change after which the reference gives another answer to the same
+/// case: a formula, a legal variation, a known mistake, a weight, a limit.
 pub const RULES_VERSION: u32 = 1;
 
-/// A digest of everything that an answer was made from: the version of the rules, the choices of
-/// the course, and the resolved scene or question with its meshes.
+/// A digest of everything that an answer was made from.
 ///
-/// Titles and descriptions are no part of it, so that a changed word makes no answer stale. The
-/// default is the digest of nothing, which no answer has.
+/// It covers the version of the rules, the choices of the course, and the resolved scene or
+/// question with its meshes. Titles and descriptions are excluded, so that a changed word makes no
+/// answer stale. The default is an empty digest, which no computed digest equals.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct Digest(String);
 
-/// What goes into a digest, as JSON: all numbers are there to the last bit.
+/// The content of a digest, hashed as JSON, which keeps every bit of all numbers.
 #[derive(Serialize)]
 struct Made<'a, T> {
     rules: u32,
@@ -35,7 +34,7 @@ struct Made<'a, T> {
 }
 
 impl Digest {
-    /// Returns the digest of the answer to an image case of a stage with this base.
+    /// Returns the digest of the answer to an image case. `base` is that of the case's stage.
     pub fn of_case(course: &Course, base: Base, case: &Case) -> Self {
         let from: (Base, &Scene) = (base, &case.scene);
         Self::of(course, "case", from)

@@ -1,4 +1,4 @@
-//! Reads stored answers and trusts only those that were made from what there is now.
+//! Reads stored answers and rejects those whose inputs have changed.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -12,16 +12,16 @@ use crate::files::{self, ReadError};
 use crate::film::PictureError;
 use crate::stage::{Base, Case, Stage};
 
-/// Bytes of a file of answers that are read at most.
+/// Largest size of a file of answers that is read, in bytes.
 const MAX_BYTES: u64 = 64 << 20;
 
-/// Why there is no answer that can be trusted.
+/// The reason why there is no answer that can be trusted.
 #[derive(Debug, thiserror::Error)]
 pub enum AnswerError {
-    /// Nothing is stored.
+    /// No answer is stored.
     #[error("there is no stored answer")]
     Missing,
-    /// The stored answer was made from something else.
+    /// The stored answer was made from another scene, course or version of the rules.
     #[error("the stored answer belongs to another scene, course or version of the rules")]
     Stale,
     /// The file cannot be read.
@@ -30,15 +30,15 @@ pub enum AnswerError {
     /// The file is not a picture of the size of the case with an envelope.
     #[error("the stored answer cannot be used: {0}")]
     Picture(#[from] PictureError),
-    /// The file is not a list of answers.
+    /// The file is not a valid list of answers.
     #[error("the stored answer cannot be used: {0}")]
     Json(#[from] serde_json::Error),
 }
 
-/// Returns the answer to `case`, of a stage with this base, that is stored below `stages`.
+/// Returns the answer to `case` that is stored below `stages`. `base` is that of the case's stage.
 ///
 /// # Errors
-/// [`AnswerError`].
+/// All kinds of [`AnswerError`] except [`AnswerError::Json`].
 pub fn image(
     stages: &Path,
     course: &Course,
@@ -52,14 +52,15 @@ pub fn image(
     Ok(ImageAnswer::decode(&bytes, case.scene.render.width, case.scene.render.height)?)
 }
 
-/// The answers to the unit checks of a stage, or why there is none, by id of the check.
+/// The answers to the unit checks of a stage by id of the check, or the reason why there is none.
 pub type CheckAnswers = BTreeMap<String, Result<CheckAnswer, AnswerError>>;
 
-/// Returns the answer to every unit check of `stage` that is stored below `stages`, and those of
-/// the stored answers that no check asks for.
+/// Returns the stored answer to every unit check of `stage`, and the ids of stored answers that
+/// belong to no check. A missing or stale answer is an error in its own entry.
 ///
 /// # Errors
-/// A file that is missing or cannot be read.
+/// The file is missing, cannot be read, or is not a list of answers. A stage without checks needs
+/// no file.
 pub fn checks(
     stages: &Path,
     course: &Course,
@@ -86,7 +87,7 @@ pub fn checks(
 /// Returns the list of known mistakes that is stored below `stages`.
 ///
 /// # Errors
-/// [`AnswerError`].
+/// All kinds of [`AnswerError`] except [`AnswerError::Picture`].
 pub fn mistakes(stages: &Path, course: &Course) -> Result<Vec<Mistake>, AnswerError> {
     let (made_from, mistakes) = mistakes_from_str(&text(&mistakes_path(stages))?)?;
     if made_from == Digest::of_mistakes(course) { Ok(mistakes) } else { Err(AnswerError::Stale) }

@@ -1,35 +1,34 @@
-//! The known mistakes, as far as the judge needs them: what to say to a student who makes one.
+//! The known mistakes as the judge needs them: the text for a student who makes one.
 
 use serde::{Deserialize, Serialize};
 
 use super::Digest;
 
-/// A known way to get a rule wrong, one of the list stored as `mistakes.answers.json` beside the
-/// stages.
+/// A known way to get a rule wrong, an item of the list `mistakes.answers.json` beside the stages.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 pub struct Mistake {
-    /// Such as `mirror_backwards`; the name of its pictures and answers.
+    /// Identifier, for example `mirror_backwards`; also the name of its pictures and answers.
     pub id: String,
-    /// The rule it breaks.
+    /// The rule that the mistake breaks.
     pub rule: u8,
-    /// What the program does, for the student, in one sentence.
+    /// One sentence for the student that says what the program does.
     pub says: String,
     /// The student's function to look at, as `file.rs function`.
     pub look_at: String,
 }
 
-/// The list as it is stored.
+/// The list in its stored form.
 #[derive(Deserialize)]
 struct Stored {
     made_from: Digest,
     mistakes: Vec<Mistake>,
 }
 
-/// Returns the text to store for the list: a JSON object with a mistake a line.
+/// Returns the text to store for the list: a JSON object with one mistake per line.
 ///
 /// # Errors
-/// What the encoder says.
+/// An error of the JSON encoder.
 pub fn mistakes_to_string(
     made_from: &Digest,
     mistakes: &[Mistake],
@@ -37,11 +36,11 @@ pub fn mistakes_to_string(
     Ok(format!("{{\"made_from\":\"{made_from}\",\"mistakes\":{}}}\n", lines(mistakes)?.trim_end()))
 }
 
-/// Returns what the list in `text` was made from, and the mistakes. A list without a digest, as it
-/// was stored once, was made from nothing that is known.
+/// Parses a stored list. Returns the digest that it was made from, and the mistakes. Lists of an
+/// older format have no digest; their digest is the default one, which makes them stale.
 ///
 /// # Errors
-/// What is missing or of the wrong kind, with line and column.
+/// A part that is missing or of the wrong kind, with line and column.
 pub fn mistakes_from_str(text: &str) -> Result<(Digest, Vec<Mistake>), serde_json::Error> {
     if text.trim_start().starts_with('[') {
         return Ok((Digest::default(), serde_json::from_str(text)?));
@@ -50,7 +49,7 @@ pub fn mistakes_from_str(text: &str) -> Result<(Digest, Vec<Mistake>), serde_jso
     Ok((made_from, mistakes))
 }
 
-/// A JSON list, an item a line.
+/// Returns a JSON list with one item per line.
 pub(super) fn lines<T: Serialize>(items: &[T]) -> Result<String, serde_json::Error> {
     let lines = items.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>()?;
     Ok(format!("[\n{}\n]\n", lines.join(",\n")))

@@ -1,4 +1,4 @@
-//! The stored answers that the judge compares with. Only `reference` writes them.
+//! Stored answers, with which the judge compares. Only `reference` writes them.
 
 mod check;
 mod cluster;
@@ -16,22 +16,22 @@ pub use load::AnswerError;
 pub use mistake::{Mistake, mistakes_from_str, mistakes_to_string};
 pub use picture::{ImageAnswer, Levels, Limits, Wrong, full_light};
 
-/// Where the answer to the case `id` is stored below `stages`.
+/// Returns the path of the answer to the case `id` below `stages`.
 pub fn image_answer_path(stages: &Path, id: &str) -> PathBuf {
     stages.join(format!("{id}.answer.exr"))
 }
 
-/// Where the picture for people of the case `id` is stored below `stages`.
+/// Returns the path below `stages` of the picture of the case `id` that people look at.
 pub fn expected_png_path(stages: &Path, id: &str) -> PathBuf {
     stages.join(format!("{id}.expected.png"))
 }
 
-/// Where the answers to the unit checks of a stage are stored below `stages`.
+/// Returns the path of the answers to the unit checks of a stage below `stages`.
 pub fn check_answers_path(stages: &Path, stage: &str) -> PathBuf {
     stages.join(stage).join("checks.answers.json")
 }
 
-/// Where the known mistakes are listed below `stages`.
+/// Returns the path of the list of known mistakes below `stages`.
 pub fn mistakes_path(stages: &Path) -> PathBuf {
     stages.join("mistakes.answers.json")
 }

@@ -1,5 +1,5 @@
-//! The answer to an image case: the right picture, how far a right one may be from it, and the
-//! pictures of known mistakes.
+//! The stored answer to an image case: the expected picture, its envelope, and the pictures of
+//! known mistakes.
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -11,43 +11,43 @@ use crate::film::{Image, PictureError, byte, level};
 /// Red, green and blue in whole 8-bit levels.
 pub type Levels = [u8; 3];
 
-/// The answer to an image case, stored as `CASE.answer.exr` beside it. All lists go row by row from
-/// the top.
+/// The answer to an image case, stored as `CASE.answer.exr` beside it. All lists are row by row
+/// from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImageAnswer {
-    /// The picture in linear light; the file has it in whole levels.
+    /// The expected picture in linear light. The file stores it in whole levels.
     pub expected: Image,
-    /// The least that a right tracer gives, rounded down.
+    /// Least levels that a correct tracer gives, rounded down.
     pub lo: Vec<Levels>,
-    /// The most that a right tracer gives, rounded up.
+    /// Greatest levels that a correct tracer gives, rounded up.
     pub hi: Vec<Levels>,
-    /// What a pixel counts for partial points: 255 where the stage's effect is plain to see.
+    /// Weight of each pixel for partial points: 255 where the stage's effect is plain to see.
     pub weight: Vec<u8>,
-    /// How much of the picture may lie outside.
+    /// Limits on the pixels that may be out.
     pub limits: Limits,
 }
 
-/// The limits of a right picture, and where partial points begin; they belong to the expectation,
-/// not to the judge.
+/// The limits of a correct picture, and where partial points begin. They belong to the answer, not
+/// to the judge.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Limits {
-    /// A channel is out beyond the envelope by more than this many levels, which takes in the
+    /// Levels by which a channel may lie beyond the envelope without being out. They allow for the
     /// quantiser.
     pub slack: f64,
-    /// Most pixels that may be out side by side, corners included.
+    /// Largest cluster of out pixels, corners included, with which a picture passes.
     pub cluster: u32,
-    /// Most pixels that may be out in all.
+    /// Largest count of out pixels with which a picture passes.
     pub count: u32,
-    /// The largest cluster that a right tracer is known to leave: each variation, judged by the
+    /// Largest cluster that a correct tracer is known to leave: each variation, judged by the
     /// others.
     pub legal_cluster: u32,
-    /// The most pixels that a right tracer is known to leave.
+    /// Largest count of out pixels that a correct tracer is known to leave.
     pub legal_count: u32,
-    /// The weighted share of pixels that is right without the effect: what earns nothing.
+    /// Weighted share of pixels that are right without the stage's effect. It earns nothing.
     pub unearned: f64,
 }
 
-/// The note in the file.
+/// The note in the file, as JSON.
 #[derive(Serialize, Deserialize)]
 struct Notes {
     made_from: Digest,
@@ -55,34 +55,34 @@ struct Notes {
     limits: Limits,
 }
 
-/// What a known mistake changes in the picture.
+/// The pixels that a known mistake changes in the picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Wrong {
     /// The id of the mistake.
     pub id: String,
-    /// The colours it gives, row by row from the top; `None` where the picture stays right. The
-    /// file has every eighth level.
+    /// Colours that the mistake gives, row by row from the top; `None` where the picture stays
+    /// right. The file stores every eighth level.
     pub changes: Vec<Option<Levels>>,
 }
 
-/// A pixel whose envelope is wider than this many levels is contested: right tracers do not agree
-/// on it.
+/// Width in levels beyond which the envelope of a pixel makes it contested: correct tracers do not
+/// agree on it.
 const CONTESTED: u8 = 4;
-/// The colours of mistakes are stored to the nearest multiple of this many levels.
+/// Step in levels to which the colours of mistakes are rounded in the file.
 const COARSE: u16 = 8;
-/// A colour that differs from a mistake's by no more than this many levels is that of the mistake:
-/// what the file rounds away, and the quantiser.
+/// Greatest difference in levels between a colour and that of a mistake that counts as equal. It
+/// covers what the file rounds away, and the quantiser.
 const ALIKE: f64 = 6.0;
-/// Levels are stored as this part of full light: unlike a 255th, exact in half precision, and half
-/// the size when packed.
+/// Number of stored units in a sample of 1. A 256th is exact in half precision, unlike a 255th, and
+/// half the size when packed.
 const UNIT: f32 = 256.0;
 const ANSWER: &str = "answer";
 const MISTAKES: &str = "mistakes";
 const WEIGHT: &str = "weight.Y";
 
 impl ImageAnswer {
-    /// The answer that leaves no freedom but `slack` levels and `count` pixels anywhere: every
-    /// pixel weighs alike.
+    /// Returns an answer with no freedom but `slack` levels and `count` out pixels anywhere. All
+    /// pixels have the same weight.
     pub fn exact(expected: Image, slack: f64, count: u32) -> Self {
         let round =
             |round: fn(f64) -> f64| expected.pixels().iter().map(|p| levels(*p, round)).collect();
@@ -99,8 +99,8 @@ impl ImageAnswer {
         Self { expected, lo, hi, weight, limits }
     }
 
-    /// By how many levels a channel of the pixel with index `n` lies beyond the envelope at most,
-    /// when it has this colour; infinite where a channel is not finite.
+    /// Returns by how many levels `colour` lies beyond the envelope of the pixel with index `n`. It
+    /// is the maximum over the channels: 0 within the envelope, infinite if one is not finite.
     pub fn beyond(&self, n: usize, colour: DVec3) -> f64 {
         if !colour.is_finite() {
             return f64::INFINITY;
@@ -112,22 +112,22 @@ impl ImageAnswer {
         channel(0).max(channel(1)).max(channel(2))
     }
 
-    /// Whether the pixel with index `n` is out when it has this colour.
+    /// Returns whether the pixel with index `n` is out when it has this colour.
     pub fn is_out(&self, n: usize, colour: DVec3) -> bool {
         self.beyond(n, colour) > self.limits.slack
     }
 
-    /// Which pixels of `actual` are out, row by row from the top.
+    /// Returns for every pixel of `actual` whether it is out, row by row from the top.
     pub fn out(&self, actual: &Image) -> Vec<bool> {
         actual.pixels().iter().enumerate().map(|(n, colour)| self.is_out(n, *colour)).collect()
     }
 
-    /// Whether so many pixels may be out: the largest cluster of them, and all.
+    /// Returns whether a picture passes whose largest cluster and count of out pixels are these.
     pub fn allows(&self, cluster: u32, count: u32) -> bool {
         cluster <= self.limits.cluster && count <= self.limits.count
     }
 
-    /// The weighted share of pixels that are not out.
+    /// Returns the weighted share of pixels that are not out.
     pub fn share(&self, out: &[bool]) -> f64 {
         let sum = |wanted: fn(&bool) -> bool| -> u64 {
             self.weight
@@ -140,23 +140,23 @@ impl ImageAnswer {
         sum(|out| !out) as f64 / sum(|_| true).max(1) as f64
     }
 
-    /// Whether right tracers disagree on the pixel with index `n`.
+    /// Returns whether correct tracers disagree on the pixel with index `n`.
     pub fn is_contested(&self, n: usize) -> bool {
         self.lo[n].iter().zip(self.hi[n]).any(|(lo, hi)| hi.saturating_sub(*lo) > CONTESTED)
     }
 
-    /// The share of contested pixels.
+    /// Returns the share of contested pixels.
     pub fn contested_share(&self) -> f64 {
         let n = (0..self.lo.len()).filter(|n| self.is_contested(*n)).count();
         n as f64 / self.lo.len() as f64
     }
 
-    /// Returns the bytes to store: an OpenEXR file of the parts `answer` and `mistakes`, with the
-    /// limits and the digest of what the answer was made from as a note. They depend on the content
-    /// alone.
+    /// Returns the bytes to store: an OpenEXR file of the parts `answer` and, unless `wrong` is
+    /// empty, `mistakes`. Its note has the limits and `made_from`. Equal arguments give equal
+    /// bytes.
     ///
     /// # Errors
-    /// A list of another length than the picture's, or what the encoder says.
+    /// A list whose length differs from the picture's, or an error of the encoder.
     pub fn encode(&self, made_from: &Digest, wrong: &[Wrong]) -> Result<Vec<u8>, PictureError> {
         let notes = Notes { made_from: made_from.clone(), limits: self.limits };
         let notes =
@@ -175,21 +175,21 @@ impl ImageAnswer {
         exr::encode((self.expected.width(), self.expected.height()), &parts, &notes)
     }
 
-    /// Returns what the answer in `bytes` was made from, or `None` for a file that does not say so.
-    /// Nothing but the header is read.
+    /// Returns the digest that the answer in `bytes` was made from, or `None` for a file without
+    /// one. Only the header is read.
     ///
     /// # Errors
-    /// A broken file.
+    /// The file is broken.
     pub fn made_from(bytes: &[u8]) -> Result<Option<Digest>, PictureError> {
         let notes = exr::notes(bytes)?;
         Ok(serde_json::from_str::<Notes>(&notes).ok().map(|notes| notes.made_from))
     }
 
-    /// Returns the answer that `bytes` hold, whose size has to be `width` × `height`, as is checked
-    /// before anything is decoded. The mistakes stay packed.
+    /// Decodes an answer whose size has to be `width` × `height`. The size is checked before
+    /// anything is decompressed. The pictures of mistakes stay compressed.
     ///
     /// # Errors
-    /// Another size, a plane or the limits missing, or a broken file.
+    /// Another size, a missing plane, missing limits, or a broken file.
     pub fn decode(bytes: &[u8], width: u32, height: u32) -> Result<Self, PictureError> {
         let (part, notes) = exr::decode_first(bytes, width, height)?;
         let Notes { limits, .. } = serde_json::from_str(&notes)
@@ -210,19 +210,19 @@ impl ImageAnswer {
     }
 }
 
-/// Returns the sample that stands for full light in the part `part` of an EXR file.
+/// Returns the sample of full light in the part `part` of an EXR file.
 ///
-/// The result is 255/256 in a stored answer, and 1 elsewhere.
+/// It is 255/256 in a stored answer, and 1 elsewhere.
 pub fn full_light(part: &str) -> f64 {
     if part == ANSWER { 255.0 / f64::from(UNIT) } else { 1.0 }
 }
 
 impl Wrong {
-    /// The ids of the mistakes that a stored answer holds, without unpacking their pictures: those
-    /// that the case does not let pass.
+    /// Returns the ids of the mistakes in a stored answer, without decompressing their pictures. A
+    /// mistake with which the case passes is not stored.
     ///
     /// # Errors
-    /// As [`ImageAnswer::decode`].
+    /// See [`ImageAnswer::decode`].
     pub fn ids(bytes: &[u8], width: u32, height: u32) -> Result<Vec<String>, PictureError> {
         let parts = exr::plane_names(bytes, width, height)?;
         let names =
@@ -230,8 +230,8 @@ impl Wrong {
         Ok(names.filter_map(|name| name.strip_suffix(".R").map(str::to_owned)).collect())
     }
 
-    /// Whether the mistake gives about this colour to the pixel with index `n`, and not the right
-    /// one.
+    /// Returns whether `colour` at the pixel with index `n` is about what the mistake gives there.
+    /// It is false where the mistake changes nothing, and for NaN.
     pub fn explains(&self, n: usize, colour: DVec3) -> bool {
         let is_near = |levels: Levels| {
             (0..3).all(|at| (level(colour[at]) - f64::from(levels[at])).abs() <= ALIKE)
@@ -239,7 +239,8 @@ impl Wrong {
         self.changes[n].is_some_and(is_near) // false for NaN
     }
 
-    /// Black where nothing changes; what turns black is stored as nearly so.
+    /// Returns the levels to store: black where nothing changes. A change that rounds to black is
+    /// stored as (1, 1, 1).
     fn stored(&self) -> Vec<Levels> {
         let coarse = |level: u8| {
             u8::try_from((u16::from(level) + COARSE / 2) / COARSE * COARSE).unwrap_or(u8::MAX)
@@ -252,10 +253,11 @@ impl Wrong {
         self.changes.iter().map(stored).collect()
     }
 
-    /// What known mistakes change that a stored answer holds, ordered by id.
+    /// Decodes the pictures of all mistakes in a stored answer, ordered by id. A file without
+    /// mistakes gives an empty list.
     ///
     /// # Errors
-    /// As [`ImageAnswer::decode`].
+    /// See [`ImageAnswer::decode`].
     pub fn decode_all(bytes: &[u8], width: u32, height: u32) -> Result<Vec<Self>, PictureError> {
         let (parts, _) = exr::decode(bytes, width, height)?;
         let Some(part) = parts.into_iter().find(|part| part.name == MISTAKES) else {
@@ -271,7 +273,7 @@ impl Wrong {
     }
 }
 
-/// Light in levels, made whole by `round`.
+/// Converts light to levels and rounds them with `round`.
 fn levels(light: DVec3, round: fn(f64) -> f64) -> Levels {
     light.to_array().map(|channel| round(level(channel)) as u8)
 }

@@ -1,4 +1,4 @@
-//! How a decision is declared, read and described, once for all of them.
+//! Declares, reads and describes decisions. All decisions share this code.
 
 use std::borrow::Cow;
 
@@ -13,27 +13,27 @@ use crate::scene::raw::effect::EffectName;
 use crate::scene::raw::numbers::finite;
 use crate::scene::raw::read::{Notes, Read, Table, Value, json};
 
-/// Something that a course decides.
+/// A decision on which courses differ, as one key of `course.toml`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Decision {
     /// The key in `course.toml`.
     pub key: &'static str,
-    /// What is decided, as a phrase.
+    /// The subject of the decision, as a phrase.
     pub decides: &'static str,
-    /// The rules of light it belongs to.
+    /// The rules of light that the decision belongs to.
     pub rules: &'static [u8],
-    /// The decision in `docs/shading-model.md` where no rule settles it: 25 for D25.
+    /// The number of the decision in `docs/shading-model.md` where no rule settles it: 25 for D25.
     pub number: Option<u8>,
-    /// The values to choose from.
+    /// The legal values.
     pub legal: Legal,
 }
 
 /// The values that a course may choose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Legal {
-    /// Each as it is written in the file, and what it means; the lecture's first.
+    /// Listed values: each as written in the file, and its meaning. The lecture's comes first.
     OneOf(&'static [(&'static str, &'static str)]),
-    /// Any set of effects; the lecture's is empty.
+    /// Any set of effects. The lecture's is empty.
     Effects,
     /// Any number from `least` to `most`.
     Range {
@@ -41,13 +41,13 @@ pub enum Legal {
         least: f64,
         /// Greatest value.
         most: f64,
-        /// The lecture's.
+        /// The lecture's value.
         lecture: f64,
     },
 }
 
 impl Legal {
-    /// The lecture's value, as it is written in the file.
+    /// Returns the lecture's value in its written form.
     pub fn lecture(&self) -> String {
         match self {
             Self::OneOf(values) => {
@@ -59,29 +59,29 @@ impl Legal {
     }
 }
 
-/// Returns the form in which a file has a set of effects, such as `["shadows", "reflection"]`.
+/// Returns a set of effects in its written form, such as `["shadows", "reflection"]`.
 pub(super) fn effects_as_written(effects: Effects) -> String {
     let names: Vec<String> = effects.iter().map(|effect| format!("\"{effect}\"")).collect();
     format!("[{}]", names.join(", "))
 }
 
-/// A type with a value for everything that may be chosen.
+/// A type whose values are the legal values of one key.
 pub(super) trait Choice: Copy + Default + 'static {
-    /// The key it is chosen by.
+    /// The key in the file.
     const KEY: &'static str;
-    /// Every value, as it is written and what it means; the lecture's first.
+    /// Every value with its written form and its meaning. The lecture's comes first.
     const VALUES: &'static [(Self, &'static str, &'static str)];
 }
 
-/// Returns the value that a file gives, or `None` once its problem has been noted.
+/// Returns the value that a file gives, or `None` after noting a problem.
 pub(super) fn read<T: Choice>(value: &Value<'_>, notes: &mut Notes) -> Option<T> {
     let legal = T::VALUES.iter().map(|(_, written, _)| *written);
     let written = one_of(T::KEY, legal, value, notes)?;
     T::VALUES.iter().find(|(_, legal, _)| *legal == written).map(|(value, ..)| *value)
 }
 
-/// Returns the form in which a file has a legal value of `decision`, as [`Course::written`] gives
-/// it, or `None` once its problem has been noted.
+/// Returns a legal value of `decision` in the written form that [`Course::written`] uses, or `None`
+/// after noting a problem.
 ///
 /// [`Course::written`]: super::Course::written
 pub(super) fn value_as_written(
@@ -102,7 +102,8 @@ pub(super) fn value_as_written(
     }
 }
 
-/// Returns the one of the `legal` values, in its written form, that `value` is.
+/// Returns the written form of `value` if it is one of the `legal` ones, or `None` after noting a
+/// problem.
 fn one_of<'a>(
     key: &str,
     legal: impl Iterator<Item = &'a str> + Clone,
@@ -124,7 +125,7 @@ fn one_of<'a>(
     }
     let all = format!("legal values are {}; the first is the lecture's", quoted(legal.clone()));
     let problem =
-        notes.add(value.span(), format!("`{key}` cannot be {written}"), "no course decides so");
+        notes.add(value.span(), format!("`{key}` cannot be {written}"), "not a legal value");
     problem.help(match did_you_mean(&written, legal) {
         Some(meant) => format!("did you mean `{meant}`? {all}"),
         None => all,
@@ -132,7 +133,7 @@ fn one_of<'a>(
     None
 }
 
-/// The value as it is written in a file.
+/// Returns the written form of a value.
 pub(super) fn written<T: Choice + PartialEq>(value: &T) -> String {
     T::VALUES
         .iter()
@@ -140,7 +141,7 @@ pub(super) fn written<T: Choice + PartialEq>(value: &T) -> String {
         .map_or_else(String::new, |(_, written, _)| (*written).to_owned())
 }
 
-/// The schema of a choice: its values, the default, what each means.
+/// Returns the schema of a choice: its values, the default, and the meaning of each value.
 pub(super) fn schema<T: Choice>() -> Schema {
     let values: Vec<Json> = T::VALUES.iter().map(|(_, written, _)| json(written)).collect();
     let means: Vec<String> =
@@ -152,7 +153,7 @@ pub(super) fn schema<T: Choice>() -> Schema {
     })
 }
 
-/// A set of effects as a course gives it.
+/// A set of effects as read from a course file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct RawEffects(pub(super) Effects);
 
@@ -182,15 +183,14 @@ impl JsonSchema for RawEffects {
     }
 }
 
-/// RAY_EPSILON as a course gives it. [rule 21]
+/// RAY_EPSILON as read from a course file. [rule 21]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct RawEpsilon(pub(super) f64);
 
 impl RawEpsilon {
-    /// Courses teach values from here ...
+    /// The least value that courses teach. Lesser values leave acne in single precision.
     pub(super) const LEAST: f64 = RAY_EPSILON;
-    /// ... to here; a greater one loses contact shadows, a lesser one leaves acne in single
-    /// precision.
+    /// The greatest value that courses teach. Greater values lose contact shadows.
     pub(super) const MOST: f64 = 1e-3;
 }
 
@@ -199,11 +199,7 @@ impl Read for RawEpsilon {
         let wanted = format!("a number from {:e} to {:e}", Self::LEAST, Self::MOST);
         let number = finite(value, &wanted, notes)?;
         if !(Self::LEAST..=Self::MOST).contains(&number) {
-            notes.add(
-                value.span(),
-                format!("this is not {wanted}"),
-                format!("{wanted} is due here"),
-            );
+            notes.add(value.span(), format!("this is not {wanted}"), format!("expected {wanted}"));
             return None;
         }
         Some(Self(number))
@@ -233,8 +229,8 @@ impl JsonSchema for RawEpsilon {
     }
 }
 
-/// Declares all decisions: for each its type, its key in the file and in [`Course`](super::Course),
-/// and its texts. Needs `table!` in scope.
+/// Declares all decisions. Each has a type, a key in the file and in [`Course`](super::Course), and
+/// texts. `table!` has to be in scope.
 macro_rules! decisions {
     ($(#[doc = $decides:tt] $key:ident : $name:ident [$($rule:literal),*] $(D $number:literal)? {
         #[doc = $first_means:tt]
@@ -292,19 +288,19 @@ macro_rules! decisions {
         )*
 
         table! {
-            /// What a course decides where courses differ; a key left out is decided as the lecture
-            /// does.
+            /// The choices of a course where courses differ. A key that is left out has the
+            /// lecture's value.
             "a course" RawCourse {
                 $( #[doc = $decides] $key: $name, )*
-                /// RAY_EPSILON: a hit at a lesser t does not count.
+                /// RAY_EPSILON: a hit at t ≤ RAY_EPSILON does not count.
                 epsilon: $crate::course::choice::RawEpsilon,
                 /// The effects that the programs of this course simulate in every stage.
                 always_simulated: $crate::course::choice::RawEffects,
             }
         }
 
-        /// What a course decided: one legal value for everything on which courses differ. The
-        /// default is the lecture.
+        /// The choices of a course: one legal value of every key. The default is the lecture's
+        /// course.
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct Course {
             $(
@@ -336,7 +332,7 @@ macro_rules! decisions {
         }
 
         impl Course {
-            /// The value of every key as it is written in a file, in the order of [`DECISIONS`].
+            /// Returns the written form of every key's value, in the order of [`DECISIONS`].
             pub fn written(&self) -> Vec<String> {
                 vec![
                     $( $crate::course::choice::written(&self.$key), )*
@@ -346,7 +342,7 @@ macro_rules! decisions {
             }
         }
 
-        /// Everything that a course decides, in the order of the rules.
+        /// All decisions of a course, in the order of the rules.
         pub const DECISIONS: &[$crate::course::Decision] = &[
             $( $crate::course::Decision {
                 key: stringify!($key),
@@ -360,7 +356,7 @@ macro_rules! decisions {
             }, )*
             $crate::course::Decision {
                 key: "epsilon",
-                decides: "RAY_EPSILON: a hit at a lesser t does not count",
+                decides: "RAY_EPSILON: a hit at t ≤ RAY_EPSILON does not count",
                 rules: &[21],
                 number: Some(24),
                 legal: $crate::course::Legal::Range {
@@ -372,7 +368,7 @@ macro_rules! decisions {
             $crate::course::Decision {
                 key: "always_simulated",
                 decides: "The effects that every program of this course simulates in every stage, \
-                    also before their own stage",
+                    even before the stage of the effect",
                 rules: &[],
                 number: None,
                 legal: $crate::course::Legal::Effects,

@@ -1,4 +1,4 @@
-//! The courses for which something holds, such as an answer that was worked out on paper.
+//! Conditions on courses: for example, a paper answer may hold for some courses only.
 
 use toml::de::DeValue;
 
@@ -24,7 +24,7 @@ struct Clause {
 }
 
 impl Condition {
-    /// Whether `course` is in the set.
+    /// Returns whether `course` is in the set.
     pub(crate) fn holds(&self, course: &Course) -> bool {
         let written = course.written();
         self.0.iter().all(|clause| clause.values.contains(&written[clause.decision]))

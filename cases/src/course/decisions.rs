@@ -1,39 +1,39 @@
-//! What a course decides: each key of `course.toml` with its legal values, the lecture's first. The
-//! doc comments are the texts of the handout.
+//! The decisions of a course: each key of `course.toml` with its legal values, the lecture's first.
+//! The doc comments are the texts of the handout.
 
 use super::choice::decisions;
 use crate::scene::raw::read::table;
 
 decisions! {
-    /// The point of a pixel that its eye ray goes through
+    /// The point of a pixel through which its eye ray goes
     pixel: Pixel [1] {
         /// its centre
         Centre = "centre",
         /// its corner, the one at which row and column begin
         Corner = "corner",
     }
-    /// Where row 0 is, as `eye_ray` counts rows; a picture file begins at the top either way
+    /// The place of row 0, as `eye_ray` counts rows; a picture file begins at the top either way
     row_0: Row0 [1] {
         /// at the top
         Top = "top",
         /// at the bottom
         Bottom = "bottom",
     }
-    /// The angle of the picture that a camera's `fov_y_deg` is
+    /// The angle of the picture that a camera's `fov_y_deg` gives
     fov: FovAxis [1] {
         /// from bottom to top
         Vertical = "vertical",
         /// from left to right
         Horizontal = "horizontal",
     }
-    /// The highlight
+    /// The formula of the highlight
     highlight: Lobe [3] {
         /// Blinn's (N·H)₊^ns
         Blinn = "blinn",
         /// Phong's (R·V)₊^ns, R the direction to the light mirrored about N
         Phong = "phong",
     }
-    /// The surfaces that a light also shines on from behind, where B is 1 and |N·L| counts
+    /// The surfaces that a light also illuminates from behind, where B is 1 and |N·L| counts
     two_sided: TwoSided [3, 11] {
         /// none
         Never = "never",
@@ -49,15 +49,15 @@ decisions! {
         /// as the formula gives it, above 1 as well
         Unclamped = "unclamped",
     }
-    /// What a transparent object does to the light of a shadow ray
+    /// The factor by which a transparent object weakens the light of a shadow ray
     tint: ShadowTint [6] {
         /// kt for every surface that is crossed, so twice for a ball
         PerCrossing = "per_crossing",
         /// kt once for every object that is crossed
         PerObject = "per_object",
-        /// nothing: it casts no shadow
+        /// 1: the object casts no shadow
         Nothing = "none",
-        /// it stops it: a black shadow
+        /// 0: the object casts a black shadow
         Opaque = "opaque",
     }
     /// The index of refraction outside of all objects
@@ -81,21 +81,21 @@ decisions! {
         /// depth ≤ max_depth: one bounce more
         LessOrEqual = "<=",
     }
-    /// When a path of small weight ends, where the scene has a threshold
+    /// The condition that ends a path of small weight, where the scene has a threshold
     cutoff: CutoffTest [13] {
         /// all channels of its weight are below the threshold
         AllChannels = "all_channels",
-        /// one channel of its weight is
+        /// one channel of its weight is below the threshold
         AnyChannel = "any_channel",
     }
-    /// The normal that tells inside from outside, where normals are interpolated
+    /// The normal that decides whether a ray is inside, where normals are interpolated
     inside_by: InsideNormal [19] {
         /// the geometric one
         Geometric = "geometric",
         /// the interpolated one
         Interpolated = "interpolated",
     }
-    /// The normal that reflects
+    /// The normal that is used for reflection
     reflect_by: ReflectNormal [19] {
         /// the interpolated one; the geometric one where R would enter the object
         WithFallback = "with_fallback",
@@ -104,7 +104,7 @@ decisions! {
         /// the geometric one
         Geometric = "geometric",
     }
-    /// The normal that refracts
+    /// The normal that is used for refraction
     refract_by: RefractNormal [19] {
         /// the interpolated one; the geometric one where T would not cross the surface
         WithFallback = "with_fallback",
@@ -113,7 +113,7 @@ decisions! {
         /// the geometric one
         Geometric = "geometric",
     }
-    /// How linear light becomes one of 256 levels
+    /// The rounding of linear light to one of 256 levels
     bytes: Bytes [] D 25 {
         /// to the nearest level
         Rounded = "rounded",

@@ -8,16 +8,17 @@ use crate::effects::{Effect, Effects};
 pub struct Deviation {
     /// The line of `course.toml` that differs, such as `highlight = "phong"`.
     pub line: String,
-    /// What the key decides.
+    /// The decision that differs.
     pub decision: &'static Decision,
-    /// The course.
+    /// The course with this one difference.
     pub course: Course,
 }
 
 /// Returns the courses that differ from the lecture in one key, in the order of [`DECISIONS`].
 ///
-/// A choice has every other value. A range has its far end and a value within, since students'
-/// programs are free in it. A set of effects has shadows alone, and all effects.
+/// A choice gives every value but the lecture's. A range gives a value within and its far end,
+/// because students' programs may choose any value of it. A set of effects gives shadows alone, and
+/// all effects.
 pub fn deviations() -> Vec<Deviation> {
     let of_decision = |decision: &'static Decision| {
         let values: Vec<String> = match decision.legal {

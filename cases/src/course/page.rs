@@ -1,4 +1,4 @@
-//! What a course decides, as a page for its students.
+//! Prints the decisions of a course as a page for its students.
 
 use std::fmt::Write;
 
@@ -8,14 +8,15 @@ use crate::effects::Effect;
 const HEAD: &str = "\
 # What this course decides
 
-Courses that teach the Whitted ray tracer agree on most of the [rules of \
-light](shading-model.md), not on all. Where they differ, a program for this
-course follows this page; a value that another course chose is wrong here. `reference course` \
-prints this page from `cases/course.toml`.
+Courses that teach the Whitted ray tracer agree on most of the \
+[rules of light](shading-model.md). Where they differ, a program for this course follows this \
+page. A choice of another course is wrong here. `reference course` prints this page from \
+`cases/course.toml`.
 
 ";
 
-/// Every decision with the course's choice and its rule, and then all that could be chosen.
+/// Returns the page as Markdown: every decision with the course's choice and its rule, then all
+/// legal choices.
 pub fn markdown(course: &Course) -> String {
     let mut page = HEAD.to_owned();
     let chosen = course.written();
@@ -40,17 +41,17 @@ pub fn markdown(course: &Course) -> String {
             place(decision)
         );
     }
-    page += "\n## All that could be chosen\n\nThe lecture's choice comes first.\n\n\
+    page += "\n## All legal choices\n\nThe lecture's choice comes first.\n\n\
         | key | values |\n|---|---|\n";
     for decision in DECISIONS {
         let _ = writeln!(page, "| `{}` | {} |", decision.key, values(decision));
     }
-    page + "\n`bytes` says how the expected pictures are made, `epsilon` what the unit checks \
-        take for points that they bring themselves; students may choose theirs freely within what \
-        [grading.md](grading.md) lists.\n"
+    page + "\n`bytes` decides how the expected pictures are rounded. `epsilon` is the RAY_EPSILON \
+        of unit checks that give a point. Students may choose their own values within the \
+        freedoms of [grading.md](grading.md).\n"
 }
 
-/// A value as it is written, and what it means.
+/// Returns a value in its written form, with its meaning.
 fn explained(decision: &Decision, value: &str) -> String {
     let Legal::OneOf(values) = decision.legal else { return format!("`{value}`") };
     let means = values.iter().find(|(written, _)| *written == value).map_or("", |(_, means)| means);
@@ -75,7 +76,7 @@ fn values(decision: &Decision) -> String {
     }
 }
 
-/// The rules and the decision of the shading model that it belongs to.
+/// Returns the rules and the decision of the shading model that `decision` belongs to.
 fn place(decision: &Decision) -> String {
     let rules = decision.rules.iter().map(u8::to_string);
     let number = decision.number.map(|number| format!("D{number}"));

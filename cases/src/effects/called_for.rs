@@ -1,4 +1,4 @@
-//! Which effects change the picture of a scene under a course, and why.
+//! Decides which effects change the picture of a scene under a course, and why.
 
 use glam::{DAffine3, DVec3};
 use serde::Serialize;
@@ -7,7 +7,7 @@ use super::{Effect, Effects};
 use crate::course::{Course, ShadowTint, TwoSided};
 use crate::scene::{Attenuation, Light, Material, Object, Scene, Shape};
 
-/// Why a scene calls for an effect, or why it does not.
+/// The reason why a scene calls for an effect, or why it does not.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Reason {
     /// The effect.
@@ -37,8 +37,9 @@ pub fn reasons(scene: &Scene, course: &Course) -> Vec<Reason> {
 
 /// Makes `scene` request `effects` and no others.
 ///
-/// Two effects belong to objects and lights, so that no tracer can leave them out by itself.
-/// Without transforms, every matrix becomes the identity. Without attenuation, no light weakens.
+/// Transforms and attenuation are properties of objects and lights, and no tracer can leave them
+/// out by itself. Without transforms, every matrix becomes the identity. Without attenuation, no
+/// light weakens.
 pub fn simulate_only(scene: &mut Scene, effects: Effects) {
     scene.effects = effects;
     if !effects.has(Effect::Transforms) {
@@ -56,7 +57,7 @@ pub fn simulate_only(scene: &mut Scene, effects: Effects) {
     }
 }
 
-/// `Ok(why)` where `scene` calls for `effect` under `course`, otherwise `Err(why not)`.
+/// Returns `Ok(why)` where `scene` calls for `effect` under `course`, otherwise `Err(why not)`.
 fn verdict(scene: &Scene, course: &Course, effect: Effect) -> Result<String, String> {
     match effect {
         Effect::Shadows => shadows(scene, course),
@@ -116,21 +117,22 @@ fn tinted_shadows(scene: &Scene, course: &Course) -> Result<String, String> {
     }
 }
 
-/// Whether `object` takes any light from a shadow ray that crosses it. [rule 6]
+/// Returns whether `object` weakens a shadow ray that crosses it. [rule 6]
 fn blocks(scene: &Scene, course: &Course, object: &Object) -> bool {
     course.tint != ShadowTint::Nothing || scene.material(object).kt == DVec3::ZERO
 }
 
-/// Whether a light loses some of its light with distance. A black light has none to lose. [rule 4]
+/// Returns whether a light weakens with distance. A black light has nothing to lose. [rule 4]
 fn weakens(light: &Light) -> bool {
     let Light::Point { attenuation, colour, .. } = light else { return false };
     *attenuation != Attenuation::NONE && *colour != DVec3::ZERO
 }
 
-/// Whether `object` may hide a light from some lit point of itself.
+/// Returns whether `object` may occlude a light from a lit point of itself.
 ///
-/// A flat shape cannot. A convex solid can where its inside is seen, by an eye in there or by
-/// refraction, and where the course lights the side that faces away from a light. [rule 3]
+/// A flat shape cannot. A sphere or box can where its inside is seen, by an eye inside it or by
+/// refraction, and where the course lights the side that faces away from a light. Cylinders, cones
+/// and meshes are assumed to. [rule 3]
 fn shadows_itself(scene: &Scene, course: &Course, object: &Object) -> bool {
     let eye = object.object_from_world.transform_point3(scene.camera.eye);
     let eye_is_inside = match object.shape {
@@ -147,7 +149,8 @@ fn has_normals(scene: &Scene, object: &Object) -> bool {
     matches!(object.shape, Shape::Mesh { mesh } if scene.meshes[mesh].normals.is_some())
 }
 
-/// Whether rays are spawned by `colour`. At `max_depth` 0 no course spawns any. [rule 13]
+/// Returns whether surfaces with a `colour` above 0 spawn rays, with the reason. At `max_depth` 0,
+/// no course spawns any. [rule 13]
 fn spawning(scene: &Scene, key: &str, colour: fn(&Material) -> DVec3) -> Result<String, String> {
     let because = material_with(scene, key, colour)?;
     if scene.render.max_depth == 0 { Err("render.max_depth is 0".into()) } else { Ok(because) }

@@ -1,7 +1,7 @@
-//! The effects that a tracer may simulate, and which of them a scene calls for under a course.
+//! The effects that a tracer may simulate, and the effects that a scene calls for under a course.
 //!
-//! This folder is the only place that defines what an effect is. The choice of the kernel, the
-//! lint of stages, the documents and the reports all read it.
+//! This folder is the only place that defines the effects. The choice of the kernel, the lint of
+//! stages, the documents and the reports all read it.
 
 #[cfg(feature = "authoring")]
 mod called_for;
@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 #[cfg(feature = "authoring")]
 pub use called_for::{Reason, called_for, reasons, simulate_only};
 
-/// Something a tracer may simulate beyond eye rays and local light.
+/// An effect that a tracer may simulate beyond eye rays and local light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
@@ -37,7 +37,7 @@ pub enum Effect {
 }
 
 impl Effect {
-    /// Every effect, in the order in which they are listed.
+    /// Every effect, in the order in which effects are listed.
     pub const ALL: [Self; 8] = [
         Self::Shadows,
         Self::TintedShadows,
@@ -49,7 +49,7 @@ impl Effect {
         Self::AdaptiveDepth,
     ];
 
-    /// Its name in files and on the command line.
+    /// Returns the name of the effect in files and on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Shadows => "shadows",
@@ -63,7 +63,7 @@ impl Effect {
         }
     }
 
-    /// The effect of that name, if there is one.
+    /// Returns the effect of that name, or `None` if there is none.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|effect| effect.name() == name)
     }
@@ -75,7 +75,7 @@ impl fmt::Display for Effect {
     }
 }
 
-/// A set of effects. In JSON: a list of names.
+/// A set of effects; in JSON, a list of names.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(from = "Vec<Effect>", into = "Vec<Effect>")]
@@ -88,57 +88,57 @@ impl Effects {
     /// Every effect there is.
     pub const ALL: Self = Self((1 << Effect::ALL.len()) - 1);
 
-    /// Every effect there is.
+    /// Returns every effect there is.
     pub const fn all() -> Self {
         Self::ALL
     }
 
-    /// The set as a number: bit n stands for the n-th effect of [`Effect::ALL`].
+    /// Returns the set as a number: bit n stands for the n-th effect of [`Effect::ALL`].
     pub const fn bits(self) -> u16 {
         self.0
     }
 
-    /// The set with these bits.
+    /// Returns the set with these bits.
     pub const fn from_bits(bits: u16) -> Self {
         Self(bits)
     }
 
-    /// Whether `effect` is in the set.
+    /// Returns whether `effect` is in the set.
     pub const fn has(self, effect: Effect) -> bool {
         self.0 & (1 << effect as u16) != 0
     }
 
-    /// The set with `effect` in it.
+    /// Returns the set with `effect` added.
     #[must_use]
     pub const fn with(self, effect: Effect) -> Self {
         Self(self.0 | (1 << effect as u16))
     }
 
-    /// The set with `effect` taken out.
+    /// Returns the set with `effect` removed.
     #[must_use]
     pub const fn without(self, effect: Effect) -> Self {
         Self(self.0 & !(1 << effect as u16))
     }
 
-    /// The effects that are in both sets.
+    /// Returns the effects that are in both sets.
     #[must_use]
     pub const fn intersection(self, other: Self) -> Self {
         Self(self.0 & other.0)
     }
 
-    /// The effects that are in either set.
+    /// Returns the effects that are in either set.
     #[must_use]
     pub const fn union(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
-    /// The effects of this set that are not in `other`.
+    /// Returns the effects of this set that are not in `other`.
     #[must_use]
     pub const fn difference(self, other: Self) -> Self {
         Self(self.0 & !other.0)
     }
 
-    /// The effects in the set, in listed order.
+    /// Iterates over the effects of the set, in listed order.
     pub fn iter(self) -> impl Iterator<Item = Effect> {
         Effect::ALL.into_iter().filter(move |effect| self.has(*effect))
     }

@@ -1,7 +1,7 @@
-//! What a file name stands for, and the one way to read a whole file and to write one.
+//! Resolves file names, reads whole files, and writes whole files.
 //!
 //! A file is replaced whole: a reader sees the old content or the new content, never a part of it.
-//! Streams, pipes and devices are written to in place, since a file must never replace them.
+//! Streams, pipes and devices are written to in place, because a file must never replace them.
 
 mod place;
 mod read;

@@ -1,40 +1,41 @@
-//! Finds out what a file name stands for.
+//! Resolves the names of files.
 
 use std::fs::{self, FileType};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// At most this many symbolic links are followed. A longer chain counts as a circle, as on Linux.
+/// Largest number of symbolic links that are followed. A longer chain counts as a circle, as on
+/// Linux.
 const MAX_LINKS: usize = 40;
 
-/// A `Place` is what a file name stands for once all symbolic links have been followed.
+/// The target of a file name after all symbolic links have been followed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Place {
-    /// Nothing has this path yet. The folder around it may be missing as well.
+    /// A path at which nothing exists yet. The folder around it may be missing as well.
     Free(PathBuf),
-    /// This path is a regular file and not a link.
+    /// The path of a regular file that is not a link.
     File(PathBuf),
-    /// The name is that of a folder.
+    /// A folder.
     Folder,
-    /// This process has the descriptor of this number open. `/dev/stdin` is such a name, and so is
-    /// the `/dev/fd/63` of a shell.
+    /// The number of a descriptor that this process has open. `/dev/stdin` is such a name, and so
+    /// is the `/dev/fd/63` of a shell.
     Descriptor(u32),
-    /// The name is that of a pipe.
+    /// A pipe.
     Pipe,
-    /// The device is read and written byte by byte, as `/dev/null` and terminals are.
+    /// A device that is read and written byte by byte, such as `/dev/null` or a terminal.
     Device,
-    /// The device is a disk.
+    /// A disk.
     Disk,
-    /// The name is that of a socket, or of a kind of file that only this system has.
+    /// A socket, or a kind of file that only this system has.
     Other,
 }
 
 impl Place {
-    /// Returns what `name` stands for. Nothing is opened.
+    /// Returns the target of `name`. Nothing is opened.
     ///
     /// # Errors
-    /// The file system fails, links lead in a circle, or a name such as `x/` is not that of a
-    /// folder.
+    /// The file system fails, links lead in a circle, or a name such as `x/` names a folder that
+    /// does not exist.
     pub fn of(name: &Path) -> io::Result<Self> {
         let mut path = name.to_owned();
         for _ in 0..=MAX_LINKS {
@@ -95,7 +96,7 @@ impl Place {
     }
 }
 
-/// Returns whether `name` is `-`, which stands for a standard stream in place of any file name.
+/// Returns whether `name` is `-`, the name of a standard stream.
 pub fn is_standard(name: &Path) -> bool {
     name == Path::new("-")
 }
@@ -105,7 +106,7 @@ pub fn is_stdout(name: &Path) -> bool {
     is_standard(name) || matches!(Place::of(name), Ok(Place::Descriptor(1)))
 }
 
-/// Returns whether `name` is a stream, a pipe or a device. Such a name does not end in a format.
+/// Returns whether `name` is a stream, a pipe or a device. Such names do not end in a format.
 pub fn is_stream(name: &Path) -> bool {
     is_standard(name)
         || matches!(Place::of(name), Ok(Place::Descriptor(_) | Place::Pipe | Place::Device))
@@ -119,9 +120,9 @@ pub(super) fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// Returns the number of the open descriptor that `path` names, as `/proc/self/fd/63` does.
+/// Returns the number of the open descriptor that `path` names: 63 for `/proc/self/fd/63`.
 ///
-/// Such a link must not be followed: it leads to the file, and not to the open file with its
+/// The link itself must not be followed: it leads to the file, not to the open file with its
 /// position.
 fn descriptor(path: &Path) -> Option<u32> {
     let number = path.file_name()?.to_str()?.parse().ok()?;

@@ -1,13 +1,13 @@
-//! Reads files whose size is demanded before any of it is held in memory.
+//! Reads whole files. The size is checked before any of the content is held in memory.
 
 use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
-/// Why a file is not read.
+/// The reason why a file is not read.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError {
-    /// There is none of this name.
+    /// No file has this name.
     #[error("there is no such file")]
     Missing,
     /// The name is that of a folder.
@@ -19,15 +19,15 @@ pub enum ReadError {
     /// The file is too large.
     #[error("it has {found} bytes; at most {limit} are read")]
     TooLarge {
-        /// Bytes of the file.
+        /// Size of the file in bytes.
         found: u64,
-        /// Bytes that are read at most.
+        /// Largest size that is read, in bytes.
         limit: u64,
     },
-    /// The file is not UTF-8.
+    /// The file is not UTF-8; its first wrong byte has this index.
     #[error("it is not a text: byte {0} is not UTF-8")]
     NotText(usize),
-    /// The system does not let it be read.
+    /// The system reports this error.
     #[error("it cannot be read: {0}")]
     Io(#[source] io::Error),
 }
@@ -38,12 +38,12 @@ impl ReadError {
     }
 }
 
-/// Returns the bytes of the regular file at `path`, at most `limit`. A link is followed.
+/// Returns the bytes of the regular file at `path`, at most `limit`. Symbolic links are followed.
 ///
 /// # Errors
-/// [`ReadError`].
+/// All kinds of [`ReadError`] except [`ReadError::NotText`].
 pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, ReadError> {
-    // The kind comes before opening, since to open a FIFO is to wait for its writer.
+    // The kind is checked before the file is opened, because opening a FIFO waits for its writer.
     let about = std::fs::metadata(path).map_err(ReadError::of)?;
     match () {
         () if about.is_dir() => return Err(ReadError::Folder),
@@ -61,7 +61,7 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, ReadError> {
     }
 }
 
-/// Returns the text of the file at `path`, which must be UTF-8.
+/// Returns the text of the file at `path`, which must be UTF-8 of at most `limit` bytes.
 ///
 /// # Errors
 /// [`ReadError`].

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::write::{Part, Target, WriteError, write};
 
-/// Replaces or creates every one of `files`, or none of them. Returns how many there were.
+/// Replaces or creates every one of `files`, or none of them. Returns the number of files.
 ///
 /// All files are written and synchronised beside their targets before the first one is renamed, so
 /// that a full disk changes nothing. If a rename fails, the files before it get their old content
@@ -43,10 +43,10 @@ fn prepare(name: &Path, bytes: &[u8]) -> io::Result<(PathBuf, Part)> {
     }
 }
 
-/// Gives a file its old content back, or removes it where there was none.
+/// Restores the old content of a file, or removes the file if it is new.
 ///
-/// The rename of its neighbour has failed already, so there is nobody to report a second failure
-/// to.
+/// The rename of another file has already failed, and the caller reports that error. A second error
+/// is ignored.
 fn restore(path: &Path, old: Option<&[u8]>) {
     let _ = match old {
         Some(old) => write(path, old).map_err(|why| why.source),

@@ -1,4 +1,4 @@
-//! The one way to write a file.
+//! Writes whole files.
 
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, ErrorKind, Write};
@@ -8,22 +8,22 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use super::Place;
 use super::place::{folder_of, is_standard};
 
-/// The name of a file that is not whole yet begins so. A process that is killed leaves such a file.
+/// Prefix of the name of a file that is not whole yet. A process that is killed leaves such a file.
 const PART: &str = ".part-";
 
-/// This counts the parts that this process has made, so that two threads never share one.
+/// Number of parts that this process has created, which keeps the names of two threads apart.
 static PARTS: AtomicU64 = AtomicU64::new(0);
 
-/// A `WriteError` says why an output was not written, or not completely.
+/// The reason why an output was not written, or not completely.
 #[derive(Debug, thiserror::Error)]
 #[error("cannot write {}: \
     {source}{}", shown(name), if *is_untouched { "; nothing was changed" } else { "" })]
 pub struct WriteError {
-    /// The name as the caller gave it.
+    /// The name that the caller passed.
     pub name: PathBuf,
-    /// Whether nothing has changed. A stream, a pipe or a device may have got a part.
+    /// Whether nothing has changed. A stream, a pipe or a device may have received a part.
     pub is_untouched: bool,
-    /// The system reports this error.
+    /// The error of the system.
     pub source: io::Error,
 }
 
@@ -47,8 +47,8 @@ impl From<WriteError> for io::Error {
 
 /// Returns whether an I/O error comes from a name that cannot be a file.
 ///
-/// Examples are a missing folder, a name that is a folder, and a missing permission. Such an error
-/// is one of usage (exit code 2). Any other error, such as a full disk, is one of the machine (exit
+/// Examples are a missing folder, a name that is a folder, and a missing permission. These are
+/// errors of usage (exit code 2). All others, such as a full disk, are errors of the machine (exit
 /// code 3).
 pub fn is_usage(why: &io::Error) -> bool {
     matches!(
@@ -103,7 +103,7 @@ pub fn write(name: &Path, bytes: &[u8]) -> Result<(), WriteError> {
 /// A command calls this before work that takes minutes. Nothing is changed.
 ///
 /// # Errors
-/// The errors are those of [`write`](self::write).
+/// See [`write`](self::write).
 pub fn check(name: &Path) -> Result<(), WriteError> {
     let possible = Target::of(name).and_then(|target| match target {
         Target::File(path) => Part::beside(&path).map(drop),
@@ -121,15 +121,15 @@ fn pour(mut out: impl Write, bytes: &[u8]) -> io::Result<()> {
     out.write_all(bytes).and_then(|()| out.flush())
 }
 
-/// A `Target` is a way to write to a place.
+/// The target of a write.
 pub(super) enum Target {
     Stdout,
     Stderr,
-    /// The bytes are appended to what is there.
+    /// A stream or device, to which the bytes are appended.
     Open(PathBuf),
-    /// The bytes are written to a pipe that somebody reads.
+    /// A pipe that has a reader.
     Pipe(PathBuf),
-    /// The file is replaced or created.
+    /// A regular file, which is replaced or created.
     File(PathBuf),
 }
 
@@ -164,7 +164,7 @@ impl Target {
     }
 }
 
-/// Opens a named pipe. Without a reader this fails at once, since the wait could last for ever.
+/// Opens a named pipe. Without a reader this fails at once, because waiting could last for ever.
 #[cfg(unix)]
 fn open_pipe(path: &Path) -> io::Result<File> {
     use std::os::unix::fs::OpenOptionsExt;
@@ -209,7 +209,7 @@ fn take_on(file: &File, old: &Metadata) -> io::Result<()> {
     file.set_permissions(old.permissions())
 }
 
-/// A `Part` is a file that is not whole yet. Dropping it removes the file, unless it was renamed.
+/// A file that is not whole yet. Dropping it removes the file, unless it was renamed.
 pub(super) struct Part {
     file: File,
     path: PathBuf,
@@ -224,7 +224,7 @@ impl Part {
                 format!("{PART}{}-{}", std::process::id(), PARTS.fetch_add(1, Ordering::Relaxed));
             let path = folder_of(path).join(name);
             match File::create_new(&path) {
-                // A killed process with the same number has left this name.
+                // A killed process with the same number has left a file of this name.
                 Err(why) if why.kind() == ErrorKind::AlreadyExists => {}
                 made => return Ok(Self { file: made?, path, is_renamed: false }),
             }
@@ -242,7 +242,7 @@ impl Part {
         Ok(part)
     }
 
-    /// Gives the file its name, which replaces an old file.
+    /// Renames the file to `to`, which replaces an old file.
     pub(super) fn rename(mut self, to: &Path) -> io::Result<()> {
         fs::rename(&self.path, to)?;
         self.is_renamed = true;

@@ -1,63 +1,63 @@
-//! The one place that turns linear light into integers.
+//! Converts linear light to integers. No other module does.
 //!
-//! A channel is clamped to 0..1 and brought to one of 256 (or 65,536) levels, without gamma: as the
-//! courses do, so that a level is the same amount of light everywhere. NaN becomes 0.
+//! A channel is clamped to 0..1 and mapped to one of 256 (or 65,536) levels. There is no gamma, as
+//! in the courses, so that a level is the same amount of light everywhere. NaN becomes 0.
 
-/// Which level light between two levels becomes.
+/// The rule for light between two levels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Quantiser {
-    /// The nearest.
+    /// The nearest level.
     #[default]
     Rounding,
-    /// The one below.
+    /// The level below.
     Truncating,
 }
 
 impl Quantiser {
-    /// Linear light to one of 256 levels.
+    /// Converts linear light to one of 256 levels.
     #[inline]
     pub fn byte(self, light: f64) -> u8 {
         self.whole(clamped(light) * 255.0) as u8
     }
 
-    /// Linear light to one of 65,536 levels.
+    /// Converts linear light to one of 65,536 levels.
     pub fn word(self, light: f64) -> u16 {
         self.whole(clamped(light) * 65535.0) as u16
     }
 
-    /// `level`, which is at least 0 and below 2³², in a whole number.
+    /// Converts `level`, which is at least 0 and below 2³², to a whole number.
     fn whole(self, level: f64) -> u32 {
         let below = level as u32;
         match self {
-            // What is cut off is exact, so that this is `level.round()`: without a call, which most
-            // machines need for that.
+            // The difference is exact, so that this equals `level.round()`. On most machines
+            // `round` is a function call, which this avoids.
             Self::Rounding => below + u32::from(level - f64::from(below) >= 0.5),
             Self::Truncating => below,
         }
     }
 }
 
-/// Linear light to the nearest of 256 levels.
+/// Converts linear light to the nearest of 256 levels.
 #[inline]
 pub fn byte(light: f64) -> u8 {
     Quantiser::Rounding.byte(light)
 }
 
-/// Linear light in 8-bit levels, 0..255, not rounded: the scale on which images are compared. NaN
-/// stays NaN.
+/// Converts linear light to 8-bit levels, 0..255, without rounding. Images are compared on this
+/// scale. NaN stays NaN.
 #[inline]
 pub fn level(light: f64) -> f64 {
     light.clamp(0.0, 1.0) * 255.0
 }
 
-/// One 8-bit level is exactly this many 16-bit levels, since 65,535 = 255 · 257.
+/// Number of 16-bit levels in one 8-bit level. It is exact, because 65,535 = 255 · 257.
 pub const WORDS_IN_BYTE: f64 = 257.0;
 
 /// Converts light to 16-bit levels, without rounding or clamping. The result is exact for every
 /// f32.
 ///
-/// The levels of every PNG are whole on this scale, too. Pictures are compared on it, so that
-/// rounding never decides whether they agree.
+/// The levels of every PNG are whole on this scale. Pictures are compared on it, so that rounding
+/// never decides whether they agree.
 pub(super) fn words(light: f64) -> f64 {
     light * 65535.0
 }

@@ -1,32 +1,32 @@
-//! Says why a file is not a picture.
+//! The errors of reading and writing pictures.
 
 use std::io;
 
 use crate::files::WriteError;
 
-/// A `PictureError` says why a file is not the picture that is wanted.
+/// The reason why a file is not the picture that the caller expects.
 #[derive(Debug, thiserror::Error)]
 pub enum PictureError {
     /// The first bytes are not those of a kind that can be read.
     #[error("not a {read} image: {found}")]
     Foreign {
-        /// These kinds can be read.
+        /// The kinds that can be read.
         read: &'static str,
-        /// The bytes look like this.
+        /// The kind that the bytes look like.
         found: &'static str,
     },
     /// The header states another size; nothing was decoded.
     #[error("it is {}×{} pixels, not {}×{}", found.0, found.1, wanted.0, wanted.1)]
     Size {
-        /// The file has this size.
+        /// Width and height of the file.
         found: (u32, u32),
-        /// The caller wants this size.
+        /// Width and height that the caller expects.
         wanted: (u32, u32),
     },
     /// The header states more pixels than the limit; nothing was decoded.
     #[error("it is {}×{} pixels; at most {most} can be read", found.0, found.1)]
     TooLarge {
-        /// The file has this size.
+        /// Width and height of the file.
         found: (u32, u32),
         /// The limit, in words.
         most: String,

@@ -1,9 +1,10 @@
-//! OpenEXR files of several parts, each of named planes: float pictures that image viewers open,
-//! and a line of notes.
+//! Reads and writes OpenEXR files of several parts. Each part has named planes of floats, which
+//! image viewers open; the file also has a line of notes.
 //!
-//! A plane is called as viewers expect it: `R`, `G`, `B` for the main picture, `lo.R` for the red
-//! of the layer `lo`. The bytes depend on the content alone: one thread writes, and all notes are
-//! one attribute, since attributes are kept in a hash map, whose order changes from run to run.
+//! The names of planes are those that viewers expect: `R`, `G`, `B` for the main picture, `lo.R`
+//! for the red of the layer `lo`. The bytes depend on the content alone. Therefore one thread
+//! writes, and all notes are one attribute: the encoder keeps attributes in a hash map, whose order
+//! changes from run to run.
 
 use std::io::Cursor;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -19,10 +20,11 @@ use glam::DVec3;
 
 use super::{Image, PictureError};
 
-/// Files with more parts or planes than this are refused before anything is decoded.
+/// Largest number of parts of a file, and of planes. A file with more is refused before anything is
+/// decoded.
 const MOST: usize = 1024;
-/// A byte of a file can stand for this many bytes. The compressors reach 1,000, on planes of one
-/// value.
+/// Largest number of bytes of samples per byte of a file. The compressors reach 1,000, on planes of
+/// one value.
 const MOST_RATIO: usize = 2048;
 /// The attribute of the first part that carries the notes.
 const NOTES: &str = "notes";
@@ -30,24 +32,24 @@ const NOTES: &str = "notes";
 /// A named set of planes, compressed together: planes that resemble each other cost little.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// Unlike that of any other part of the file.
+    /// A name that no other part of the file has.
     pub name: String,
-    /// In any order; they come back ordered by name.
+    /// The planes, in any order. In a decoded part they are ordered by name.
     pub planes: Vec<Plane>,
 }
 
-/// One number a pixel, row by row from the top.
+/// One number per pixel, row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plane {
-    /// Such as `R` or `lo.R`.
+    /// The name, such as `R` or `lo.R`.
     pub name: String,
-    /// What there is.
+    /// The number of every pixel.
     pub samples: Vec<f32>,
-    /// How finely it is stored.
+    /// The precision in which the numbers are stored.
     pub depth: Depth,
 }
 
-/// How finely a number is stored.
+/// The precision in which a number is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Depth {
     /// 16 bits, 11 of them significant: an eighth of an 8-bit level at full light.
@@ -56,7 +58,7 @@ pub enum Depth {
     Float,
 }
 
-/// The red, green and blue planes of `image` as the layer `name`, or as the main picture where
+/// Returns the red, green and blue planes of `image` as the layer `name`, or as the main picture if
 /// `name` is empty.
 pub fn rgb(name: &str, image: &Image, depth: Depth) -> [Plane; 3] {
     let plane = |channel: &str, pick: fn(&DVec3) -> f64| Plane {
@@ -67,16 +69,16 @@ pub fn rgb(name: &str, image: &Image, depth: Depth) -> [Plane; 3] {
     [plane("R", |p| p.x), plane("G", |p| p.y), plane("B", |p| p.z)]
 }
 
-/// The name of a plane of a layer; of the main picture where `layer` is empty.
+/// Returns the name of a plane of a layer, or of the main picture if `layer` is empty.
 pub fn plane_name(layer: &str, channel: &str) -> String {
     if layer.is_empty() { channel.to_owned() } else { format!("{layer}.{channel}") }
 }
 
 impl Part {
-    /// The samples of a plane.
+    /// Returns the samples of a plane.
     ///
     /// # Errors
-    /// There is no plane of this name.
+    /// The part has no plane of this name.
     pub fn plane(&self, name: &str) -> Result<&[f32], PictureError> {
         let found = self.planes.iter().find(|plane| plane.name == name);
         let none = || PictureError::Broken(format!("part \"{}\" has no plane {name}", self.name));
@@ -84,11 +86,11 @@ impl Part {
     }
 }
 
-/// The bytes of a file of `size` (width, height) with these parts, and `notes`, which may be any
+/// Encodes a file of `size` (width, height) with these parts, and with `notes`, which may be any
 /// text.
 ///
 /// # Errors
-/// No part, a plane of another size, or what the encoder says.
+/// There is no part, a plane has another size, or the encoder fails.
 pub fn encode(size: (u32, u32), parts: &[Part], notes: &str) -> Result<Vec<u8>, PictureError> {
     let wanted = size.0 as usize * size.1 as usize;
     if parts.is_empty() {
@@ -135,8 +137,9 @@ fn exr_part(part: &Part, size: (usize, usize)) -> ExrPart<AnyChannels<FlatSample
     )
 }
 
-/// The first part and the notes that `bytes` hold, every part demanded to be `width` × `height`
-/// before anything is decoded.
+/// Decodes the first part and the notes.
+///
+/// Every part must have the size `width` × `height`, which is checked before anything is decoded.
 ///
 /// # Errors
 /// [`PictureError`]: another size, too many parts or planes, or a broken file.
@@ -153,14 +156,14 @@ pub fn decode_first(bytes: &[u8], width: u32, height: u32) -> Result<(Part, Stri
     Ok((our_part(file.layer_data), notes))
 }
 
-/// `Shown` is the picture in the planes `R`, `G` and `B` of the first part of a file.
+/// The picture in the planes `R`, `G` and `B` of the first part of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shown {
-    /// The picture has this width and height.
+    /// Width and height.
     pub size: (u32, u32),
-    /// The pixels come row by row, the top row first.
+    /// The pixels, row by row from the top.
     pub pixels: Vec<[f32; 3]>,
-    /// The part has this name, which may be empty.
+    /// The name of the part, which may be empty.
     pub part: String,
 }
 
@@ -219,7 +222,7 @@ fn demand_rgb(first: &Header) -> Result<(), PictureError> {
     Ok(())
 }
 
-/// Checks that a file of `length` bytes can hold the planes. So a short file cannot claim much
+/// Checks that a file of `length` bytes can hold the planes, so that a short file cannot claim much
 /// memory.
 fn demand_length(length: usize, first: &Header) -> Result<(), PictureError> {
     let sample_bytes: usize =
@@ -234,10 +237,10 @@ fn demand_length(length: usize, first: &Header) -> Result<(), PictureError> {
     Ok(())
 }
 
-/// All parts that `bytes` hold.
+/// Decodes all parts and the notes. The sizes are checked as in [`decode_first`].
 ///
 /// # Errors
-/// As [`decode_first`].
+/// See [`decode_first`].
 pub fn decode(bytes: &[u8], width: u32, height: u32) -> Result<(Vec<Part>, String), PictureError> {
     demand(bytes, (width, height))?;
     let reader = read()
@@ -251,10 +254,10 @@ pub fn decode(bytes: &[u8], width: u32, height: u32) -> Result<(Vec<Part>, Strin
     Ok((file.layer_data.into_iter().map(our_part).collect(), notes))
 }
 
-/// The names of all parts, each with those of its planes; nothing is decoded.
+/// Returns the names of all parts, each with the names of its planes. Nothing is decoded.
 ///
 /// # Errors
-/// As [`decode_first`].
+/// See [`decode_first`].
 pub fn plane_names(
     bytes: &[u8],
     width: u32,
@@ -269,15 +272,15 @@ pub fn plane_names(
         .collect())
 }
 
-/// Returns the notes that `bytes` hold; an empty text where there are none. Nothing is decoded.
+/// Returns the notes, or an empty text if there are none. Nothing is decoded.
 ///
 /// # Errors
-/// A broken file.
+/// The file is broken.
 pub fn notes(bytes: &[u8]) -> Result<String, PictureError> {
     Ok(headers(bytes)?.first().map(|header| notes_in(&header.own_attributes)).unwrap_or_default())
 }
 
-/// Reads the headers alone, and checks that every part has the size `wanted`.
+/// Reads only the headers, and checks that every part has the size `wanted`.
 fn demand(bytes: &[u8], wanted: (u32, u32)) -> Result<Headers, PictureError> {
     let headers = headers(bytes)?;
     match headers.iter().map(size).find(|found| *found != wanted) {
@@ -295,7 +298,7 @@ fn name(header: &Header) -> String {
     header.own_attributes.layer_name.as_ref().map(Text::to_string).unwrap_or_default()
 }
 
-/// Reads the headers alone.
+/// Reads only the headers, and checks the number of parts and planes.
 fn headers(bytes: &[u8]) -> Result<Headers, PictureError> {
     let headers = guarded(|| MetaData::read_from_buffered(Cursor::new(bytes), true))?.headers;
     let n_planes: usize = headers.iter().map(|header| header.channels.list.len()).sum();
@@ -329,10 +332,10 @@ fn our_part(part: ExrPart<AnyChannels<FlatSamples>>) -> Part {
     Part { name, planes: part.channel_data.list.into_iter().map(plane).collect() }
 }
 
-/// Calls the decoder. A panic of it is an error of the file.
+/// Calls the decoder. A panic of the decoder becomes an error of the file.
 ///
-/// The decoder (1.74.2) indexes out of bounds where a block is shorter than the header says. What
-/// it reads lies in memory, so that nothing is left behind half changed.
+/// The decoder (1.74.2) indexes out of bounds where a block is shorter than the header says. It
+/// reads from memory, so that a panic leaves nothing half changed.
 fn guarded<T>(read: impl FnOnce() -> ::exr::error::Result<T>) -> Result<T, PictureError> {
     let unfit = |_| PictureError::Broken("its blocks do not fit its header".to_owned());
     catch_unwind(AssertUnwindSafe(read)).map_err(unfit)?.map_err(broken)

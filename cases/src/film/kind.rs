@@ -6,7 +6,7 @@ use std::path::Path;
 use super::{Image, PictureError, Quantiser, Rows, pfm, png};
 use crate::files::{self, WriteError};
 
-/// The kinds of file that hold a picture of ours.
+/// A kind of picture file that can be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// 8 bits a channel when written; any PNG is read.
@@ -49,7 +49,7 @@ pub fn encode(kind: Kind, image: &Image) -> Result<Vec<u8>, PictureError> {
     encode_by(Quantiser::Rounding, kind, image)
 }
 
-/// Encodes a picture as a file of that kind. `quantiser` makes levels of light, unless the file
+/// Encodes a picture as a file of that kind. `quantiser` converts light to levels, unless the file
 /// holds floats.
 ///
 /// # Errors
@@ -65,7 +65,7 @@ pub fn encode_by(quantiser: Quantiser, kind: Kind, image: &Image) -> Result<Vec<
 
 /// Reads the picture in `bytes`, which must be `width` × `height` pixels.
 ///
-/// The first bytes decide what kind it is. A PNG may have any depth, a palette, and alpha, which is
+/// The first bytes decide the kind. A PNG may have any depth, a palette, and alpha, which is
 /// ignored; the level n of an 8-bit file is light of n/255. A PFM holds linear light, which may be
 /// NaN or infinite; only the sign of its scale is used.
 ///

@@ -1,11 +1,11 @@
-//! Pictures: linear RGB in memory, the one way to bytes, and files.
+//! Pictures: linear RGB in memory, its conversion to bytes, and files.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `image.rs` | a picture in memory |
 //! | `encode.rs` | light to levels, and back |
 //! | `kind.rs` | image files by kind: writing them, and reading one whose size is known |
-//! | `signature.rs` | what kind of picture the first bytes of a file say |
+//! | `signature.rs` | the kind of a picture by the first bytes of its file |
 //! | `rows.rs`, `png.rs`, `pfm.rs` | a picture read row by row |
 //! | `open.rs`, `exr.rs` | pictures of any size, and OpenEXR files: for staff tools |
 

@@ -9,24 +9,24 @@ use super::signature::{self, Signature};
 use super::{PictureError, Rows, exr};
 use crate::answer;
 
-/// A picture may have this many pixels in a row, and this many rows.
+/// Largest number of pixels in a row of a picture, and of rows.
 const MOST_SIDE: u32 = 16_384;
-/// A picture that must be held in memory may have this many pixels.
+/// Largest number of pixels of a picture that must be held in memory.
 const MOST_HELD: u64 = 1 << 26;
-/// A file without a length in its header may have this many bytes: 16 times what a submission may
+/// Largest size, in bytes, of a file without a length in its header: 16 times what a submission may
 /// write.
 const MOST_BYTES: u64 = 16 * (64 << 20);
-/// This many bytes beyond the expected end of a stream are read, so that an error can count them.
+/// Bytes beyond the expected end of a stream that are read, so that an error can count them.
 const SURPLUS: u64 = 1 << 16;
 const READ: &str = "PNG, PFM or EXR";
 
 impl<R: Read + Seek> Rows<R> {
-    /// Opens the picture in `file`. The first bytes decide what kind it is.
+    /// Opens the picture in `file`. The first bytes decide its kind.
     ///
-    /// A PNG and a PFM are read as by [`read_exact`](super::read_exact). An EXR file counts as the
-    /// planes `R`, `G` and `B` of its first part, and a stored answer counts as the picture that it
-    /// expects. A picture may have 16,384 pixels a side. It may have 2²⁶ pixels in all, unless it
-    /// is a PNG that is not interlaced.
+    /// A PNG and a PFM are read as by [`read_exact`](super::read_exact). Of an EXR file, the planes
+    /// `R`, `G` and `B` of the first part are read, which are the expected picture in a stored
+    /// answer. A picture may have 16,384 pixels a side. It may have 2²⁶ pixels in all, unless it is
+    /// a PNG that is not interlaced.
     ///
     /// # Errors
     /// [`PictureError`]; a size beyond the limits is an error before memory is allocated.
@@ -50,7 +50,7 @@ impl<R: Read + Seek> Rows<R> {
     }
 }
 
-/// Returns how many bytes of a stream need be read if it begins with `head`.
+/// Returns how many bytes of a stream have to be read at most if it begins with `head`.
 ///
 /// `head` has 4,096 bytes, or all bytes of a shorter stream.
 ///

@@ -1,5 +1,5 @@
-//! Reads and writes portable float maps: a header of text, then rows of floats, the
-//! bottom row first.
+//! Reads and writes portable float maps: a header of text, then rows of floats, the bottom row
+//! first.
 //!
 //! ```text
 //! PF         three channels; Pf: one, which is grey
@@ -8,25 +8,24 @@
 //! ```
 //!
 //! White space separates the words, and `#` begins a comment that ends with its line. A single
-//! white space follows the last word, and CR LF counts as one. The bytes behind it may have any
-//! value, so they do not show where the floats begin. Their number does: it must be what the size
-//! demands.
+//! white space follows the last word, and CR LF counts as one. The bytes after it may have any
+//! value, so they do not show where the floats begin. Their number does: it must match the size.
 
 use std::io::Read;
 
 use super::{Image, PictureError};
 
-/// A header has at most this many bytes.
+/// Largest size of a header, in bytes.
 pub(super) const MOST_HEADER: usize = 4096;
 
-/// A `Header` is the text before the floats.
+/// The text before the floats.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Header {
-    /// The picture has this width and height.
+    /// Width and height.
     pub(super) size: (u32, u32),
     n_channels: usize,
     is_little: bool,
-    /// The white space behind the last word begins here.
+    /// Offset of the white space after the last word.
     end: usize,
 }
 
@@ -46,13 +45,13 @@ impl Header {
         Ok(Self { size, n_channels, is_little: scale < 0.0, end: words.at })
     }
 
-    /// Returns how many bytes of floats the size demands, at most 2⁶⁴ − 1.
+    /// Returns the number of bytes of floats that the size demands, at most 2⁶⁴ − 1.
     pub(super) fn n_bytes(&self) -> u64 {
         let n_samples = u64::from(self.size.0).saturating_mul(u64::from(self.size.1));
         n_samples.saturating_mul(self.n_channels as u64 * 4)
     }
 
-    /// Returns where the floats begin in a file of `length` bytes that begins with `head`.
+    /// Returns the offset of the floats in a file of `length` bytes that begins with `head`.
     ///
     /// # Errors
     /// The file has too few bytes or too many.
@@ -77,7 +76,7 @@ impl Header {
         ))
     }
 
-    /// Reads the floats, with which `file` continues. The top row comes first in the result.
+    /// Reads the floats, which follow in `file`. The top row comes first in the result.
     pub(super) fn pixels(&self, mut file: impl Read) -> Result<Vec<[f32; 3]>, PictureError> {
         let (width, height) = (self.size.0 as usize, self.size.1 as usize);
         let mut pixels = vec![[0.0; 3]; width * height];
@@ -100,7 +99,7 @@ impl Header {
     }
 }
 
-/// Returns the likely cause of a wrong number of bytes, or nothing.
+/// Returns the likely cause of a wrong number of bytes, or an empty text.
 fn cause(n_off: u64, is_text: bool) -> &'static str {
     match n_off {
         _ if is_text => {
@@ -120,15 +119,15 @@ fn is_text(bytes: &[u8]) -> bool {
     n(b"\n") > 1 && n(b"\n") == n(b"\r\n")
 }
 
-/// `Words` splits a header into words.
+/// A reader of the words of a header.
 struct Words<'a> {
     head: &'a [u8],
-    /// The next byte is here.
+    /// Offset of the next byte.
     at: usize,
 }
 
 impl<'a> Words<'a> {
-    /// Takes the next word, of at most 32 bytes, and leaves the white space behind it.
+    /// Reads the next word, of at most 32 bytes, without the white space after it.
     fn next(&mut self) -> Result<&'a str, PictureError> {
         self.skip_space();
         let rest = &self.head[self.at..];

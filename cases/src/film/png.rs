@@ -1,9 +1,9 @@
-//! Reads and writes PNG files. They may have 1 to 16 bits, be grey, paletted or coloured,
-//! and be interlaced or not. Alpha is ignored.
+//! Reads and writes PNG files. They may have 1 to 16 bits, be grey, paletted or coloured, and be
+//! interlaced or not. Alpha is ignored.
 //!
 //! All readers of PNGs use this one, so that they agree on what is damaged. The CRC of every chunk
 //! must be right, and the end mark (IEND) must be there. The check sum within the compressed pixels
-//! is ignored, since the CRC covers the same bytes. Bytes behind the end mark are ignored. An
+//! is ignored, because the CRC covers the same bytes. Bytes after the end mark are ignored. An
 //! animation counts as its still picture.
 
 use std::io::{BufReader, ErrorKind, Read, Seek};
@@ -17,38 +17,38 @@ use ::png::{EncodingError, Transformations};
 use super::encode::WORDS_IN_BYTE;
 use super::{Image, PictureError};
 
-/// A chunk beside the pixels may take this many bytes.
+/// Largest size of a chunk other than the pixels, in bytes.
 const MOST_CHUNK: usize = 8 << 20;
-/// The file is read in pieces of this many bytes. All callers use the same pieces, so that the
-/// decoder gives all of them the same verdict.
+/// Bytes that are read from a file at a time. All callers use the same number, so that the decoder
+/// gives all of them the same verdict.
 const PIECE: usize = 1 << 16;
 
-/// `PngRows` decodes the rows of a PNG, the top row first.
+/// A decoder of the rows of a PNG, the top row first.
 pub(super) struct PngRows<R: Read + Seek> {
-    /// The picture has this width and height.
+    /// Width and height.
     pub(super) size: (u32, u32),
-    /// A sample has two bytes, the high one first, if this is true.
+    /// Whether a sample has two bytes, the high one first.
     pub(super) is_deep: bool,
     n_channels: usize,
     source: Source<R>,
-    /// This buffer holds a row with all its channels.
+    /// Buffer for a row with all its channels.
     row: Vec<u8>,
 }
 
-/// A `Source` yields rows with all their channels.
+/// A source of rows with all their channels.
 enum Source<R: Read + Seek> {
-    /// The reader decodes one row at a time; this many rows are left.
+    /// A decoder of one row at a time, and the number of rows that are left.
     Stream(Box<Reader<BufReader<R>>>, u32),
-    /// All rows are decoded, since an interlaced file stores them in another order. The next row
-    /// begins at this index.
+    /// All rows, decoded at once because an interlaced file stores them in another order, and the
+    /// index at which the next row begins.
     Held(Vec<u8>, usize),
 }
 
 impl<R: Read + Seek> PngRows<R> {
     /// Opens the PNG in `file`.
     ///
-    /// Before memory is allocated, `admit` decides on the size, and on whether the whole picture
-    /// must be held.
+    /// Before memory is allocated, `admit` may refuse the size. Its flag says whether the whole
+    /// picture must be held.
     pub(super) fn open(
         file: R,
         admit: &dyn Fn((u32, u32), bool) -> Result<(), PictureError>,
@@ -136,7 +136,7 @@ impl<R: Read + Seek> Source<R> {
     }
 }
 
-/// Returns width and height, which stand at a fixed place, if `head` is long enough.
+/// Returns width and height, which are at a fixed offset, or `None` if `head` is too short.
 pub(super) fn size_of(head: &[u8]) -> Option<(u32, u32)> {
     let number = |at: usize| Some(u32::from_be_bytes(head.get(at..at + 4)?.try_into().ok()?));
     Some((number(16)?, number(20)?))
@@ -155,7 +155,7 @@ fn damaged(why: DecodingError) -> PictureError {
     }
 }
 
-/// Returns the text of an error with the letters of a chunk in place of its `Debug` form.
+/// Replaces the `Debug` form of a chunk's type in the text of an error by its letters.
 fn plain(text: &str) -> String {
     let found = text.split_once("ChunkType { type: ").and_then(|(before, rest)| {
         let (kind, rest) = rest.split_once(',')?;

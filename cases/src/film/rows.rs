@@ -10,21 +10,21 @@ use super::png::{PngRows, size_of};
 use super::signature::{self, Signature};
 use super::{Image, PictureError};
 
-/// `Rows` is an open picture from which rows are taken, the top row first.
+/// An open picture from which rows are read, the top row first.
 pub struct Rows<R: Read + Seek> {
     size: (u32, u32),
     source: Source<R>,
 }
 
-/// A `Source` yields rows.
+/// A source of rows.
 enum Source<R: Read + Seek> {
     Png(PngRows<R>),
-    /// All pixels are in memory. A sample of 1 is this many 16-bit levels, and the next row begins
-    /// at this index.
+    /// All pixels in memory, the number of 16-bit levels of a sample of 1, and the index of the
+    /// next pixel.
     Held(Vec<[f32; 3]>, f64, usize),
 }
 
-/// An `Admit` function refuses sizes before memory is allocated. The flag says whether the whole
+/// A function that refuses sizes before memory is allocated. The flag says whether the whole
 /// picture must be held.
 type Admit<'a> = &'a dyn Fn((u32, u32), bool) -> Result<(), PictureError>;
 
@@ -67,7 +67,7 @@ impl<R: Read + Seek> Rows<R> {
         Ok(Self::held(header.size, header.pixels(file)?, words(1.0)))
     }
 
-    /// Makes a picture of pixels in memory, of which a sample of 1 is `unit` 16-bit levels.
+    /// Returns a picture of pixels in memory. A sample of 1 is `unit` 16-bit levels.
     pub(super) fn held(size: (u32, u32), pixels: Vec<[f32; 3]>, unit: f64) -> Self {
         Self { size, source: Source::Held(pixels, unit, 0) }
     }
@@ -124,7 +124,7 @@ impl<R: Read + Seek> Rows<R> {
     /// The file is damaged, or rows were already taken.
     pub fn into_image(mut self) -> Result<Image, PictureError> {
         let (width, height) = self.size;
-        let mut pixels = vec![]; // its size follows the rows in the file, not the header
+        let mut pixels = vec![]; // grows with the rows in the file: the header is not trusted
         let mut row = vec![0.0; width as usize * 3];
         for _ in 0..height {
             self.words(&mut row)?;

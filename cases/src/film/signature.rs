@@ -1,8 +1,8 @@
-//! The first bytes of a file decide what kind of picture it holds, never its name.
+//! Decides by the first bytes of a file what kind of picture it holds, never by its name.
 
 use super::PictureError;
 
-/// A `Signature` is a kind of picture that can be read.
+/// A kind of picture that can be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Signature {
     Png,
@@ -19,7 +19,7 @@ const EXR: &[u8] = b"\x76\x2f\x31\x01";
 /// The bytes are not those of a picture; `read` names the kinds that the caller can read.
 pub(super) fn of(head: &[u8], read: &'static str) -> Result<Signature, PictureError> {
     match head {
-        // A PNG that is cut off is a PNG; the decoder reports where it ends.
+        // A PNG that is cut off counts as a PNG; the decoder reports where it ends.
         _ if head.starts_with(PNG) || (head.starts_with(&PNG[..4]) && PNG.starts_with(head)) => {
             match head.get(12..16) {
                 Some(b"CgBI") => Err(PictureError::Foreign {
@@ -35,7 +35,8 @@ pub(super) fn of(head: &[u8], read: &'static str) -> Result<Signature, PictureEr
     }
 }
 
-/// Text mode changes line ends, cuts the top bit off, or replaces bytes that are not letters.
+/// Message for a PNG with changed line ends, without the top bits of its bytes, or with replaced
+/// bytes.
 const TEXT_MODE: &str = "it is a PNG that was transferred in text mode, which changes bytes: \
     write and transfer it in binary mode";
 
@@ -52,9 +53,7 @@ fn foreign(head: &[u8]) -> &'static str {
         [0xff, 0xd8, ..] => "these are the bytes of a JPEG",
         [b'G', b'I', b'F', ..] => "these are the bytes of a GIF",
         [b'P', b'1'..=b'7', ..] => "these are the bytes of a PPM, PGM, PBM or PAM",
-        [b'P', b'F' | b'f', ..] => {
-            "these are the bytes of a PFM with a letter behind its first two"
-        }
+        [b'P', b'F' | b'f', ..] => "these are the bytes of a PFM with a letter after its first two",
         [b'q', b'o', b'i', b'f', ..] => "these are the bytes of a QOI",
         [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => {
             "these are the bytes of a WebP"

@@ -1,4 +1,4 @@
-//! The answers, of a few kinds.
+//! The answers that functions give, in a few kinds.
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -6,14 +6,14 @@ use serde::{Deserialize, Serialize};
 use super::{number, numbers};
 use crate::ray::SurfaceHit;
 
-/// What a function returned; the variant's name in snake case is the key.
+/// The result of a function. The variant's name in snake case is the JSON key.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Answer {
     /// A hit with a bare shape.
     Hit {
-        /// Along the ray as given.
+        /// Parameter of the hit along the ray as given.
         #[serde(with = "number")]
         #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
         t: f64,
@@ -24,22 +24,22 @@ pub enum Answer {
     },
     /// A hit in a scene.
     Found {
-        /// Along the ray as given.
+        /// Parameter of the hit along the ray as given.
         #[serde(with = "number")]
         #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
         t: f64,
         /// Index of the object.
         object: usize,
     },
-    /// Nothing: no hit, or no transmitted ray. Always `true`.
+    /// No hit, or no transmitted ray. Always `true`.
     Miss(bool),
-    /// A ray; the interval does not matter.
+    /// A ray. Its interval does not matter.
     Ray {
-        /// Where it starts.
+        /// The origin.
         #[serde(with = "numbers")]
         #[cfg_attr(feature = "authoring", schemars(with = "[crate::probe::number::Number; 3]"))]
         origin: DVec3,
-        /// Where it goes.
+        /// The direction.
         #[serde(with = "numbers")]
         #[cfg_attr(feature = "authoring", schemars(with = "[crate::probe::number::Number; 3]"))]
         direction: DVec3,
@@ -64,14 +64,14 @@ pub enum Answer {
     ),
     /// The normal turned against a ray.
     Facing {
-        /// That normal.
+        /// The turned normal.
         #[serde(with = "numbers")]
         #[cfg_attr(feature = "authoring", schemars(with = "[crate::probe::number::Number; 3]"))]
         normal: DVec3,
         /// Whether the ray is inside the object.
         inside: bool,
     },
-    /// The way to a light.
+    /// The direction and distance of a light.
     ToLight {
         /// L_j.
         #[serde(with = "numbers")]
@@ -82,18 +82,18 @@ pub enum Answer {
         #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
         t: f64,
     },
-    /// Indices on both sides.
+    /// Indices of refraction on both sides.
     Indices {
-        /// On the side of the ray.
+        /// Index on the side of the ray.
         #[serde(with = "number")]
         #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
         eta_i: f64,
-        /// On the other side.
+        /// Index on the other side.
         #[serde(with = "number")]
         #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
         eta_t: f64,
     },
-    /// Whether the ray spawns more.
+    /// Whether the ray spawns further rays.
     GoesOn(bool),
     /// The function is still to be written. Always `true`.
     Todo(bool),
@@ -102,12 +102,12 @@ pub enum Answer {
 }
 
 impl Answer {
-    /// `hit`, or `miss` for `None`.
+    /// Returns `hit`, or `miss` for `None`.
     pub fn from_hit(hit: Option<SurfaceHit>) -> Self {
         hit.map_or(Self::Miss(true), |hit| Self::Hit { t: hit.t, normal: hit.normal })
     }
 
-    /// `vector`, or `miss` for `None`.
+    /// Returns `vector`, or `miss` for `None`.
     pub fn from_direction(direction: Option<DVec3>) -> Self {
         direction.map_or(Self::Miss(true), Self::Vector)
     }

@@ -1,4 +1,4 @@
-//! The questions, one for every function that is checked.
+//! The questions of unit checks: one variant for every function that is checked.
 
 use glam::{DAffine3, DVec3};
 use serde::{Deserialize, Serialize};
@@ -7,7 +7,8 @@ use super::number;
 use crate::ray::Ray;
 use crate::scene::{Camera, Light, Material, Scene, affine};
 
-/// A question to one function; the variant's name in snake case is the key `fn`.
+/// A question: the arguments of one call of one function. The key `fn` holds the variant's name in
+/// snake case.
 ///
 /// Directions and normals are unit vectors unless a variant says otherwise.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -25,7 +26,7 @@ pub enum Ask {
         /// Column from the left, row from the top.
         pixel: [u32; 2],
     },
-    /// Answer: `hit` or `miss`. [rule 14]
+    /// The nearest hit with a sphere. Answer: `hit` or `miss`. [rule 14]
     Sphere {
         /// Direction of any length but zero.
         ray: Ray,
@@ -35,22 +36,22 @@ pub enum Ask {
         /// Radius.
         radius: f64,
     },
-    /// Answer: `hit` or `miss`. [rule 15]
+    /// The hit with a plane. Answer: `hit` or `miss`. [rule 15]
     Plane {
         /// Direction of any length but zero.
         ray: Ray,
-        /// N.
+        /// N, a unit vector.
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         normal: DVec3,
         /// k in N·X = k.
         k: f64,
     },
-    /// The unit square of z = 0. Answer: `hit` or `miss`. [rule 15]
+    /// The hit with the unit square of z = 0. Answer: `hit` or `miss`. [rule 15]
     Square {
         /// Direction of any length but zero.
         ray: Ray,
     },
-    /// Answer: `hit` or `miss`. [rule 15]
+    /// The nearest hit with a box. Answer: `hit` or `miss`. [rule 15]
     Box {
         /// Direction of any length but zero.
         ray: Ray,
@@ -61,7 +62,8 @@ pub enum Ask {
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         max: DVec3,
     },
-    /// Answer: `hit`, its normal along (b − a) × (c − a), or `miss`. [rule 16]
+    /// The hit with a triangle. Answer: `hit`, its normal along (b − a) × (c − a), or `miss`.
+    /// [rule 16]
     Triangle {
         /// Direction of any length but zero.
         ray: Ray,
@@ -91,8 +93,8 @@ pub enum Ask {
         #[cfg_attr(feature = "authoring", schemars(with = "crate::probe::number::Number"))]
         r: f64,
     },
-    /// The normal turned against the ray, and whether the ray is inside. Answer: `facing`. [rule
-    /// 11]
+    /// The normal turned against the ray, and whether the ray is inside. Answer: `facing`.
+    /// [rule 11]
     FacingNormal {
         /// Direction of the ray.
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
@@ -101,7 +103,7 @@ pub enum Ask {
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         normal: DVec3,
     },
-    /// ka Ia_j, times kt from inside. Answer: `colour`. [rule 3] [rule 12]
+    /// ka Ia_j, multiplied by kt from inside. Answer: `colour`. [rule 3] [rule 12]
     Ambient {
         /// The material.
         material: Material,
@@ -128,7 +130,7 @@ pub enum Ask {
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         to_light: DVec3,
     },
-    /// ke and all lights at a point. Answer: `colour`. [rule 3]
+    /// The sum of ke and all lights at a point. Answer: `colour`. [rule 3]
     Shade {
         /// The scene.
         scene: Box<Scene>,
@@ -173,13 +175,13 @@ pub enum Ask {
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         normal: DVec3,
     },
-    /// Whether a ray of this depth and weight spawns more. Answer: `goes_on`. [rule 13]
+    /// Whether a ray of this depth and weight spawns further rays. Answer: `goes_on`. [rule 13]
     GoesOn {
         /// Depth of the ray; the eye ray's is 0.
         depth: u32,
         /// The scene's limit.
         max_depth: u32,
-        /// Product of the ks and kt along the path.
+        /// Product of the kr and kt along the path.
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         weight: DVec3,
         /// The scene's threshold; 0 switches the test off.
@@ -187,7 +189,7 @@ pub enum Ask {
     },
     /// η_i and η_t. Answer: `indices`. [rule 9]
     Indices {
-        /// Whether the ray is inside, about to leave.
+        /// Whether the ray is inside the object and about to leave it.
         inside: bool,
         /// The material's index.
         index: f64,
@@ -211,7 +213,7 @@ pub enum Ask {
         scene: Box<Scene>,
         /// A ray in world space.
         ray: Ray,
-        /// Its depth.
+        /// Depth of the ray.
         depth: u32,
     },
     /// The ray in object space, its direction not normalised. Answer: `ray`. [rule 20]
@@ -233,8 +235,8 @@ pub enum Ask {
         #[cfg_attr(feature = "authoring", schemars(with = "[[f64; 4]; 4]"))]
         object_from_world: DAffine3,
     },
-    /// The sphere of radius 0.5 about the origin under M. Answer: `hit` in world space, or `miss`.
-    /// [rule 14] [rule 20]
+    /// The nearest hit with the sphere of radius 0.5 about the origin, transformed by M. Answer:
+    /// `hit` in world space, or `miss`. [rule 14] [rule 20]
     TransformedSphere {
         /// A ray in world space.
         ray: Ray,
@@ -303,7 +305,7 @@ pub enum Ask {
 }
 
 impl Ask {
-    /// The name of the function, as in the key `fn`.
+    /// Returns the name of the function, as in the key `fn`.
     pub fn function(&self) -> &'static str {
         match self {
             Self::EyeRay { .. } => "eye_ray",

@@ -1,5 +1,5 @@
-//! The wire protocol of the unit checks: a question a line, an answer a line, JSON.
-//! `docs/protocol.md` explains each.
+//! The wire protocol of the unit checks: one question and one answer per line, in JSON.
+//! `docs/protocol.md` explains each of them.
 
 mod answer;
 mod ask;
@@ -11,24 +11,24 @@ use serde::{Deserialize, Serialize};
 pub use answer::Answer;
 pub use ask::Ask;
 
-/// One line to a submission.
+/// A line to a submission.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 pub struct Question {
-    /// Comes back with the answer.
+    /// Identifier, which the answer repeats.
     pub id: String,
-    /// Which function is asked, and its arguments.
+    /// The function to call, and its arguments.
     #[serde(flatten)]
     pub ask: Ask,
 }
 
-/// One line from a submission.
+/// A line from a submission.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 pub struct Reply {
-    /// The question's.
+    /// Identifier of the question.
     pub id: String,
-    /// What the function returned.
+    /// The result of the function.
     #[serde(flatten)]
     pub answer: Answer,
 }

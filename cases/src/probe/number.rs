@@ -1,4 +1,4 @@
-//! A number in JSON, where infinities and NaN are the strings "inf", "-inf", "nan".
+//! The JSON form of a number: infinities and NaN are the strings "inf", "-inf", "nan".
 
 #[cfg(feature = "authoring")]
 pub(crate) use schema::Number;
@@ -36,10 +36,10 @@ pub(super) fn word(number: f64) -> Option<&'static str> {
     }
 }
 
-/// Writes the number, or the word for it.
+/// Writes the number, or its word if it is not finite.
 ///
 /// # Errors
-/// Those of the serializer.
+/// An error of the serializer.
 pub(crate) fn serialize<S: Serializer>(number: &f64, out: S) -> Result<S::Ok, S::Error> {
     match word(*number) {
         Some(word) => out.serialize_str(word),
@@ -50,19 +50,20 @@ pub(crate) fn serialize<S: Serializer>(number: &f64, out: S) -> Result<S::Ok, S:
 /// Reads a number or one of the three words.
 ///
 /// # Errors
-/// Anything else.
+/// The value is neither.
 pub(crate) fn deserialize<'de, D: Deserializer<'de>>(input: D) -> Result<f64, D::Error> {
     Wire::deserialize(input)?.number()
 }
 
-/// The JSON Schema of such a number.
+/// The JSON Schema of a number.
 #[cfg(feature = "authoring")]
 mod schema {
     use std::borrow::Cow;
 
     use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 
-    /// A number that may be infinite or undefined: JSON has no word for those, so they are strings.
+    /// A number that may be infinite or NaN, for which JSON has no literals, so that they are
+    /// strings.
     pub(crate) struct Number;
 
     impl JsonSchema for Number {

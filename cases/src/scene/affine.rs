@@ -3,12 +3,12 @@
 use glam::{DAffine3, DMat4};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
-/// Writes the rows, top to bottom.
+/// Writes the four rows, from top to bottom.
 pub(crate) fn serialize<S: Serializer>(map: &DAffine3, out: S) -> Result<S::Ok, S::Error> {
     DMat4::from(*map).transpose().to_cols_array_2d().serialize(out)
 }
 
-/// Reads the rows, and fails where the last one is not 0 0 0 1.
+/// Reads the four rows. Fails if the last one is not 0 0 0 1.
 pub(crate) fn deserialize<'de, D: Deserializer<'de>>(input: D) -> Result<DAffine3, D::Error> {
     let rows = <[[f64; 4]; 4]>::deserialize(input)?;
     if rows[3] != [0.0, 0.0, 0.0, 1.0] {

@@ -1,5 +1,4 @@
-//! Scene files: from a path or a text to the resolved scene, or to everything that is wrong with
-//! it.
+//! Reads scene files. The result is the resolved scene, or all problems of the file.
 
 use std::ops::Range;
 use std::path::Path;
@@ -16,13 +15,13 @@ use crate::course::Course;
 use crate::files;
 use crate::problem::{Problems, Source};
 
-/// Bytes of a file of which every error of syntax is reported. Of a larger one only the first is,
-/// since a few megabytes of rubbish have millions, at a kilobyte each.
+/// Largest size, in bytes, of a file of which all errors of syntax are reported. Of a larger file
+/// only the first one is, because a few megabytes of rubbish have millions, at a kilobyte each.
 const MAX_RECOVERED_BYTES: usize = 256 << 10;
-/// Bytes of a scene or case file.
+/// Largest size of a scene or case file, in bytes.
 pub const MAX_SCENE_BYTES: u64 = 16 << 20;
 
-/// Returns the scene of the file at `path` outside any stage, in TOML or in JSON.
+/// Returns the scene of the file at `path`, in TOML or in JSON, which belongs to no stage.
 pub(crate) fn load(path: &Path, course: &Course) -> Result<Scene, Problems> {
     let (name, text) = (path.display().to_string(), read(path)?);
     if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("json")) {
@@ -31,21 +30,21 @@ pub(crate) fn load(path: &Path, course: &Course) -> Result<Scene, Problems> {
     parse(&name, &text, path.parent().unwrap_or(Path::new("")), course)
 }
 
-/// Returns the scene of a TOML text, which messages call `name`, with the effects that it calls for
+/// Parses a scene in TOML, which messages call `name`. The scene gets the effects that it calls for
 /// under `course`. Paths of meshes are relative to `base_dir`.
 ///
 /// # Errors
-/// Everything that is wrong with the text.
+/// All problems of the text.
 pub fn parse(name: &str, text: &str, base_dir: &Path, course: &Course) -> Result<Scene, Problems> {
     let (raw, mut notes) = document::<RawSceneFile>(name, text);
     let scene = raw.and_then(|raw| body(&raw.render.0, &raw.scene.0, base_dir, course, &mut notes));
     notes.finish(scene)
 }
 
-/// The resolved scene of a JSON text, called `name` in messages.
+/// Parses a resolved scene in JSON, which messages call `name`.
 ///
 /// # Errors
-/// What does not have the form of a scene, or everything that breaks what holds for one.
+/// The text does not have the form of a scene, or the scene breaks rules that hold for every scene.
 pub fn parse_json(name: &str, text: &str) -> Result<Scene, Problems> {
     let source = Source::new(name, text);
     let mut notes = Notes::new(source);
@@ -61,7 +60,7 @@ pub fn parse_json(name: &str, text: &str) -> Result<Scene, Problems> {
     notes.finish(scene.ok())
 }
 
-/// The byte at which serde's line and column (in bytes, from 1) point.
+/// Returns the byte at which serde's line and column (in bytes, from 1) point.
 fn offset(text: &str, line: usize, column: usize) -> usize {
     let start: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
     let mut at = (start + column.saturating_sub(1)).min(text.len().saturating_sub(1));
@@ -71,19 +70,19 @@ fn offset(text: &str, line: usize, column: usize) -> usize {
     at
 }
 
-/// The text of the file at `path`.
+/// Returns the text of the file at `path`.
 pub(crate) fn read(path: &Path) -> Result<String, Problems> {
     files::read_text(path, MAX_SCENE_BYTES).map_err(|why| Problems::of_reading(path, &why))
 }
 
-/// A document as the table `T`, as far as it can be read, with the problems so far.
+/// Reads a document as the table `T`, as far as it can be read. Also returns the problems so far.
 pub(crate) fn document<T: Read>(name: &str, text: &str) -> (Option<T>, Notes) {
     let source = Source::new(name, text);
     let (root, mut notes) = root(&source);
     (root.and_then(|root| T::read(&root, &mut notes)), notes)
 }
 
-/// The outermost table of a document; `None` where it is no TOML, as is then noted.
+/// Returns the outermost table of a document, or `None` after noting why it is not TOML.
 pub(crate) fn root(source: &Arc<Source>) -> (Option<Value<'_>>, Notes) {
     let (text, mut notes) = (source.text.as_str(), Notes::new(Arc::clone(source)));
     if text.trim().is_empty() {
@@ -101,12 +100,12 @@ pub(crate) fn root(source: &Arc<Source>) -> (Option<Value<'_>>, Notes) {
         let span = error.span().map_or(0..0, |span| widened(text, span));
         notes.add(span, format!("this is not TOML: {}", error.message()), "");
     }
-    // What the parser could not make sense of leaves holes that would be reported as missing keys.
+    // A part that the parser could not read is a hole, which would be reported as a missing key.
     (errors.is_empty().then(|| Spanned::new(0..0, DeValue::Table(table.into_inner()))), notes)
 }
 
-/// `span` with at least one character in it, so that there is something to underline: the one
-/// behind it, or else before.
+/// Widens `span` to at least one character, so that there is something to underline: the character
+/// after it, or else the one before it.
 fn widened(text: &str, span: Range<usize>) -> Range<usize> {
     let Some((before, rest)) = text.split_at_checked(span.start) else { return 0..0 };
     match rest.chars().next() {
@@ -118,7 +117,7 @@ fn widened(text: &str, span: Range<usize>) -> Range<usize> {
     }
 }
 
-/// Resolves settings and scene. The problems of each are noted even where the other is missing.
+/// Resolves settings and scene. The problems of one are noted even if the other is missing.
 pub(crate) fn body(
     render: &Option<RawRender>,
     scene: &Option<RawScene>,

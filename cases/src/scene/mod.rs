@@ -1,8 +1,9 @@
-//! The resolved scene: what every tracer renders.
+//! The resolved scene, which every tracer renders.
 //!
-//! What holds once a [`Scene`] exists: every number is finite; every direction and normal is a unit
-//! vector; every index points at something; every matrix has an inverse, stored beside it; nothing
-//! is relative to anything else. Code below this line never asks "is it there?".
+//! The following holds for every [`Scene`]: every number is finite; every direction and normal is a
+//! unit vector; every index is in range; every matrix has an inverse, which is stored beside it;
+//! nothing is relative to anything else. Code that gets a scene never has to check whether a part
+//! is there.
 
 pub(crate) mod affine;
 #[cfg(feature = "authoring")]

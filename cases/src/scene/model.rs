@@ -5,18 +5,18 @@ use serde::{Deserialize, Serialize};
 
 use crate::effects::Effects;
 
-/// A picture to render, whole: settings, camera, lights, materials, objects.
+/// A complete picture to render: settings, camera, lights, materials, objects.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
     /// Size of the picture and depth of the recursion.
     pub render: Render,
-    /// The effects to simulate; what is not listed is left out of the picture.
+    /// The effects to simulate; an effect that is not listed is left out of the picture.
     pub effects: Effects,
-    /// Where the picture is taken from.
+    /// The camera.
     pub camera: Camera,
-    /// Colour of a ray that meets nothing.
+    /// Colour of a ray that hits nothing.
     #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub background: DVec3,
     /// Lights, in file order.
@@ -25,7 +25,7 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// Meshes that objects refer to.
     pub meshes: Vec<Mesh>,
-    /// Objects, in file order, groups dissolved.
+    /// Objects, in file order, with groups dissolved.
     pub objects: Vec<Object>,
 }
 
@@ -38,9 +38,9 @@ pub struct Render {
     pub width: u32,
     /// Rows; at least 1.
     pub height: u32,
-    /// A ray of this depth spawns no more; the eye ray has depth 0. [rule 13]
+    /// Depth at which a ray spawns no further rays; the eye ray has depth 0. [rule 13]
     pub max_depth: u32,
-    /// A path whose weight is below this in every channel spawns no more; 0 switches that off.
+    /// Weight below which a path spawns no further rays, in every channel; 0 switches this off.
     /// [rule 13]
     pub threshold: f64,
 }
@@ -74,7 +74,7 @@ pub struct Camera {
 pub enum Light {
     /// A point that shines in all directions.
     Point {
-        /// Where it is.
+        /// Position of the light.
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         position: DVec3,
         /// I_j. [rule 3]
@@ -83,12 +83,12 @@ pub enum Light {
         /// Ia_j, this light's own ambient colour. [rule 3]
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         ambient: DVec3,
-        /// How it weakens with distance. [rule 4]
+        /// Attenuation with distance. [rule 4]
         attenuation: Attenuation,
     },
     /// A light infinitely far away.
     Directional {
-        /// Unit vector in which the light travels: away from the light.
+        /// Unit vector along which the light travels, away from the light.
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         direction: DVec3,
         /// I_j. [rule 3]
@@ -108,14 +108,14 @@ impl Scene {
 }
 
 impl Light {
-    /// I_j. [rule 3]
+    /// Returns I_j. [rule 3]
     pub fn colour(&self) -> DVec3 {
         match self {
             Self::Point { colour, .. } | Self::Directional { colour, .. } => *colour,
         }
     }
 
-    /// Ia_j. [rule 3]
+    /// Returns Ia_j. [rule 3]
     pub fn ambient(&self) -> DVec3 {
         match self {
             Self::Point { ambient, .. } | Self::Directional { ambient, .. } => *ambient,
@@ -123,8 +123,8 @@ impl Light {
     }
 }
 
-/// A_j = min(1, 1 / (quadratic · r² + linear · r + constant)); none negative, not all zero. [rule
-/// 4]
+/// A_j = min(1, 1 / (quadratic · r² + linear · r + constant)); none negative, not all zero.
+/// [rule 4]
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -142,12 +142,12 @@ impl Attenuation {
     pub const NONE: Self = Self { quadratic: 0.0, linear: 0.0, constant: 1.0 };
 }
 
-/// How a surface answers light; colours are linear RGB, none negative. [rule 3]
+/// The response of a surface to light; colours are linear RGB, none negative. [rule 3]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Material {
-    /// Its name in the case file.
+    /// Name in the case file.
     pub name: String,
     /// Emission.
     #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
@@ -164,8 +164,8 @@ pub struct Material {
     /// Transmissive.
     #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub kt: DVec3,
-    /// Reflective: weight of the reflected ray; equals `ks` unless the file says otherwise. [rule
-    /// 7]
+    /// Reflective: weight of the reflected ray; equals `ks` unless the file says otherwise.
+    /// [rule 7]
     #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
     pub kr: DVec3,
     /// Specular exponent, at least 0.
@@ -174,14 +174,14 @@ pub struct Material {
     pub index: f64,
 }
 
-/// A thing in the scene.
+/// An object of the scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Object {
-    /// Its name in the file, else `objects[3]`.
+    /// Name in the file, or else `objects[3]`.
     pub name: String,
-    /// Its shape, in object space.
+    /// Shape, in object space.
     pub shape: Shape,
     /// Index into [`Scene::materials`].
     pub material: usize,
@@ -196,13 +196,13 @@ pub struct Object {
 }
 
 impl Object {
-    /// Whether M is the identity, so that object space is world space.
+    /// Returns whether M is the identity, so that object space is world space.
     pub fn is_untransformed(&self) -> bool {
         self.world_from_object == DAffine3::IDENTITY
     }
 
-    /// A⁻ᵀ, which takes an object-space normal to world space; the result is to be normalised.
-    /// [rule 20]
+    /// Returns A⁻ᵀ, which takes an object-space normal to world space; the result is to be
+    /// normalised. [rule 20]
     pub fn normal_matrix(&self) -> DMat3 {
         self.object_from_world.matrix3.transpose()
     }
@@ -213,7 +213,8 @@ impl Object {
 #[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Shape {
-    /// ‖X − center‖ = radius; radius 0.5 about the origin unless the file says otherwise. [rule 14]
+    /// A sphere ‖X − center‖ = radius; radius 0.5 about the origin unless the file says otherwise.
+    /// [rule 14]
     Sphere {
         /// Center.
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
@@ -221,7 +222,7 @@ pub enum Shape {
         /// Radius.
         radius: f64,
     },
-    /// N·X = k, N a unit vector. [rule 15]
+    /// A plane N·X = k, N a unit vector. [rule 15]
     Plane {
         /// N.
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
@@ -229,9 +230,10 @@ pub enum Shape {
         /// Signed distance of the plane from the origin along N.
         k: f64,
     },
-    /// |x| ≤ 0.5, |y| ≤ 0.5, z = 0, normal +z. [rule 15]
+    /// The square |x| ≤ 0.5, |y| ≤ 0.5, z = 0, with normal +z. [rule 15]
     Square {},
-    /// min ≤ X ≤ max; the unit cube about the origin unless the file says otherwise. [rule 15]
+    /// A box min ≤ X ≤ max; the unit cube about the origin unless the file says otherwise.
+    /// [rule 15]
     Box {
         /// Least corner.
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
@@ -240,7 +242,7 @@ pub enum Shape {
         #[cfg_attr(feature = "authoring", schemars(with = "[f64; 3]"))]
         max: DVec3,
     },
-    /// x² + y² = radius², z_min ≤ z ≤ z_max.
+    /// A cylinder x² + y² = radius², z_min ≤ z ≤ z_max.
     Cylinder {
         /// Radius.
         radius: f64,
@@ -251,7 +253,7 @@ pub enum Shape {
         /// Whether discs close both ends.
         capped: bool,
     },
-    /// A cylinder whose radius goes linearly from `bottom_radius` at z_min to `top_radius` at
+    /// A cylinder whose radius changes linearly from `bottom_radius` at z_min to `top_radius` at
     /// z_max; one may be 0.
     Cone {
         /// Radius at z_min.
@@ -265,7 +267,7 @@ pub enum Shape {
         /// Whether discs close the ends.
         capped: bool,
     },
-    /// Triangles. [rule 16]
+    /// A mesh of triangles. [rule 16]
     Mesh {
         /// Index into [`Scene::meshes`].
         mesh: usize,
@@ -277,12 +279,12 @@ pub enum Shape {
 #[cfg_attr(feature = "authoring", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
-    /// Corners.
+    /// Positions of the corners.
     #[cfg_attr(feature = "authoring", schemars(with = "Vec<[f64; 3]>"))]
     pub vertices: Vec<DVec3>,
-    /// Three indices into `vertices` each.
+    /// Triangles, each as three indices into `vertices`.
     pub triangles: Vec<[u32; 3]>,
-    /// One unit normal a vertex, or none where the mesh is flat. [rule 18]
+    /// One unit normal per vertex, or none where the mesh is flat. [rule 18]
     #[cfg_attr(feature = "authoring", schemars(with = "Option<Vec<[f64; 3]>>"))]
     pub normals: Option<Vec<DVec3>>,
 }

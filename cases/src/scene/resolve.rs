@@ -1,5 +1,5 @@
-//! From what is written to what is rendered: names become indices, lists of transforms matrices,
-//! groups dissolve.
+//! Resolves scenes as they are written: names become indices, lists of transforms become matrices,
+//! and groups are dissolved.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -20,13 +20,13 @@ use crate::problem::{did_you_mean, quoted};
 /// The index of refraction of air. [rule 9]
 const AIR: f64 = 1.0003;
 
-/// How nearly parallel `up` may be to the view: the sine of the angle between them.
+/// Least sine of the angle between `up` and the view.
 const LEAST_SINE_OF_UP: f64 = 1e-6;
 
 /// Returns the scene that `raw` describes, with the effects that it calls for under `course`.
 ///
-/// Every problem of `raw` goes to `notes`. Where there is one, or where `render` is missing, the
-/// result is `None`: a part of a scene would have indices that point at nothing.
+/// Every problem of `raw` is noted. If there is one, or if `render` is missing, the result is
+/// `None`, because a part of a scene would have indices that point at nothing.
 pub(crate) fn scene(
     raw: &RawScene,
     render: Option<Render>,
@@ -74,7 +74,7 @@ pub(crate) fn scene(
     Some(scene)
 }
 
-/// The settings that `raw` describes.
+/// Returns the settings that `raw` describes, or `None` after noting that the picture is too large.
 pub(crate) fn render(raw: &RawRender, notes: &mut Notes) -> Option<Render> {
     let [width, height] = raw.size.map(|side| side.0);
     if u64::from(width) * u64::from(height) > MAX_PIXELS {
@@ -85,7 +85,7 @@ pub(crate) fn render(raw: &RawRender, notes: &mut Notes) -> Option<Render> {
     Some(Render { width, height, max_depth: raw.max_depth.0, threshold: raw.threshold.get() })
 }
 
-/// The camera that `raw` describes. [rule 1]
+/// Returns the camera that `raw` describes, or `None` after noting a problem. [rule 1]
 pub(crate) fn camera(raw: &RawCamera, notes: &mut Notes) -> Option<Camera> {
     let eye = raw.eye.get();
     let Some(forward) = unit(raw.look_at.get() - eye) else {
@@ -101,7 +101,7 @@ pub(crate) fn camera(raw: &RawCamera, notes: &mut Notes) -> Option<Camera> {
         let problem = notes.add(
             raw.up.span.clone(),
             "`up` is parallel to the view",
-            "no way to tell what is right",
+            "the correct result is undefined",
         );
         problem.help("any direction that does not point along `look_at` − `eye` will do");
         return None;
@@ -111,7 +111,7 @@ pub(crate) fn camera(raw: &RawCamera, notes: &mut Notes) -> Option<Camera> {
     Some(Camera { eye, right, up, forward, fov_y_deg: raw.fov_y_deg.get() })
 }
 
-/// The light that `raw` describes.
+/// Returns the light that `raw` describes, or `None` after noting a problem.
 pub(crate) fn light(raw: &RawLight, notes: &mut Notes) -> Option<Light> {
     Some(match raw {
         RawLight::Point(raw) => Light::Point {
@@ -144,7 +144,7 @@ fn attenuation(raw: &At<RawAttenuation>, notes: &mut Notes) -> Option<Attenuatio
     Some(Attenuation { quadratic, linear, constant })
 }
 
-/// Returns the material that `raw` describes; `None` where it could not be read.
+/// Returns the material that `raw` describes, or `None` if it could not be read.
 pub(crate) fn material(
     name: &str,
     raw: &Maybe<RawMaterial>,
@@ -198,7 +198,7 @@ fn needed<T>(
     }
 }
 
-/// What an object takes from the groups around it.
+/// The properties that an object takes from the groups around it.
 struct Context<'a> {
     name: &'a str,
     material: Option<&'a At<String>>,
@@ -206,7 +206,7 @@ struct Context<'a> {
     nesting: usize,
 }
 
-/// The walk through objects and groups, with what it has gathered.
+/// A walk through objects and groups, with its results so far.
 struct Walk<'a> {
     base: &'a Path,
     materials: BTreeMap<&'a str, usize>,
@@ -258,8 +258,8 @@ impl Walk<'_> {
                 "all its transforms together",
             );
             problem.help(
-                "together with those of its groups they flatten it, or blow it up beyond \
-                all numbers",
+                "together with those of its groups they flatten it, or scale it beyond the range \
+                of numbers",
             );
         }
         if let (Some(material), Some(shape)) = (material, shape) {
@@ -289,7 +289,7 @@ impl Walk<'_> {
         self.objects.push(object);
     }
 
-    /// The name of an object, demanded to be its own, or else its place.
+    /// Returns the name of an object, or else its place. A name of another object is noted.
     fn name(&mut self, raw: &At<RawObject>, place: String, notes: &mut Notes) -> String {
         let Some(name) = &raw.name else { return place };
         if !self.names.insert(name.value.clone()) {
@@ -362,7 +362,7 @@ impl Walk<'_> {
     }
 }
 
-/// M = T_n … T_1 of a list of transforms.
+/// Returns M = T_n … T_1 of a list of transforms. A transform without an inverse is noted.
 pub(crate) fn product(steps: &Each<At<RawTransform>>, notes: &mut Notes) -> DAffine3 {
     let mut map = DAffine3::IDENTITY;
     for step in steps.0.iter().flatten() {

@@ -1,5 +1,4 @@
-//! Shapes as they are written to shapes as they are rendered; meshes, which need more, are in
-//! `resolve`.
+//! Resolves shapes as they are written. Meshes need more, and are resolved in `resolve`.
 
 use std::ops::Range;
 
@@ -8,8 +7,8 @@ use super::raw::numbers::unit;
 use super::raw::objects::{RawBox, RawCone, RawCylinder, RawObject, RawPlane};
 use super::raw::read::Notes;
 
-/// The shape of `raw` that is no mesh and no group; `None` where it has none, or once what is wrong
-/// has been noted.
+/// Returns the shape of `raw`, or `None` if it is a mesh or a group, if there is no shape, or after
+/// noting a problem.
 pub(crate) fn shape(raw: &RawObject, notes: &mut Notes) -> Option<Shape> {
     if let Some(sphere) = &raw.sphere {
         return Some(Shape::Sphere { center: sphere.center.get(), radius: sphere.radius.get() });
@@ -36,7 +35,7 @@ fn cuboid(raw: &RawBox, notes: &mut Notes) -> Option<Shape> {
     Some(Shape::Box { min, max })
 }
 
-/// N made a unit vector, and k the distance that goes with it. [rule 15]
+/// Returns a plane with N as a unit vector, and with k divided by the length of N. [rule 15]
 fn plane(raw: &RawPlane) -> Option<Shape> {
     let normal = raw.normal.get();
     let length = normal.length();

@@ -1,16 +1,17 @@
-//! A list of transforms to one matrix. [rule 20]
+//! Converts transforms to matrices. [rule 20]
 
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::raw::objects::{RawRotation, RawScale, RawShear, RawTransform};
 use crate::maths;
 
-/// Below this a matrix counts as singular: |det| over the product of the lengths of its columns (or
-/// rows, whichever is larger), which is 1 for any rotation and scale and does not change with the
-/// unit of length.
+/// Volume below which a matrix counts as singular.
+///
+/// The volume is |det| over the product of the lengths of the columns (or of the rows, if that is
+/// larger). It is 1 for every rotation and scale, and does not change with the unit of length.
 const LEAST_VOLUME: f64 = 1e-9;
 
-/// The matrix of one step; `Err` says why it is none.
+/// Returns the matrix of one step, or the reason why it has none.
 pub(crate) fn matrix(step: &RawTransform) -> Result<DAffine3, &'static str> {
     let map = match step {
         RawTransform::Translate(by) => DAffine3::from_translation(by.get()),
@@ -39,13 +40,13 @@ pub(crate) fn matrix(step: &RawTransform) -> Result<DAffine3, &'static str> {
     }
 }
 
-/// Whether `map` has an inverse that can be relied on, judged without regard to the unit of length.
+/// Returns whether `map` has a reliable inverse. The unit of length makes no difference.
 pub(crate) fn is_invertible(map: &DAffine3) -> bool {
     let matrix = map.matrix3;
     map.is_finite() && volume(matrix).max(volume(matrix.transpose())) >= LEAST_VOLUME
 }
 
-/// |det| of the matrix with its columns made unit vectors; 0 where one of them is zero.
+/// Returns |det| of the matrix with its columns normalised, or 0 if one of them is zero.
 fn volume(matrix: DMat3) -> f64 {
     let unit = |column| super::raw::numbers::unit(column).unwrap_or(DVec3::ZERO);
     DMat3::from_cols(unit(matrix.x_axis), unit(matrix.y_axis), unit(matrix.z_axis))
@@ -53,7 +54,7 @@ fn volume(matrix: DMat3) -> f64 {
         .abs()
 }
 
-/// Rodrigues' formula; a turn by a multiple of 90 degrees is exact.
+/// Returns the matrix of a rotation by Rodrigues' formula. Multiples of 90 degrees are exact.
 fn rotation(turn: &RawRotation) -> DMat3 {
     let (axis, (sin, cos)) = (turn.axis.get(), sin_cos_deg(turn.angle_deg.get()));
     let cross = DMat3::from_cols(axis.cross(DVec3::X), axis.cross(DVec3::Y), axis.cross(DVec3::Z));

@@ -1,4 +1,4 @@
-//! What holds once a scene exists, checked on one that comes from outside.
+//! Checks what holds for every scene on a scene that comes from outside.
 
 use std::fmt::Display;
 
@@ -9,12 +9,12 @@ use super::model::{Camera, Light, Material, Mesh, Object, Scene, Shape};
 use super::raw::numbers::MAX_NUMBER;
 use super::transform;
 
-/// How far the length of a unit vector may be from 1, and M M⁻¹ from the identity (relative to the
-/// size of its terms).
+/// Greatest difference of the length of a unit vector from 1, and of M M⁻¹ from the identity
+/// (relative to the size of its terms).
 const ROUNDING: f64 = 1e-6;
 
-/// Everything about `scene` that breaks what the type promises, each as a sentence that names the
-/// place; few are enough to refuse it, so at most a hundred.
+/// Returns everything about `scene` that breaks what holds for every scene, each as a sentence with
+/// the place. At most a hundred are returned, because a few are enough to refuse the scene.
 pub(crate) fn broken(scene: &Scene) -> Vec<String> {
     let mut found = Found(vec![]);
     let render = &scene.render;
@@ -24,11 +24,7 @@ pub(crate) fn broken(scene: &Scene) -> Vec<String> {
         "render",
         "the size is 0 or too large",
     );
-    found.unless(
-        render.threshold >= 0.0 && render.threshold <= MAX_NUMBER,
-        "render.threshold",
-        "it is not a number of at least 0",
-    );
+    found.at_least_0("render.threshold", &[render.threshold]);
     found.camera(&scene.camera);
     found.colour("background", scene.background);
     for (i, light) in scene.lights.iter().enumerate() {
@@ -76,6 +72,12 @@ impl Found {
         );
     }
 
+    /// Checks that all of `values`, which are no colours, are from 0 to [`MAX_NUMBER`].
+    fn at_least_0(&mut self, place: impl Display, values: &[f64]) {
+        let holds = values.iter().all(|x| (0.0..=MAX_NUMBER).contains(x));
+        self.unless(holds, place, "it is not a number of at least 0");
+    }
+
     fn size(&mut self, place: impl Display, x: f64) {
         self.unless(x > 0.0 && x <= MAX_NUMBER, place, "it is not a number above 0");
     }
@@ -101,7 +103,7 @@ impl Found {
             Light::Point { position, attenuation: a, .. } => {
                 self.finite(format!("{place}.position"), *position);
                 let all = DVec3::new(a.quadratic, a.linear, a.constant);
-                self.colour(format!("{place}.attenuation"), all);
+                self.at_least_0(format!("{place}.attenuation"), &all.to_array());
                 self.unless(all != DVec3::ZERO, format!("{place}.attenuation"), "it is all 0");
             }
             Light::Directional { direction, .. } => {
@@ -116,7 +118,7 @@ impl Found {
         {
             self.colour(format!("{place}.{name}"), colour);
         }
-        self.colour(format!("{place}.ns"), DVec3::splat(m.ns));
+        self.at_least_0(format!("{place}.ns"), &[m.ns]);
         self.size(format!("{place}.index"), m.index);
     }
 
@@ -177,7 +179,8 @@ impl Found {
                 self.ends(place, z_min, z_max);
             }
             Shape::Cone { bottom_radius, top_radius, z_min, z_max, .. } => {
-                self.colour(place, DVec3::new(bottom_radius, top_radius, 0.0));
+                self.at_least_0(format!("{place}.bottom_radius"), &[bottom_radius]);
+                self.at_least_0(format!("{place}.top_radius"), &[top_radius]);
                 self.unless(
                     bottom_radius != top_radius,
                     place,
@@ -195,7 +198,7 @@ impl Found {
     }
 }
 
-/// Whether M M⁻¹ is the identity, up to rounding of the terms that are summed.
+/// Returns whether M M⁻¹ is the identity, up to rounding of the terms that are summed.
 fn are_inverse(m: &DAffine3, inverse: &DAffine3) -> bool {
     if !m.is_finite() || !inverse.is_finite() {
         return false;
@@ -214,4 +217,18 @@ fn are_inverse(m: &DAffine3, inverse: &DAffine3) -> bool {
         && near(p.y_axis, DVec3::Y, t.y_axis)
         && near(p.z_axis, DVec3::Z, t.z_axis)
         && near(product.translation, DVec3::ZERO, terms.translation)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_below_0_is_named_and_not_called_a_colour() {
+        let mut found = Found(vec![]);
+        let (bottom_radius, top_radius) = (-0.5, 0.0);
+        let cone = Shape::Cone { bottom_radius, top_radius, z_min: -0.5, z_max: 0.5, capped: true };
+        found.shape("objects[0].shape", cone, 0);
+        assert_eq!(found.0, ["objects[0].shape.bottom_radius: it is not a number of at least 0"]);
+    }
 }

@@ -1,4 +1,4 @@
-//! The effects that a stage allows, and what it means for a scene to show others.
+//! The effects that a stage allows, and scenes that call for others.
 
 use std::path::Path;
 
@@ -10,11 +10,11 @@ use crate::problem::{Problems, quoted};
 use crate::scene::raw::read::Notes;
 use crate::scene::{self, Scene};
 
-/// Returns the effects that the stage around the file at `path` allows; all of them for a file
+/// Returns the effects that the stage around the file at `path` allows, or all effects for a file
 /// outside any stage.
 ///
 /// # Errors
-/// Everything that is wrong with the `stage.toml`.
+/// All problems of the `stage.toml`.
 pub fn allowed_at(path: &Path) -> Result<Effects, Problems> {
     if is_case(path) {
         Ok(allowed(&raw_stage(&path.with_file_name("stage.toml"), None)?))
@@ -23,7 +23,7 @@ pub fn allowed_at(path: &Path) -> Result<Effects, Problems> {
     }
 }
 
-/// Returns the stage file at `path` as it is written. Where `before` names the earlier stages, the
+/// Returns the stage file at `path` as it is written. If `before` names the earlier stages, the
 /// stage may need no others.
 pub(super) fn raw_stage(path: &Path, before: Option<&[String]>) -> Result<RawStage, Problems> {
     let (raw, mut notes) =
@@ -45,7 +45,8 @@ pub(super) fn allowed(raw: &RawStage) -> Effects {
 }
 
 /// Removes the effects from `scene` that neither the stage allows nor the programs of the course
-/// always simulate. An effect that no tracer can leave out of the picture is a problem instead.
+/// always simulate. An effect that no tracer can leave out of the picture is also noted as a
+/// problem.
 pub(super) fn limit(scene: &mut Scene, allows: Effects, course: &Course, notes: &mut Notes) {
     let allows = allows.union(course.always_simulated);
     for reason in

@@ -1,4 +1,4 @@
-//! The arguments of the unit checks' questions: how each kind is written, and what it becomes.
+//! The arguments of questions of unit checks: the written form of each kind, and its value.
 
 use std::borrow::Cow;
 
@@ -19,16 +19,16 @@ use crate::scene::{Camera, Light, Material, Scene, resolve, transform};
 
 /// A kind of argument.
 pub(super) trait Arg {
-    /// What stands in the question.
+    /// The type of the argument in the question.
     type Out;
-    /// What the key takes, for people.
+    /// The values of the key, for people.
     const TAKES: &'static str;
 
-    /// The argument that `key` of `table` gives.
+    /// Reads the argument that `key` of `table` gives. Returns `None` after a problem.
     fn take(key: &str, table: &Table<'_>, named: &Named, notes: &mut Notes) -> Option<Self::Out>;
 }
 
-/// Declares kinds of argument that are read and converted without looking at anything else.
+/// Declares kinds of argument that depend on nothing else in the file.
 macro_rules! plain {
     ($($name:ident($takes:literal) $raw:ty => $out:ty, $make:expr;)*) => {$(
         pub(super) struct $name;
@@ -69,9 +69,9 @@ plain! {
 table! {
     /// A ray of a question.
     "a ray" RawRay {
-        /// Where t = 0.
+        /// The point at t = 0.
         origin: Point,
-        /// Where it goes, of any length but zero: it stays as it is written.
+        /// The direction, of any length but zero. It is not normalised.
         direction: Travel,
         /// Open lower end of the interval.
         t_min: Bound = "1e-6",
@@ -199,12 +199,12 @@ impl Arg for LightIndex {
     }
 }
 
-/// M, from the scene's list of transforms.
+/// M, from the question's list of transforms.
 pub(super) struct WorldFromObject;
 
 impl Arg for WorldFromObject {
     type Out = DAffine3;
-    const TAKES: &'static str = "a list of transforms, as of an object";
+    const TAKES: &'static str = "a list of transforms, as for an object";
 
     fn take(key: &str, table: &Table<'_>, _: &Named, notes: &mut Notes) -> Option<DAffine3> {
         let steps = table.field::<At<Each<At<RawTransform>>>>(key, notes)?;
@@ -221,7 +221,7 @@ impl Arg for WorldFromObject {
     }
 }
 
-/// M⁻¹, from the scene's list of transforms.
+/// M⁻¹, from the question's list of transforms.
 pub(super) struct ObjectFromWorld;
 
 impl Arg for ObjectFromWorld {

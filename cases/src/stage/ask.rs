@@ -1,5 +1,5 @@
-//! Questions of the unit checks as they are written: the arguments of [`Ask`], with names in place
-//! of scenes, materials and objects, and a list of transforms in place of matrices.
+//! The questions of unit checks as they are written. They have the arguments of [`Ask`], but with
+//! names of scenes, materials and objects, and with lists of transforms instead of matrices.
 
 use super::args::{self, Arg};
 use super::named::Named;
@@ -7,15 +7,15 @@ use crate::probe::Ask;
 use crate::problem::{did_you_mean, quoted};
 use crate::scene::raw::read::{At, Notes, Read, Table, Value};
 
-/// Declares how each function is asked: its name, its [`Ask`], and what gives each argument.
+/// Declares the question of each function: its name, its [`Ask`], and the kind of each argument.
 macro_rules! asks {
     ($($function:literal $variant:ident { $($name:ident : $arg:ident),* })*) => {
-        /// The functions that can be asked, each with the keys of its question and what each key
-        /// takes.
+        /// The functions of the unit checks, each with the keys of its question and the values of
+        /// each key.
         pub(crate) const FUNCTIONS: &[(&str, &[(&str, &str)])] =
             &[$(($function, &[$((key(stringify!($name)), <args::$arg as Arg>::TAKES)),*])),*];
 
-        /// The question that `value` asks.
+        /// Reads the question in `value`. Returns `None` after noting a problem.
         pub(super) fn read(value: &Value<'_>, named: &Named, notes: &mut Notes) -> Option<Ask> {
             match function(value, notes)?.as_str() {
                 $($function => {
@@ -71,7 +71,7 @@ asks! {
     }
 }
 
-/// The key that gives an argument: both matrices come from one list of transforms.
+/// Returns the key that gives an argument. Both matrices come from one list of transforms.
 const fn key(argument: &'static str) -> &'static str {
     match argument.as_bytes() {
         b"world_from_object" | b"object_from_world" => "transforms",
@@ -79,14 +79,14 @@ const fn key(argument: &'static str) -> &'static str {
     }
 }
 
-/// The function that a question names, if there is one of that name.
+/// Returns the function that a question names, or `None` after noting a problem.
 fn function(value: &Value<'_>, notes: &mut Notes) -> Option<At<String>> {
     let Some(entries) = value.get_ref().as_table() else {
         notes.wrong(value, "a question: a table with the key `fn`");
         return None;
     };
     let Some(name) = entries.get("fn") else {
-        notes.add(value.span(), "missing key `fn`", "which function is asked?");
+        notes.add(value.span(), "missing key `fn`", "name the function to call");
         return None;
     };
     let name = At::<String>::read(name, notes)?;
@@ -97,7 +97,7 @@ fn function(value: &Value<'_>, notes: &mut Notes) -> Option<At<String>> {
     let problem = notes.add(
         name.span.clone(),
         format!("unknown function `{}`", name.value),
-        "no such function is asked",
+        "no such function can be called",
     );
     problem.help(match did_you_mean(&name, functions()) {
         Some(meant) => format!("did you mean `{meant}`?"),

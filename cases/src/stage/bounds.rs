@@ -1,4 +1,4 @@
-//! How far the numbers of a case may be moved to make another case of the same kind.
+//! Bounds within which the numbers of a case may be moved to make another case of the same kind.
 
 use glam::DVec3;
 
@@ -9,13 +9,13 @@ use crate::scene::raw::objects::RawObject;
 use crate::scene::raw::read::{At, Each, Notes};
 use crate::scene::raw::vary::{RawVary, Reach};
 
-/// Greatest moves, either way; 0 where nothing moves. The keys of `[vary]` in a case file, whose
-/// reference says what each moves.
+/// Greatest moves in both directions; 0 where nothing moves. The fields are the keys of `[vary]` in
+/// a case file, whose reference explains each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bounds {
     /// The eye, in scene units.
     pub eye: DVec3,
-    /// The point looked at, in scene units.
+    /// The point at which the camera looks, in scene units.
     pub look_at: DVec3,
     /// The angle of view, in degrees.
     pub fov_y_deg: f64,
@@ -27,7 +27,7 @@ pub struct Bounds {
     pub objects: DVec3,
     /// Radii, as a share of each.
     pub radii: f64,
-    /// Translations, in units of the space they move in.
+    /// Translations, in units of the space in which they move.
     pub translate: DVec3,
     /// Angles of transforms, in degrees.
     pub angle_deg: f64,
@@ -37,7 +37,7 @@ pub struct Bounds {
     pub colours: f64,
     /// Indices of refraction.
     pub indices: f64,
-    /// Names of materials and objects of which nothing is moved.
+    /// Names of materials and objects whose numbers are not moved.
     pub keep: Vec<String>,
 }
 
@@ -82,7 +82,7 @@ impl Bounds {
     }
 }
 
-/// Adds the names of objects, and of those within groups, to `known`.
+/// Adds the names of objects, also of those within groups, to `known`.
 fn names<'a>(objects: &'a Each<At<RawObject>>, known: &mut Vec<&'a str>) {
     for object in objects.0.iter().flatten() {
         known.extend(object.name.as_ref().map(|name| name.value.as_str()));

@@ -1,4 +1,4 @@
-//! Unit checks: `stages/NN_name/checks/FILE.toml`.
+//! Reads unit checks: `stages/NN_name/checks/FILE.toml`.
 
 use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
@@ -28,16 +28,16 @@ table! {
     "a scene of a check" RawCheckScene {
         /// Settings that a question may depend on.
         render: RawCheckRender = "{}",
-        /// Where the picture would be taken from; most questions do not depend on it.
+        /// The camera; most questions do not depend on it.
         camera: Maybe<RawCamera> = "{ eye = [0, 0, 10], look_at = [0, 0, 0], up = [0, 1, 0], \
             fov_y_deg = 45 }",
-        /// Colour of a ray that meets nothing.
+        /// Colour of a ray that hits nothing.
         background: Colour = "[0, 0, 0]",
         /// The sources of light.
         lights: Each<RawLight> = "[]",
         /// Materials by name; those of the file's `[materials]` need not be given again.
         materials: BTreeMap<String, Maybe<RawMaterial>> = "{}",
-        /// What there is to hit.
+        /// The objects.
         objects: Each<At<RawObject>> = "[]",
     }
 }
@@ -47,9 +47,9 @@ table! {
     "the `render` of a check's scene" RawCheckRender {
         /// Width and height in pixels.
         size: At<[Side; 2]> = "[1, 1]",
-        /// How often a path may be continued. [rule 13]
+        /// Depth at which a ray spawns no further rays. [rule 13]
         max_depth: Depth = "0",
-        /// Weight below which a path ends; 0 switches that off. [rule 13]
+        /// Weight below which a path ends; 0 switches this off. [rule 13]
         threshold: NonNegative = "0",
     }
 }
@@ -87,7 +87,7 @@ pub(super) fn load(
         let mut names = HashSet::new();
         let prefix = format!("{stage}/{}", stem(path));
         let read = |item| check(item, &prefix, &named, course, &mut names, &mut notes);
-        // All are read before the first failure counts.
+        // All checks are read before the first failure counts, so that all problems are noted.
         let checks: Vec<Option<Check>> = items.iter().map(read).collect();
         checks.into_iter().collect()
     });
@@ -172,7 +172,8 @@ fn check(
     })
 }
 
-/// The name, if it is made of letters, digits, `_` and `-`, and no other check of the file has it.
+/// Returns the name. One that is not made of letters, digits, `_` and `-`, or that another check of
+/// the file has, is noted.
 fn own(name: At<String>, names: &mut HashSet<String>, notes: &mut Notes) -> Option<String> {
     let is_plain = |letter: char| letter.is_ascii_alphanumeric() || matches!(letter, '_' | '-');
     if name.is_empty() || !name.chars().all(is_plain) {
@@ -195,6 +196,7 @@ fn own(name: At<String>, names: &mut HashSet<String>, notes: &mut Notes) -> Opti
 }
 
 /// Returns the answer on paper, if there is one and `under` does not restrict it to other courses.
+/// The outer `None` means that a problem was noted.
 fn paper(table: &Table<'_>, course: &Course, notes: &mut Notes) -> Option<Option<Answer>> {
     let under = table.field::<Option<At<Condition>>>("under", notes)?;
     let paper = table.entry("paper").map(|value| answer(value, notes));
@@ -213,8 +215,8 @@ fn paper(table: &Table<'_>, course: &Course, notes: &mut Notes) -> Option<Option
 fn answer(value: &Value<'_>, notes: &mut Notes) -> Option<Answer> {
     let form = json(value.get_ref());
     let answer = serde_json::from_value::<Answer>(form.clone()).map_err(|why| why.to_string());
-    // Keys that mean nothing are ignored when read; written again, the answer shows that they are
-    // gone.
+    // Keys that mean nothing are ignored when an answer is read. They are missing when it is
+    // written again.
     let whole = answer.and_then(|answer| match (&answer, serde_json::to_value(&answer)) {
         (Answer::Todo(_) | Answer::Panic(_), _) => Err("this is no right answer".to_owned()),
         (_, Ok(again)) if alike(&again, &form) => Ok(answer),
@@ -227,7 +229,7 @@ fn answer(value: &Value<'_>, notes: &mut Notes) -> Option<Answer> {
         .ok()
 }
 
-/// Whether two values are equal, 1 and 1.0 being the same number.
+/// Returns whether two values are equal, where 1 and 1.0 are the same number.
 fn alike(a: &Json, b: &Json) -> bool {
     match (a, b) {
         (Json::Number(a), Json::Number(b)) => a.as_f64() == b.as_f64(),
@@ -241,7 +243,7 @@ fn alike(a: &Json, b: &Json) -> bool {
     }
 }
 
-/// The JSON form of a TOML value.
+/// Returns the JSON form of a TOML value. A date, or a number that cannot be read, becomes null.
 fn json(value: &DeValue<'_>) -> Json {
     match value {
         DeValue::String(text) => text.as_ref().into(),

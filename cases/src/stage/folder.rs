@@ -10,7 +10,7 @@ pub fn is_case(path: &Path) -> bool {
     is_toml(path) && file_name(path) != "stage.toml" && path.with_file_name("stage.toml").is_file()
 }
 
-/// Returns the paths of what is in `folder`, ordered by name.
+/// Returns the paths of all entries of `folder`, ordered by name.
 pub(super) fn entries(folder: &Path) -> Result<Vec<PathBuf>, Problems> {
     let list = || {
         std::fs::read_dir(folder)?

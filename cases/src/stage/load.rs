@@ -12,11 +12,11 @@ use crate::effects::Effects;
 use crate::problem::Problems;
 use crate::scene::{self, Scene};
 
-/// Returns the stages below `stages_dir` under `course`, ordered by name, each with its cases and
+/// Loads the stages below `stages_dir` under `course`, ordered by name, each with its cases and
 /// unit checks ordered by file name.
 ///
 /// # Errors
-/// Everything that is wrong in any file of any stage.
+/// All problems of all files of all stages.
 pub fn load_all(stages_dir: &Path, course: &Course) -> Result<Vec<Stage>, Problems> {
     let folders: Vec<PathBuf> =
         entries(stages_dir)?.into_iter().filter(|path| path.is_dir()).collect();
@@ -41,15 +41,15 @@ pub fn load_all(stages_dir: &Path, course: &Course) -> Result<Vec<Stage>, Proble
     Ok(stages)
 }
 
-/// Returns the scene of the file at `path`: a case, any other scene in TOML, or a resolved scene in
-/// JSON where the name ends in `.json`.
+/// Returns the scene of the file at `path`, which is a case, any other scene in TOML, or a resolved
+/// scene in JSON (`.json`).
 ///
-/// A resolved scene lists its effects. Any other scene requests those that it calls for under
-/// `course`; a case whose folder holds a `stage.toml`, those of them that its stage allows. Paths
-/// of meshes are relative to the folder of the file.
+/// A resolved scene lists its effects. Any other scene requests the effects that it calls for under
+/// `course`. A case whose folder holds a `stage.toml` requests only those that its stage allows.
+/// Paths of meshes are relative to the folder of the file.
 ///
 /// # Errors
-/// Everything that is wrong with the file.
+/// All problems of the file.
 pub fn load_scene(path: &Path, course: &Course) -> Result<Scene, Problems> {
     if is_case(path) {
         load_case(path, course).map(|case| case.scene)
@@ -62,7 +62,7 @@ pub fn load_scene(path: &Path, course: &Course) -> Result<Scene, Problems> {
 /// `course` and that the stage around it allows.
 ///
 /// # Errors
-/// Everything that is wrong with the case or its `stage.toml`; a case outside any stage.
+/// All problems of the case and its `stage.toml`. A case outside any stage is an error.
 pub fn load_case(path: &Path, course: &Course) -> Result<Case, Problems> {
     let folder = path.canonicalize().ok().and_then(|path| path.parent().map(Path::to_path_buf));
     let folder = folder.unwrap_or_else(|| path.parent().unwrap_or(Path::new("")).to_path_buf());
@@ -73,7 +73,7 @@ pub fn load_case(path: &Path, course: &Course) -> Result<Case, Problems> {
     both(raw, case).map(|(_, case)| case)
 }
 
-/// Both values, or the problems of both.
+/// Returns both values, or the problems of both.
 fn both<A, B>(a: Result<A, Problems>, b: Result<B, Problems>) -> Result<(A, B), Problems> {
     match (a, b) {
         (Ok(a), Ok(b)) => Ok((a, b)),
@@ -82,7 +82,7 @@ fn both<A, B>(a: Result<A, Problems>, b: Result<B, Problems>) -> Result<(A, B), 
     }
 }
 
-/// All values, or all problems.
+/// Returns all values, or all problems.
 fn all<T>(results: Vec<Result<T, Problems>>) -> Result<Vec<T>, Problems> {
     let (mut values, mut problems) = (vec![], vec![]);
     for result in results {
@@ -94,7 +94,7 @@ fn all<T>(results: Vec<Result<T, Problems>>) -> Result<Vec<T>, Problems> {
     Problems::new(problems).map_or(Ok(values), Err)
 }
 
-/// Returns the stage in `folder` with the base of a first stage; `before` names the earlier stages.
+/// Reads the stage in `folder`, with the base of a first stage. `before` names the earlier stages.
 fn stage(folder: &Path, before: &[String], course: &Course) -> Result<Stage, Problems> {
     let id = file_name(folder);
     let raw = raw_stage(&folder.join("stage.toml"), Some(before));
@@ -120,7 +120,7 @@ fn stage(folder: &Path, before: &[String], course: &Course) -> Result<Stage, Pro
     })
 }
 
-/// The unit checks of the files in `folder`, if there is such a folder.
+/// Returns the unit checks of the files in `folder`, or none if there is no such folder.
 fn checks(
     folder: &Path,
     stage: &str,
@@ -133,16 +133,16 @@ fn checks(
         .map(|lists| lists.concat())
 }
 
-/// Returns the case at `path` in the stage of that id.
+/// Reads the case at `path`, in the stage of that id.
 fn case(path: &Path, stage: &str, allows: Effects, course: &Course) -> Result<Case, Problems> {
     parse_case(path, &scene::read(path)?, stage, allows, course)
 }
 
-/// Returns the case that a file with this `text` at `path` is, in the stage of that id, which
-/// `allows` these effects, under `course`. Nothing but the meshes of the scene is read.
+/// Parses the case in the `text` of a file at `path`. It belongs to the stage of that id, which
+/// `allows` these effects, under `course`. No other files than the meshes of the scene are read.
 ///
 /// # Errors
-/// Everything that is wrong with the text.
+/// All problems of the text.
 pub fn parse_case(
     path: &Path,
     text: &str,

@@ -1,4 +1,4 @@
-//! What the folder `cases/stages` holds, resolved: stages, their image cases and their unit checks.
+//! The content of `cases/stages`, resolved: stages, their image cases and their unit checks.
 
 mod allows;
 mod args;
@@ -28,12 +28,13 @@ pub struct Stage {
     pub id: String,
     /// One line for people.
     pub title: String,
-    /// What the stage is about, in a few sentences.
+    /// A description of the stage, in a few sentences.
     pub about: String,
-    /// The effects that its cases may show, as `stage.toml` lists them. A case requests what its
-    /// scene calls for, as far as this, or the course for all stages, allows it.
+    /// The effects that its cases may show, as `stage.toml` lists them. A case requests the effects
+    /// that its scene calls for, as far as the stage allows them or the course always simulates
+    /// them.
     pub allows: Effects,
-    /// The picture that earns nothing in its cases: what a tracer shows that lacks this stage.
+    /// The picture that earns nothing in its cases: that of a tracer without this stage.
     pub base: Base,
     /// Ids of the stages that a student needs first.
     pub needs: Vec<String>,
@@ -57,7 +58,7 @@ impl Stage {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Base {
-    /// The background alone: before the first stage there is no tracer.
+    /// The background alone, because before the first stage there is no tracer.
     Background,
     /// The scene without these effects, which the stage is the first to allow.
     Without(Effects),
@@ -66,34 +67,35 @@ pub enum Base {
 /// An image case, `stages/NN_name/CASE.toml`.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// `02_shadows/two_balls`: the file's path below `stages`, without its ending.
+    /// Identifier, such as `02_shadows/two_balls`: the file's path below `stages`, without its
+    /// ending.
     pub id: String,
     /// One line for people.
     pub title: String,
-    /// What it tests, and what a wrong answer looks like.
+    /// A description of the test, and of how a wrong picture looks.
     pub about: String,
-    /// The rules of light it tests, each 1 to 21.
+    /// The rules of light that it tests.
     pub rules: Vec<u8>,
     /// Points in thousandths.
     pub points: u64,
-    /// What to render; its effects are those the stage allows.
+    /// The scene to render. Its effects are limited to those that the stage or the course allows.
     pub scene: Scene,
-    /// How far its numbers may be moved to make another case like it; `None` where the file does
-    /// not say.
+    /// Bounds within which its numbers may be moved to make another case like it; `None` if the
+    /// file gives none.
     pub bounds: Option<Bounds>,
 }
 
 /// A unit check: one question to one function, from `stages/NN_name/checks/FILE.toml`.
 #[derive(Clone, Debug)]
 pub struct Check {
-    /// `01_ray_casting/sphere/tangent`: stage, file, and the name in the file.
+    /// Identifier, such as `01_ray_casting/sphere/tangent`: stage, file, and the name in the file.
     pub id: String,
-    /// What it tests.
+    /// A description of the test.
     pub about: String,
-    /// The rules of light it tests, each 1 to 21.
+    /// The rules of light that it tests.
     pub rules: Vec<u8>,
     /// The question.
     pub ask: Ask,
-    /// The answer that the author worked out on paper, where it holds for the course.
+    /// The answer that the author computed by hand, if it holds for the course.
     pub paper: Option<crate::probe::Answer>,
 }

@@ -1,4 +1,4 @@
-//! The scenes and materials of a file of unit checks, which its questions name.
+//! The scenes and materials of a file of unit checks, which its questions refer to by name.
 
 use std::collections::BTreeMap;
 
@@ -8,13 +8,13 @@ use crate::problem::{did_you_mean, quoted};
 use crate::scene::raw::read::{At, Notes, Table};
 use crate::scene::{Material, Scene};
 
-/// What the file defines for its questions to refer to; `None` stands for what is there but wrong.
+/// The definitions that questions may refer to; `None` is one that could not be read.
 pub(super) struct Named {
     pub(super) scenes: BTreeMap<String, Option<Scene>>,
     pub(super) materials: BTreeMap<String, Option<Material>>,
 }
 
-/// Returns the entry of `of` that the key's value names.
+/// Returns the entry of `of` that the key's value names. A name that is not defined is noted.
 pub(super) fn by_name<'n, T>(
     of: &'n BTreeMap<String, Option<T>>,
     section: &str,
@@ -37,8 +37,8 @@ pub(super) fn by_name<'n, T>(
     found.as_ref()
 }
 
-/// Returns the scene that a question names, for the arguments that depend on it. Where there is
-/// none, nothing is noted.
+/// Returns the scene that a question names, for the arguments that depend on it. Nothing is noted
+/// if there is none.
 pub(super) fn scene_of<'n>(table: &Table<'_>, named: &'n Named) -> Option<&'n Scene> {
     let name = table.entry("scene").map(Spanned::get_ref)?.as_str()?;
     named.scenes.get(name)?.as_ref()

@@ -7,37 +7,37 @@ use crate::scene::raw::vary::RawVary;
 use crate::scene::raw::{RawRender, RawScene};
 
 table! {
-    /// What a stage is about, in `stages/NN_name/stage.toml`.
+    /// A stage, in `stages/NN_name/stage.toml`.
     "a stage" RawStage {
         /// One line for people.
         title: String,
-        /// What the stage is about, in a few sentences.
+        /// A description of the stage, in a few sentences.
         about: String,
-        /// The effects its cases may show; a case renders what its scene calls for and this allows.
+        /// The effects that its cases may show. A case shows those that its scene calls for.
         allows: Vec<EffectName>,
         /// The stages that a student needs first, by the names of their folders.
         needs: Vec<At<String>> = "[]",
-        /// What all unit checks together earn, with at most three decimals.
+        /// Points for all unit checks together, with at most three decimals.
         unit_points: Points,
     }
 }
 
 table! {
-    /// An image case of a stage: what to render, and what it is worth.
+    /// An image case of a stage: a scene to render, and the points for it.
     "a case" RawCase {
-        /// One line for people: what the case shows.
+        /// One line for people that says what the case shows.
         title: String,
-        /// What the case tests, and what a wrong answer looks like.
+        /// A description of the test, and of how a wrong picture looks.
         about: String,
         /// The numbers of the rules of light that the case tests, each from 1 to 25.
         rules: Vec<Rule>,
-        /// What a right picture earns, with at most three decimals.
+        /// Points for a right picture, with at most three decimals.
         points: Points,
         /// Size of the picture and depth of the recursion.
         render: Maybe<RawRender>,
         /// Camera, lights, materials and objects.
         scene: Maybe<RawScene>,
-        /// How far `reference vary` may move its numbers. Left out: the case cannot be varied.
+        /// Bounds for `reference vary` to move its numbers. Left out: it cannot be varied.
         vary: Option<RawVary>,
     }
 }

@@ -3,15 +3,15 @@
 use cases::{Camera, Ray};
 use glam::DVec3;
 
-/// The ray from the eye through the centre of a pixel. [rule 1]
+/// Returns the ray from the eye through the centre of a pixel. [rule 1]
 ///
 /// - `camera` is in world space: the eye C, three orthonormal vectors, and `fov_y_deg`, the
 ///   *vertical* angle of view in degrees.
-/// - The picture has `width` columns and `height` rows of square pixels: `width` / `height` times
-///   the view in the horizontal.
-/// - `i` counts columns from the left, `j` rows from the *top*; both begin at 0. A pixel's centre
-///   lies half a pixel further.
-/// - The result starts at the eye and has a unit direction; `Ray::new` gives it its interval.
+/// - The picture has `width` columns and `height` rows of square pixels, so the view plane is
+///   `width` / `height` times as wide as it is high.
+/// - `i` counts columns from the left, `j` rows from the *top*; both begin at 0. The centre of a
+///   pixel lies half a pixel further.
+/// - The result starts at the eye and has a unit direction. `Ray::new` gives it its interval.
 pub fn eye_ray(camera: &Camera, width: u32, height: u32, i: u32, j: u32) -> Ray {
     todo!("eye_ray [rule 1]: src/camera.rs")
 }

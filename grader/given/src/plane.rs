@@ -1,23 +1,23 @@
-//! The plane and the square in it. Stage 01.
+//! The plane and the square. Stage 01.
 
 use cases::{Ray, SurfaceHit};
 use glam::DVec3;
 
-/// The hit of `ray` with the plane N·X = `k`, or `None`. [rule 15]
+/// Returns the hit of `ray` with the plane N·X = `k`, or `None`. [rule 15]
 ///
-/// - `normal` is N, a unit vector; it comes back as the hit's normal, whichever side the ray comes
+/// - `normal` is N, a unit vector. It is also the normal of the hit, whichever side the ray comes
 ///   from. [rule 11]
-/// - The ray's direction may have any length but zero and is not to be normalised. [rule 20]
+/// - The ray's direction may have any length but zero and must not be normalised. [rule 20]
 /// - t counts iff `ray.contains` it. [rule 2]
-/// - N·d = 0: the ray is parallel and misses, also where it lies in the plane. Only an exact 0 is
+/// - If N·d = 0, the ray is parallel and misses, even if it lies in the plane. Only an exact 0 is
 ///   parallel: a nearly parallel ray hits far away.
 pub fn intersect_plane(ray: &Ray, normal: DVec3, k: f64) -> Option<SurfaceHit> {
     todo!("intersect_plane [rule 15]: src/plane.rs")
 }
 
-/// The hit of `ray` with the unit square |x| ≤ 0.5, |y| ≤ 0.5, z = 0, or `None`. [rule 15]
+/// Returns the hit of `ray` with the unit square |x| ≤ 0.5, |y| ≤ 0.5, z = 0, or `None`. [rule 15]
 ///
-/// - The ray and the hit are in the square's frame; the direction may have any length but zero.
+/// - The ray and the hit are in the square's frame. The direction may have any length but zero.
 ///   [rule 20]
 /// - The edges belong to the square. A ray in the plane of the square misses it.
 /// - The normal is (0, 0, 1), whichever side the ray comes from. [rule 11]

@@ -1,5 +1,4 @@
-//! Hands each question of the unit checks to the function that it is about. Given: nothing to write
-//! here.
+//! Passes each question of the unit checks to its function. Given: nothing to write here.
 
 use cases::probe::{Answer, Ask};
 use cases::program::Tracer;
@@ -11,7 +10,7 @@ use crate::trace::Path;
 use crate::{camera, cuboid, light, nearest, object, plane, reflection, refraction};
 use crate::{shade, smooth, sphere, surface, trace, transform, triangle};
 
-/// The functions of this crate behind the protocol.
+/// The functions of this crate, as the protocol calls them.
 pub struct Student;
 
 impl Tracer for Student {

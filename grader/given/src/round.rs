@@ -3,7 +3,8 @@
 use cases::{Ray, SurfaceHit};
 use glam::DVec3;
 
-/// Nearest hit with x² + y² = radius², z in the closed range `ends`; discs close it where `capped`.
+/// Returns the nearest hit with x² + y² = radius², z in the closed range `ends`. Discs close it if
+/// `capped`.
 pub fn intersect_cylinder(
     ray: &Ray,
     radius: f64,
@@ -13,8 +14,8 @@ pub fn intersect_cylinder(
     intersect_cone(ray, [radius, radius], ends, capped)
 }
 
-/// The same for a radius that goes linearly from `radii[0]` at `ends[0]` to `radii[1]` at
-/// `ends[1]`.
+/// Returns the nearest hit with a cone, whose radius changes linearly from `radii[0]` at `ends[0]`
+/// to `radii[1]` at `ends[1]`. Discs close it if `capped`.
 pub fn intersect_cone(
     ray: &Ray,
     radii: [f64; 2],
@@ -33,7 +34,7 @@ pub fn intersect_cone(
     [side, caps[0], caps[1]].into_iter().flatten().min_by(|a, b| a.t.total_cmp(&b.t))
 }
 
-/// x² + y² = (r₀ + slope · (z − z₀))²: a quadratic equation in t.
+/// Intersects x² + y² = (r₀ + slope · (z − z₀))², a quadratic equation in t.
 fn intersect_side(ray: &Ray, radii: [f64; 2], ends: [f64; 2]) -> Option<SurfaceHit> {
     let slope = (radii[1] - radii[0]) / (ends[1] - ends[0]);
     let radius_at = |z: f64| radii[0] + slope * (z - ends[0]);
@@ -51,10 +52,10 @@ fn intersect_side(ray: &Ray, radii: [f64; 2], ends: [f64; 2]) -> Option<SurfaceH
     Some(SurfaceHit { t, normal: DVec3::new(q.x, q.y, -slope * radius_at(q.z)).normalize_or(tip) })
 }
 
-/// Roots of a t² + 2 `half_b` t + c, the lesser first; infinite where there is none, so that they
-/// lie in no interval.
+/// Returns the roots of a t² + 2 `half_b` t + c, the lesser first. They are infinite if there are
+/// none, so that they lie in no interval.
 ///
-/// The root that would cancel comes from the product of the two, which is c / a.
+/// The root that would cancel is computed from the product of the two, which is c / a.
 fn roots(a: f64, half_b: f64, c: f64) -> [f64; 2] {
     let discriminant = half_b * half_b - a * c;
     if discriminant < 0.0 {

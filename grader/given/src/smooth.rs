@@ -1,43 +1,44 @@
-//! Smooth meshes: normals between those of the corners. Stage 06.
+//! Smooth meshes: normals that are interpolated between the corners. Stage 06.
 
 use glam::DVec3;
 
 use crate::reflection::reflect;
 use crate::refraction::refract;
 
-/// (α, β, γ): the weights of the corners `a`, `b`, `c` at a point `q` of their triangle. [rule 17]
+/// Returns (α, β, γ), the weights of the corners `a`, `b`, `c` at a point `q` of their triangle.
+/// [rule 17]
 ///
-/// - All four in the same frame; `q` lies in the plane of the triangle, up to rounding; the
+/// - All four are in the same frame; `q` lies in the plane of the triangle, up to rounding; the
 ///   triangle has an area.
-/// - α + β + γ = 1, α a + β b + γ c = q. Outside the triangle a weight is negative.
+/// - α + β + γ = 1 and α a + β b + γ c = q. Outside the triangle, a weight is negative.
 pub fn barycentric(a: DVec3, b: DVec3, c: DVec3, q: DVec3) -> DVec3 {
     todo!("barycentric [rule 17]: src/smooth.rs")
 }
 
-/// N̂: the normals of the three corners, weighted by (α, β, γ), then normalised. [rule 18]
+/// Returns N̂: the normals of the three corners, weighted by (α, β, γ), then normalised. [rule 18]
 ///
-/// - Unit vectors in the frame of the mesh; so is the result. The weighted sum is never the zero
-///   vector.
+/// - The normals are unit vectors in the frame of the mesh, and so is the result. The weighted sum
+///   is never the zero vector.
 pub fn interpolate_normal(weights: DVec3, normals: [DVec3; 3]) -> DVec3 {
     todo!("interpolate_normal [rule 18]: src/smooth.rs")
 }
 
-/// R where normals are interpolated: off the interpolated normal, unless that would lead into the
-/// object. [rule 19]
+/// Returns R where normals are interpolated: by the interpolated normal, unless that R would lead
+/// into the object. [rule 19]
 ///
-/// - Unit vectors in world space; d points towards the surface, `n_geom` is turned against it (d·N
-///   ≤ 0), and `n_shading` was turned over together with it.
+/// - All are unit vectors in world space. d points towards the surface, `n_geom` is turned against
+///   it (d·N ≤ 0), and `n_shading` was turned together with it.
 /// - R must leave the surface: if R · `n_geom` ≤ 0, it is computed again with `n_geom`.
 pub fn smooth_reflect(direction: DVec3, n_geom: DVec3, n_shading: DVec3) -> DVec3 {
     todo!("smooth_reflect [rule 19]: src/smooth.rs")
 }
 
-/// T where normals are interpolated, or `None` for total internal reflection. [rule 19]
+/// Returns T where normals are interpolated, or `None` for total internal reflection. [rule 19]
 ///
-/// - Arguments as in `smooth_reflect`; indices as in `refract`.
+/// - The vectors are as in `smooth_reflect`, and the indices as in `refract`.
 /// - The interpolated normal decides on total internal reflection and gives T. If that T does not
 ///   go through the surface (T · `n_geom` ≥ 0), both are decided again with `n_geom`.
-/// - Where the interpolated normal faces away from the ray (d · `n_shading` ≥ 0), `n_geom` is used
+/// - If the interpolated normal faces away from the ray (d · `n_shading` ≥ 0), `n_geom` is used
 ///   from the start.
 pub fn smooth_refract(
     direction: DVec3,

@@ -1,7 +1,7 @@
-//! The recursion: adds up what comes from a surface, from its mirror image and from behind it.
-//! Given: nothing to write here.
+//! The recursion: adds up the light that comes from a surface, from its mirror image and from
+//! behind it. Given: nothing to write here.
 //!
-//! Only what the scene's effects list is simulated, so a scene without mirrors never asks for the
+//! Only the effects that the scene lists are simulated, so a scene without mirrors never calls the
 //! functions of that stage.
 
 use cases::ray_tree::{self, Met, RayKind};
@@ -15,29 +15,30 @@ use crate::shade::shade;
 use crate::shadow::shadow_attenuation;
 use crate::surface::Surface;
 
-/// How a ray came about.
+/// The path that led to a ray.
 #[derive(Clone, Copy)]
 pub struct Path {
-    /// Why the ray was cast.
+    /// The kind of the ray.
     pub kind: RayKind,
-    /// How many rays lie before it; the eye ray has depth 0. [rule 13]
+    /// Number of rays before it; the eye ray has depth 0. [rule 13]
     pub depth: u32,
-    /// Product of the kr and kt along the way: what the ray's light counts for in the pixel. [rule
-    /// 13]
+    /// Product of the kr and kt along the path: the factor with which the ray's light enters the
+    /// pixel. [rule 13]
     pub weight: DVec3,
 }
 
 impl Path {
-    /// That of an eye ray.
+    /// The path of an eye ray.
     pub const EYE: Self = Self { kind: RayKind::Eye, depth: 0, weight: DVec3::ONE };
 
-    /// That of a ray which this one spawns and whose light is multiplied by `factor` (kr or kt).
+    /// Returns the path of a ray that this one spawns. Its light is multiplied by `factor` (kr or
+    /// kt).
     pub fn extended(&self, kind: RayKind, factor: DVec3) -> Self {
         Self { kind, depth: self.depth + 1, weight: self.weight * factor }
     }
 }
 
-/// The colour along `ray`: that of the nearest surface, or the background. [rule 2]
+/// Returns the colour along `ray`: that of the nearest surface, or the background. [rule 2]
 pub fn trace(scene: &Scene, ray: &Ray, path: &Path) -> DVec3 {
     ray_tree::enter(path.kind, path.depth, ray);
     let colour = match nearest_hit(scene, ray) {
@@ -47,7 +48,8 @@ pub fn trace(scene: &Scene, ray: &Ray, path: &Path) -> DVec3 {
     ray_tree::leave(colour)
 }
 
-/// Direct light at `hit`, and what the rays that it spawns bring back. [rule 3] [rule 7] [rule 8]
+/// Returns the direct light at `hit`, and the light of the rays that it spawns. [rule 3] [rule 7]
+/// [rule 8]
 fn light_from(scene: &Scene, ray: &Ray, hit: &Hit, path: &Path) -> DVec3 {
     let at = Surface::new(scene, ray, hit);
     let direct = shade(scene, &at);
@@ -62,7 +64,8 @@ fn light_from(scene: &Scene, ray: &Ray, hit: &Hit, path: &Path) -> DVec3 {
     colour
 }
 
-/// Whether a ray of this kind is simulated, counts for anything, and may still be cast. [rule 13]
+/// Returns whether a ray of this kind is simulated, adds any light, and may still be cast.
+/// [rule 13]
 fn spawns(scene: &Scene, effect: Effect, factor: DVec3, path: &Path) -> bool {
     let threshold =
         if scene.effects.has(Effect::AdaptiveDepth) { scene.render.threshold } else { 0.0 };
@@ -71,8 +74,8 @@ fn spawns(scene: &Scene, effect: Effect, factor: DVec3, path: &Path) -> bool {
         && goes_on(path.depth, scene.render.max_depth, path.weight, threshold)
 }
 
-/// S_j: the share of `light` that reaches `point`; all of it in a scene that simulates no shadows.
-/// [rule 5] [rule 6]
+/// Returns S_j, the share of `light` that reaches `point`; all of it in a scene that simulates no
+/// shadows. [rule 5] [rule 6]
 pub fn unblocked_share(scene: &Scene, light: &Light, point: DVec3) -> DVec3 {
     if scene.effects.has(Effect::Shadows) {
         shadow_attenuation(scene, light, point)

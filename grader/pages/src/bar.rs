@@ -1,14 +1,14 @@
-//! Progress bars that say how long something will take only once they can know, and lines where no
-//! bar can be shown.
+//! Progress bars that show the remaining time once it can be estimated, and progress lines for
+//! outputs that cannot show a bar.
 
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressState, ProgressStyle};
 
-/// Returns a style for bars by `template`, where `{left}` stands for the time that is left.
+/// Returns the style of a bar from `template`, in which `{left}` is the remaining time.
 ///
-/// A template that cannot be understood gives the usual bar.
+/// An invalid template gives the default bar.
 pub fn style(template: &str) -> ProgressStyle {
     let style =
         ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
@@ -17,8 +17,8 @@ pub fn style(template: &str) -> ProgressStyle {
     })
 }
 
-/// Returns the time that is left, such as `, 12 s left`; empty before the first step and after the
-/// last one.
+/// Returns the remaining time from the estimate `guess`, such as `, 12 s left`. The text is empty
+/// before the first step and after the last one.
 pub fn left(done: u64, all: u64, guess: Duration) -> String {
     match guess.as_secs() {
         _ if done == 0 || done >= all => String::new(),
@@ -28,7 +28,7 @@ pub fn left(done: u64, all: u64, guess: Duration) -> String {
     }
 }
 
-/// Lines on the progress of long work, for a log.
+/// The progress of long work as lines for a log.
 #[derive(Debug)]
 pub struct Lines {
     n: u64,
@@ -44,16 +44,17 @@ struct State {
 }
 
 impl Lines {
-    /// The time from one line to the next.
+    /// The least time between two lines.
     const EVERY: Duration = Duration::from_secs(15);
 
-    /// Begins work of `n` steps, which a line calls `unit`.
+    /// Starts work of `n` steps. A line calls the steps `unit`.
     pub fn new(n: u64, unit: &'static str) -> Self {
         let start = Instant::now();
         Self { n, unit, start, state: Mutex::new(State { done: 0, next: start + Self::EVERY }) }
     }
 
-    /// Adds `n` steps, and returns a line if it is time for one.
+    /// Adds `n` steps and returns a line if one is due, 15 s after the last one. No line is due
+    /// once all steps are done.
     pub fn add(&self, n: u64) -> Option<String> {
         self.add_at(n, Instant::now())
     }

@@ -1,10 +1,11 @@
-//! What both programs share when they print: guards for foreign text, streams, wrapping, progress,
-//! completions, man pages.
+//! Output code that the grader and the reference share: guards for foreign text, formats of
+//! numbers, streams, wrapping, progress, completions, man pages.
 //!
-//! The crate knows no other crate of the workspace, so that the grader and the reference can both
-//! use it and stay apart.
+//! The crate depends on no other crate of the workspace, so the grader and the reference can use it
+//! without depending on each other.
 
 pub mod bar;
+pub mod figures;
 pub mod lines;
 pub mod plain;
 pub mod say;

@@ -3,13 +3,13 @@
 use terminal_size::{Width, terminal_size_of};
 use textwrap::{Options, WordSplitter};
 
-/// Columns of an output that is no terminal.
+/// The columns of an output that is not a terminal.
 const UNKNOWN: usize = 100;
-/// Narrower than this, text would be more breaks than words.
+/// The least width. In a narrower one, text would have more breaks than words.
 const LEAST: usize = 40;
 
-/// Returns the columns of the terminal behind the output stream, at least 40; 100 where it is no
-/// terminal.
+/// Returns the width of the terminal on the output stream in columns, at least 40, or 100 if the
+/// stream is not a terminal.
 pub fn columns() -> usize {
     terminal_size_of(std::io::stdout())
         .map_or(UNKNOWN, |(Width(columns), _)| usize::from(columns).max(LEAST))
@@ -17,8 +17,8 @@ pub fn columns() -> usize {
 
 /// Returns `text` with every line that is wider than `columns` broken between words.
 ///
-/// What follows of a broken line stands four columns deeper than its beginning. A word that is
-/// wider than a line is broken as well. Escape codes for colour take no columns; a tab becomes four
+/// Continuation lines are indented four columns deeper than the first line. A word that is wider
+/// than a line is broken as well. Escape codes for colour take no columns; a tab becomes four
 /// spaces.
 pub fn folded(text: &str, columns: usize) -> String {
     let mut out = String::with_capacity(text.len());
@@ -50,8 +50,8 @@ pub fn count(n: usize, word: &str) -> String {
     if n == 1 { format!("1 {word}") } else { format!("{n} {word}s") }
 }
 
-/// Returns names for a message, such as `` `a`, `b` and 5 more ``: at most `most`, then how many
-/// are left.
+/// Returns names for a message, such as `` `a`, `b` and 5 more ``: at most `most` names, then the
+/// number of the others.
 pub fn some<'a>(names: impl IntoIterator<Item = &'a str>, most: usize) -> String {
     let names: Vec<String> = names.into_iter().map(|name| format!("`{name}`")).collect();
     match names.len() {

@@ -1,8 +1,9 @@
-//! Guards for text that others wrote. No guarded text moves a cursor, turns the reading direction,
-//! hides a part of itself, breaks a document, or gives a command to the machine that reads the log.
+//! Guards for text that others wrote. Guarded text cannot move a cursor, turn the reading
+//! direction, hide a part of itself, break a document, or give a command to the machine that reads
+//! the log.
 //!
-//! **Hidden characters** become their codes, such as `\u{202e}`. Hidden are control and format
-//! characters, code points that stand for no character, private ones, and those that take no ink.
+//! **Hidden characters** become their codes, such as `\u{202e}`. Control and format characters,
+//! code points without a character, private ones, and characters without ink are hidden.
 //!
 //! **Commands to a log.** The runner of GitHub obeys a line that begins, after white space, with
 //! `::name …::`, and `##[name …]` anywhere in a line; Azure's agent obeys `##[…]` and `##vso[…]`,
@@ -11,21 +12,21 @@
 
 use unicode_properties::{GeneralCategory, UnicodeGeneralCategory};
 
-/// Characters that [`name`] keeps.
+/// The number of characters that [`name`] keeps.
 const MAX_NAME: usize = 100;
 
-/// Returns `text` guarded for any report; line breaks and tabs stay.
+/// Returns `text` guarded for any report. Line breaks and tabs stay.
 ///
-/// What goes into a document of another kind (HTML, XML, CSV) still has to be escaped for it.
-/// Guarding twice gives the same as guarding once.
+/// A document of another kind (HTML, XML, CSV) still needs its own escapes. Guarding twice gives
+/// the same text as guarding once.
 pub fn shown(text: &str) -> String {
     guarded(text, Colours::Coded)
 }
 
 /// Returns a whole output of our own, with foreign text in it, guarded for a stream.
 ///
-/// Unlike [`shown`], this keeps the escape codes that colour text. It is the last step before the
-/// stream, so that pieces which are harmless alone cannot form a command together.
+/// Unlike [`shown`], this function keeps the escape codes that colour text. It is the last step
+/// before the stream, because pieces that are harmless alone could form a command together.
 pub fn printable(text: &str) -> String {
     guarded(text, Colours::Kept)
 }
@@ -40,10 +41,19 @@ pub fn name(bytes: &[u8]) -> String {
     shown(&short) + cut
 }
 
-/// Returns JSON text of the same value that is guarded as [`shown`] guards text.
+/// Returns the text of a cell of a CSV file. A text that begins with `=`, `+`, `-`, `@`, a tab or a
+/// line break gets a `'` in front.
 ///
-/// In JSON, hidden characters and commands can stand in strings alone, where `\u` codes are
-/// allowed.
+/// A spreadsheet takes such a text for a formula, which could send the other cells elsewhere. The
+/// quotes of CSV are left to the writer.
+pub fn csv_cell(text: &str) -> String {
+    let is_formula = text.starts_with(['=', '+', '-', '@', '\t', '\r', '\n']);
+    if is_formula { format!("'{text}") } else { text.to_owned() }
+}
+
+/// Returns JSON text of the same value, guarded as [`shown`] guards text.
+///
+/// In JSON, hidden characters and commands occur only within strings, where `\u` codes are allowed.
 pub fn json(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for (at, c) in text.char_indices() {
@@ -61,9 +71,8 @@ pub fn json(text: &str) -> String {
     out
 }
 
-/// Returns whether `c` does not show as itself: it would be invisible, change how others show, or
-/// not be allowed in XML. Spaces of any width show as what they are; line breaks and tabs are
-/// hidden.
+/// Returns whether `c` is invisible, changes how other characters look, or is not allowed in XML.
+/// Spaces of any width are visible; line breaks and tabs are hidden.
 pub fn is_hidden(c: char) -> bool {
     use GeneralCategory::{
         Control, Format, LineSeparator, ParagraphSeparator, PrivateUse, Surrogate, Unassigned,
@@ -78,19 +87,20 @@ pub fn is_hidden(c: char) -> bool {
     is_of_a_hidden_kind || is_inkless(c)
 }
 
-/// Letters, marks and symbols that take no ink: fillers, joiners, selectors of a variant.
+/// Returns whether `c` is a letter, mark or symbol without ink: a filler, a joiner or a variation
+/// selector.
 fn is_inkless(c: char) -> bool {
     matches!(c, '\u{34f}' | '\u{115f}'..='\u{1160}' | '\u{17b4}'..='\u{17b5}')
         || matches!(c, '\u{180b}'..='\u{180f}' | '\u{2800}' | '\u{3164}')
         || matches!(c, '\u{fe00}'..='\u{fe0f}' | '\u{ffa0}' | '\u{e0100}'..='\u{e01ef}')
 }
 
-/// Whether escape codes for colour may pass.
+/// The treatment of escape codes for colour.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Colours {
-    /// Foreign colours are coded like any control character.
+    /// The codes of foreign text are escaped like any control character.
     Coded,
-    /// Our own colours stay.
+    /// The codes of our own text stay.
     Kept,
 }
 
@@ -129,15 +139,17 @@ fn guarded(text: &str, colours: Colours) -> String {
     out
 }
 
-/// Bytes of a colour's escape code behind its escape character: `[`, digits and semicolons, `m`.
+/// Returns the length in bytes of a colour's escape code after its escape character: `[`, digits
+/// and semicolons, `m`. `None` for any other text.
 fn colour_code(behind: &str) -> Option<usize> {
     let numbers = behind.strip_prefix('[')?;
     let end = numbers.find(|c: char| !c.is_ascii_digit() && c != ';')?;
     numbers[end..].starts_with('m').then_some(1 + end + 1)
 }
 
-/// Whether a `#` before `behind` opens a command: `##[`, `##vso[`, `##teamcity[` and the like. A
-/// kept escape character does not part it, since a reader may drop that.
+/// Returns whether a `#` before `behind` opens a command: `##[`, `##vso[`, `##teamcity[` and so on.
+/// A kept escape character within the name does not break the command, since a reader may drop that
+/// character.
 fn opens_command(behind: &str) -> bool {
     let is_name = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-' | '\u{1b}');
     behind.strip_prefix('#').is_some_and(|rest| rest.trim_start_matches(is_name).starts_with('['))

@@ -1,5 +1,4 @@
-//! The one way to print. No output panics where its reader has gone away, as in
-//! `grader lint | head`.
+//! The only module that prints. No output panics if its reader is gone, as in `grader lint | head`.
 
 use std::io::{self, Write};
 
@@ -7,18 +6,19 @@ use anstream::{AutoStream, ColorChoice};
 
 use crate::plain;
 
-/// Prints text to the output stream, guarded by [`plain::printable`] and ended by a line break.
+/// Prints text to the output stream, guarded by [`plain::printable`], and adds a line break if the
+/// text does not end with one.
 ///
-/// Colours are left out where the stream is no terminal or the user wants none.
+/// Colours are removed if the stream is not a terminal or the user wants none.
 ///
 /// # Errors
-/// What the stream says; a reader that has gone away is no error.
+/// Returns the error of the stream. A reader that is gone is no error.
 pub fn out(text: &str) -> io::Result<()> {
     let stream = io::stdout();
     raw(finished(text, AutoStream::choice(&stream)).as_bytes())
 }
 
-/// Prints text to the error stream, like [`out`]. An error is dropped, since no stream is left to
+/// Prints text to the error stream, like [`out`]. An error is dropped, because no stream is left to
 /// report it on.
 pub fn err(text: &str) {
     let stream = io::stderr();
@@ -27,10 +27,10 @@ pub fn err(text: &str) {
     let _ = stream.write_all(text.as_bytes()).and_then(|()| stream.flush());
 }
 
-/// Writes bytes of our own making (a picture, a man page, JSON) to the output stream as they are.
+/// Writes bytes of our own (a picture, a man page, JSON) to the output stream unchanged.
 ///
 /// # Errors
-/// What the stream says; a reader that has gone away is no error.
+/// Returns the error of the stream. A reader that is gone is no error.
 pub fn raw(bytes: &[u8]) -> io::Result<()> {
     let mut stream = io::stdout().lock();
     match stream.write_all(bytes).and_then(|()| stream.flush()) {
@@ -39,7 +39,8 @@ pub fn raw(bytes: &[u8]) -> io::Result<()> {
     }
 }
 
-/// Text as it goes to a stream; colours are taken out first, since they could part a command.
+/// Returns text as it goes to a stream. Colours are removed before the text is guarded, because
+/// they could split a command.
 fn finished(text: &str, colours: ColorChoice) -> String {
     let plain = match colours {
         ColorChoice::Never => plain::printable(&anstream::adapter::strip_str(text).to_string()),

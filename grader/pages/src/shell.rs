@@ -1,5 +1,5 @@
-//! The arguments of a program, and what is made from them: completions, man pages, the page of the
-//! command line.
+//! The arguments of a program, and the documents made from them: completions, man pages, the page
+//! of the command line.
 
 use std::fmt::Write;
 use std::io;
@@ -11,13 +11,13 @@ use clap_complete::Shell;
 
 use crate::say;
 
-/// Columns of help in a document.
+/// The width of the help texts in a document, in columns.
 const COLUMNS: usize = 100;
 
-/// Returns the arguments that this program was called with.
+/// Returns the arguments of this call of the program.
 ///
 /// # Errors
-/// The exit code, after this has printed help (0) or what is wrong with the call (2); 3 where help
+/// Returns the exit code after printing: 0 for help, 2 for a message on an invalid call, 3 if help
 /// cannot be printed.
 pub fn arguments<A: Parser>() -> Result<A, ExitCode> {
     A::try_parse().map_err(|why| {
@@ -44,21 +44,22 @@ pub fn completions(mut program: Command, shell: Shell) -> Vec<u8> {
     text
 }
 
-/// What `man` was called for.
+/// The result of [`man`].
 #[derive(Debug, PartialEq, Eq)]
 pub enum Man {
-    /// A page to print.
+    /// One page to print.
     Page(Vec<u8>),
-    /// Pages to write into a folder, each under its name.
+    /// Pages to write into a folder, each with its file name.
     Folder(PathBuf, Vec<(String, Vec<u8>)>),
 }
 
-/// Returns the man page of a command, or that of the program where `what` is `None`.
+/// Returns the man page of the command `what`, or that of the program if `what` is `None`.
 ///
-/// A `what` that is no command is a folder for all pages, if it is there or has a `/` in it.
+/// If `what` is not a command, it is the folder for all pages, provided that the folder exists or
+/// that `what` contains a `/`.
 ///
 /// # Errors
-/// Says so where `what` is neither, or where a page cannot be made.
+/// Returns a message if `what` is neither, or if a page cannot be made.
 pub fn man(mut program: Command, what: Option<&Path>) -> Result<Man, String> {
     program.build();
     let Some(what) = what else { return Ok(Man::Page(page(&program)?)) };
@@ -79,7 +80,7 @@ pub fn man(mut program: Command, what: Option<&Path>) -> Result<Man, String> {
     Ok(Man::Folder(what.to_owned(), pages))
 }
 
-/// Returns the help of `program` and of all its commands as a section in Markdown.
+/// Returns the help of `program` and of all its commands as Markdown sections.
 fn markdown(mut program: Command) -> String {
     program = program.term_width(COLUMNS);
     program.build();
@@ -99,7 +100,7 @@ fn markdown(mut program: Command) -> String {
 }
 
 /// Returns `page` with the help of `program` between its marks, `<!-- NAME -->` and
-/// `<!-- end of NAME -->`; the page as it is where the marks are missing.
+/// `<!-- end of NAME -->`. A page without the marks is returned unchanged.
 pub fn in_page(page: &str, program: Command) -> String {
     let name = program.get_name().to_owned();
     let (start, end) = (format!("<!-- {name} -->\n"), format!("<!-- end of {name} -->"));
@@ -112,7 +113,7 @@ pub fn in_page(page: &str, program: Command) -> String {
     }
 }
 
-/// The program and its commands, without `help`.
+/// Returns the program and its commands, without `help`.
 fn all(program: &Command) -> impl Iterator<Item = &Command> {
     let commands = program.get_subcommands().filter(|command| command.get_name() != "help");
     std::iter::once(program).chain(commands)
@@ -140,7 +141,7 @@ mod tests {
         Command::new("oven").version("1").about("An oven").subcommand(bake)
     }
 
-    /// The page that is printed, or the names of those to be written, or the error.
+    /// Checks the page that is printed, the names of the pages to be written, or the error.
     fn check(what: Option<&str>, expected: Result<&str, &str>) {
         let said = man(program(), what.map(Path::new)).map(|man| match man {
             Man::Page(page) => String::from_utf8(page).unwrap(),

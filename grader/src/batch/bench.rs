@@ -1,4 +1,5 @@
-//! Grading a class on one bench: the exam is read and the crates are compiled once for all.
+//! Grades a class on one bench: the exam is read and the crates are compiled once for all
+//! submissions.
 
 use std::path::Path;
 
@@ -7,7 +8,7 @@ use crate::grade::{self, Bench, GradeError, Options, Silent};
 use crate::graded::Graded;
 use crate::{sandbox, submission};
 
-/// The real grader of a class.
+/// The grader of a class that builds and runs programs.
 #[derive(Debug)]
 pub struct OnBench<'a> {
     bench: &'a Bench,
@@ -16,10 +17,12 @@ pub struct OnBench<'a> {
 }
 
 impl<'a> OnBench<'a> {
-    /// Grades the stages whose ids begin with one of the given texts; all where none is given.
+    /// Returns a grader for the stages whose ids begin with one of the given texts, or for all
+    /// stages if none is given.
     ///
     /// # Errors
-    /// No such stage; answers that are missing or stale; no compiler.
+    /// Fails if there is no such stage, if answers are missing or stale, or if there is no
+    /// compiler.
     pub fn new(bench: &'a Bench, stages: &[String]) -> Result<Self, GradeError> {
         bench.selected(stages, &[])?;
         let mut stages = stages.to_vec();

@@ -1,5 +1,5 @@
-//! How far a run has come: a bar with the time left on a terminal, else a line for each submission
-//! that is finished.
+//! Shows the progress of a run: a bar with the time left on a terminal, else a line for each
+//! finished submission.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -10,21 +10,21 @@ use super::Submission;
 use crate::record::Record;
 use crate::report::words;
 
-/// Hears what becomes of each submission. Called from several threads, in any order.
+/// A receiver of the progress of a run. It is called from several threads, in any order.
 pub trait Listener: Sync {
-    /// The run begins.
+    /// Reports that the run begins.
     fn begin(&self, n_submissions: usize);
-    /// The result of an earlier run holds.
+    /// Reports that the result of an earlier run is used.
     fn taken(&self, submission: &Submission, record: &Record);
-    /// It was graded.
+    /// Reports that the submission was graded.
     fn graded(&self, submission: &Submission, record: &Record);
-    /// The grader or the machine failed at it.
+    /// Reports that the grader or the machine failed at the submission.
     fn failed(&self, submission: &Submission, why: &str);
-    /// The run has ended.
+    /// Reports that the run has ended.
     fn end(&self);
 }
 
-/// Shows it on the error stream.
+/// A display of progress on standard error.
 #[derive(Debug)]
 pub struct Shown {
     bar: ProgressBar,
@@ -33,7 +33,7 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// Nothing is shown yet. A quiet one shows failures alone.
+    /// Returns a display that shows nothing yet. A quiet one shows only failures.
     pub fn new(is_quiet: bool) -> Self {
         let bar = if is_quiet { ProgressBar::hidden() } else { ProgressBar::no_length() };
         Self { bar, n_done: AtomicUsize::new(0), is_quiet }

@@ -1,4 +1,4 @@
-//! Results on disk: published once, whole, under the hash of all they depend on.
+//! Stores results on disk, each published once and whole under a hash of everything it depends on.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -14,11 +14,11 @@ use crate::report::html;
 pub(super) struct Store {
     out: PathBuf,
     epoch: String,
-    /// The folder where files are made before they get their names, and where notes lie on what is
+    /// The folder for files before they get their names, and for notes on the submissions that are
     /// being graded.
     work: Held,
-    /// Submissions that were being graded when a run died, by id, with the number of deaths while
-    /// nothing else was.
+    /// Ids of the submissions that were being graded when a run died, with the number of deaths
+    /// while no other one was.
     suspects: BTreeMap<String, u32>,
 }
 
@@ -29,7 +29,7 @@ const DOING: &str = ".doing";
 const SUSPECT: &str = ".suspect";
 
 impl Store {
-    /// Makes the folders, and clears what a run that was killed left in them.
+    /// Creates the folders, and removes what killed runs left in them.
     pub(super) fn open(out: &Path, epoch: &str) -> io::Result<Self> {
         for folder in ["results", "records", "reports"] {
             std::fs::create_dir_all(out.join(folder))?;
@@ -37,7 +37,7 @@ impl Store {
         let work = Held::new(out, files::PARTS)?;
         let left = leftovers::left_behind(out, files::PARTS)?;
         let suspects = suspects(&left)?;
-        // They are noted again before the old notes go, in case that this run dies as well.
+        // The suspects are noted again before the old notes go, in case this run dies as well.
         for (id, n_deaths) in &suspects {
             std::fs::write(work.path().join(format!("{id}{SUSPECT}")), n_deaths.to_string())?;
         }
@@ -47,25 +47,25 @@ impl Store {
         Ok(Self { out: out.to_owned(), epoch: epoch.to_owned(), work, suspects })
     }
 
-    /// Returns how often a run died while it graded this submission and no other, or `None` where
-    /// none died while it graded this one.
+    /// Returns how often a run died while it graded this submission and no other, or `None` if none
+    /// died while it graded this one.
     pub(super) fn deaths(&self, id: &str) -> Option<u32> {
         self.suspects.get(id).copied()
     }
 
-    /// Notes that a submission is being graded, in case that the run dies.
+    /// Notes that a submission is being graded, in case the run dies.
     pub(super) fn begin(&self, id: &str) -> io::Result<()> {
         std::fs::write(self.doing(id), "")
     }
 
-    /// Notes that it is not graded any more.
+    /// Notes that a submission is no longer being graded.
     pub(super) fn end(&self, id: &str) {
         let _ = std::fs::remove_file(self.doing(id)); // The whole folder goes when the run ends.
     }
 
-    /// Notes that a submission has a record, so that no death of a run is laid to its charge.
+    /// Removes the number of deaths of a submission, which has a record now.
     pub(super) fn clear(&self, id: &str) {
-        // Most have none.
+        // Most submissions have none.
         let _ = std::fs::remove_file(self.work.path().join(format!("{id}{SUSPECT}")));
     }
 
@@ -81,7 +81,7 @@ impl Store {
         self.out.join("results").join(hasher.finalize().to_hex().as_str())
     }
 
-    /// The record of an earlier run, if there is one; a broken one counts for nothing.
+    /// Returns the record of an earlier run, or `None` if there is none or it is broken.
     pub(super) fn find(&self, digest: &str, name: &str) -> Option<Record> {
         let folder = self.folder(digest, name);
         let bytes = std::fs::read(folder.join("record.json")).ok()?;
@@ -90,15 +90,17 @@ impl Store {
         (is_whole && record.submission.digest == digest).then_some(record)
     }
 
-    /// Stores a record and its report. What is under the same key already can only be broken, or
-    /// just as good; but what could not be read has no digest to tell it by, so there the new one
-    /// counts.
+    /// Stores a record and its report.
+    ///
+    /// A result that already has the same key is replaced if it is broken, and otherwise kept,
+    /// since it is just as good. A submission that could not be read has no digest in its key, so
+    /// its result is always replaced.
     pub(super) fn publish(&self, graded: &Graded) -> io::Result<()> {
         let Record { submission, .. } = &graded.record;
         let folder = self.folder(&submission.digest, &submission.path);
-        let is_told_apart = !submission.digest.is_empty();
+        let has_digest = !submission.digest.is_empty();
         if folder.exists()
-            && !(is_told_apart && self.find(&submission.digest, &submission.path).is_some())
+            && !(has_digest && self.find(&submission.digest, &submission.path).is_some())
         {
             std::fs::remove_dir_all(&folder)?;
         }
@@ -108,7 +110,8 @@ impl Store {
         })
     }
 
-    /// Puts a published record and its report where people look for them.
+    /// Makes a published record and its report available under the submission's id, where people
+    /// look for them.
     pub(super) fn show(&self, id: &str, record: &Record) -> io::Result<()> {
         let report =
             self.folder(&record.submission.digest, &record.submission.path).join("report.html");
@@ -119,21 +122,21 @@ impl Store {
         )
     }
 
-    /// Makes `to` a second name of `from`, or a copy where the file system has no second names.
+    /// Makes `to` a hard link to `from`, or a copy if the file system has no hard links.
     fn link(&self, from: &Path, to: &Path) -> io::Result<()> {
         let part = self.work.path().join(to.file_name().unwrap_or_default());
         if std::fs::hard_link(from, &part).is_err() {
             return files::write(to, &std::fs::read(from)?);
         }
         let renamed = std::fs::rename(&part, to);
-        // A rename onto another name of the same file leaves both.
+        // A rename onto another hard link to the same file leaves both.
         let _ = std::fs::remove_file(&part);
         renamed
     }
 }
 
-/// Returns what was being graded when earlier runs died, from the folders that they left. A
-/// submission that was graded alone has one death more.
+/// Returns the submissions that were being graded when earlier runs died, from the folders that
+/// these runs left. A submission that was graded alone gets one more death.
 fn suspects(left: &[Left]) -> io::Result<BTreeMap<String, u32>> {
     let mut suspects = BTreeMap::new();
     for left in left {

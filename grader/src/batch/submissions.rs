@@ -1,4 +1,4 @@
-//! What lies in a folder of submissions, under ids that are safe as file names and in links.
+//! Lists a folder of submissions, and gives them ids that are safe as file names and in links.
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -8,27 +8,29 @@ use std::path::{Path, PathBuf};
 use crate::plain;
 use crate::submission::{looks_handed_in, without_ending};
 
-/// A folder, an archive, or a single file that looks like somebody's work.
+/// A folder, an archive, or a single file that looks like a hand-in.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Submission {
-    /// Of letters, digits, `.`, `_`, `-` and `~`; no two are equal, not even but for case.
+    /// The id, of letters, digits, `.`, `_`, `-` and `~`. No two ids are equal, even without regard
+    /// to case.
     pub id: String,
     /// The file's name without its ending, made harmless to show.
     pub name: String,
-    /// Where it is.
+    /// The path of the folder or file.
     pub path: PathBuf,
 }
 
-/// What lies beside the submissions and is none.
+/// A file or folder beside the submissions that is none.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LeftAside {
     /// The file's name, made harmless to show.
     pub name: String,
-    /// Why it was left aside.
+    /// The reason why it was left aside.
     pub why: &'static str,
 }
 
-/// All submissions in `folder`, ordered by id; `out`, should it lie there, is not one.
+/// Returns all submissions in `folder` in the order of their ids, and what is left aside. `out` is
+/// no submission, even if it lies there.
 pub(super) fn list(folder: &Path, out: &Path) -> io::Result<(Vec<Submission>, Vec<LeftAside>)> {
     let out = out.canonicalize().ok();
     let (mut found, mut left_aside) = (Vec::new(), Vec::new());
@@ -51,7 +53,7 @@ fn why_not(path: &Path) -> io::Result<Option<&'static str>> {
     let name = file_name(path).as_encoded_bytes();
     Ok(match () {
         () if name.starts_with(b".") || name == b"__MACOSX" => {
-            Some("made by a system, not by a student")
+            Some("a file of an operating system, not of a student")
         }
         () if kind.is_symlink() => Some("a link: its target may be anywhere"),
         () if kind.is_dir() || (kind.is_file() && looks_handed_in(path)) => None,
@@ -62,17 +64,18 @@ fn why_not(path: &Path) -> io::Result<Option<&'static str>> {
     })
 }
 
-/// Gives each its id: its name where that is safe and nobody else's, else with a piece of its hash.
+/// Gives each submission its id: its name if that is safe and unique, else the name with a part of
+/// a hash of the file name.
 fn named(mut paths: Vec<PathBuf>) -> Vec<Submission> {
     paths.sort();
-    let mut takers: BTreeMap<String, usize> = BTreeMap::new();
+    let mut n_by_slug: BTreeMap<String, usize> = BTreeMap::new();
     for path in &paths {
-        *takers.entry(slug(stem(path)).to_lowercase()).or_default() += 1;
+        *n_by_slug.entry(slug(stem(path)).to_lowercase()).or_default() += 1;
     }
     let submission = |path: PathBuf| {
         let slug = slug(stem(&path));
         let is_its_own =
-            slug.as_bytes() == stem(&path) && takers.get(&slug.to_lowercase()) == Some(&1);
+            slug.as_bytes() == stem(&path) && n_by_slug.get(&slug.to_lowercase()) == Some(&1);
         let hash = blake3::hash(file_name(&path).as_encoded_bytes()).to_hex();
         let id = if is_its_own { slug } else { format!("{slug}~{}", &hash[..12]) };
         Submission { id, name: plain::name(stem(&path)), path }
@@ -92,7 +95,7 @@ fn stem(path: &Path) -> &[u8] {
     if path.is_dir() { name } else { without_ending(name) }
 }
 
-/// At most 80 safe characters; others become `_`.
+/// Returns at most 80 characters of a name, with `_` for every unsafe one.
 fn slug(name: &[u8]) -> String {
     let is_safe = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-');
     let text = String::from_utf8_lossy(name);

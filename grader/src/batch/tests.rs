@@ -7,14 +7,16 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::*;
-use crate::record::Finding;
+use crate::grade::GradeError;
+use crate::graded::Graded;
+use crate::record::{Finding, FindingKind, Record, Verdict};
 use crate::report::sample;
 
-/// Grades a folder by the text of its file `points`; remembers whom, and may stop or fail on the
-/// way.
+/// A grader that reads the score of a folder from its file `points`. It records the names, and may
+/// stop or fail on the way.
 struct Fake {
     epoch: &'static str,
-    /// Stops when it has graded so many.
+    /// Number of submissions after which it stops.
     most: usize,
     n_begun: AtomicUsize,
     graded: Mutex<Vec<String>>,
@@ -25,7 +27,7 @@ impl Fake {
         Self { epoch, most, n_begun: AtomicUsize::new(0), graded: Mutex::default() }
     }
 
-    /// Whom it has graded to the end.
+    /// Returns the names of the submissions that it has graded to the end, sorted.
     fn graded(&self) -> Vec<String> {
         let mut graded = self.graded.lock().unwrap().clone();
         graded.sort();
@@ -112,7 +114,7 @@ impl Class {
         run(grader, &options, &Silent).unwrap()
     }
 
-    /// Everything for people, by path.
+    /// Returns all files for people, by path.
     fn shown(&self) -> BTreeMap<String, Vec<u8>> {
         let mut paths = vec![self.out("class.csv"), self.out("class.html")];
         paths.extend(
@@ -221,8 +223,8 @@ fn what_a_kill_leaves_behind_does_no_harm() {
     let class = Class::new(&THREE);
     class.run(&Fake::new("1", ALL), 1);
     let before = class.shown();
-    // Killed between the two files of a folder, in the middle of a file, and before the names for
-    // people were given.
+    // The run was killed between the two files of a folder, in the middle of a file, and before the
+    // names for people were given.
     let results: Vec<PathBuf> = files::below(&class.out("results")).unwrap();
     fs::remove_file(results.iter().find(|path| path.ends_with("report.html")).unwrap()).unwrap();
     let broken = results.iter().rfind(|path| path.ends_with("record.json")).unwrap();

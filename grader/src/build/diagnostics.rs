@@ -1,15 +1,17 @@
-//! What rustc has to say, from its JSON.
+//! Parses the JSON messages of rustc.
 
 use serde::Deserialize;
 
 use crate::plain;
 
-/// Characters of one message that are kept, bytes of all errors, and warnings.
+/// Largest number of characters that are kept of one message.
 const MAX_MESSAGE: usize = 8 << 10;
+/// Largest size in bytes of the text of all errors, unless the first error alone is larger.
 const MAX_ERRORS: usize = 16 << 10;
+/// Largest number of warnings that are kept.
 const MAX_WARNINGS: usize = 30;
 
-/// Messages as rustc renders them for a terminal without colour.
+/// The messages as rustc renders them for a terminal without colour.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Diagnostics {
     pub(super) errors: Vec<String>,
@@ -23,7 +25,8 @@ struct Message {
     rendered: Option<String>,
 }
 
-/// Reads a message a line; what is no message is left out, and so are the closing counts.
+/// Reads one message per line. Lines that are no messages are left out, and so are the closing
+/// counts.
 pub(super) fn parse(stderr: &[u8]) -> Diagnostics {
     let mut said = Diagnostics::default();
     for line in stderr.split(|byte| *byte == b'\n') {
@@ -39,7 +42,7 @@ pub(super) fn parse(stderr: &[u8]) -> Diagnostics {
     said
 }
 
-/// The beginning of a message, which may quote a whole file.
+/// Returns the beginning of a message, which may quote a whole file.
 fn start(message: &str) -> String {
     let start: String = message.chars().take(MAX_MESSAGE).collect();
     if start.len() < message.len() { start + " […]" } else { start }
@@ -52,7 +55,7 @@ fn is_count(text: &str) -> bool {
 }
 
 impl Diagnostics {
-    /// The errors under one another, cut at a limit with the number of the rest.
+    /// Returns the errors one below the other, cut at a limit, with the number of the rest.
     pub(super) fn errors_text(&self) -> String {
         let mut text = String::new();
         for (n, error) in self.errors.iter().enumerate() {

@@ -2,7 +2,7 @@
 //!
 //! An entry is checked whenever it is taken. One that differs from what was published is removed
 //! and reported: a program of some submission or a failing disk has changed it, and no submission
-//! may pay for that.
+//! may lose points for that.
 
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -19,10 +19,10 @@ use crate::{files, leftovers, plain};
 /// The file that describes the entry, and holds the digests of its files when it was published.
 const INDEX: &str = "index.json";
 
-/// Changes with the form of entries, so that older ones are made again.
+/// The version of the format of entries. After a change, older entries are made again.
 pub(super) const VERSION: u32 = 2;
 
-/// Why an entry of the store cannot be used. The grader or the machine is to blame.
+/// The reason why an entry of the store cannot be used. The grader or the machine is to blame.
 #[derive(Debug, thiserror::Error)]
 pub enum StoreError {
     /// The entry differs from what was published.
@@ -44,7 +44,7 @@ pub enum StoreError {
         folder: PathBuf,
         /// The first difference.
         change: String,
-        /// What keeps it from being removed.
+        /// The error of the removal.
         source: io::Error,
     },
     /// The machine fails to read the entry, which may be as it was published.
@@ -54,7 +54,7 @@ pub enum StoreError {
         folder: PathBuf,
         /// The file.
         what: String,
-        /// What the system says.
+        /// The error of the system.
         source: io::Error,
     },
     /// The entry cannot be published.
@@ -62,12 +62,12 @@ pub enum StoreError {
     Write {
         /// The folder of the entry.
         folder: PathBuf,
-        /// What the system says.
+        /// The error of the system.
         source: io::Error,
     },
 }
 
-/// An entry that was as it was published when it was taken.
+/// An entry of the store, which was as it was published when it was taken.
 #[derive(Clone, Debug)]
 pub(super) struct Entry<T> {
     pub(super) folder: PathBuf,
@@ -85,7 +85,7 @@ struct Index<T> {
 /// Publishes the files that `fill` puts into a folder, and `about`, as the entry `folder`.
 ///
 /// # Errors
-/// What `fill` or the file system says; nothing is published then.
+/// Fails if `fill` or the file system does. Nothing is published then.
 pub(super) fn publish<T: Serialize>(
     folder: &Path,
     about: &T,
@@ -105,10 +105,10 @@ pub(super) fn publish<T: Serialize>(
 }
 
 impl<T: DeserializeOwned> Entry<T> {
-    /// Takes the entry `folder` and checks it, or returns `None` where there is none.
+    /// Takes the entry `folder` and checks it, or returns `None` if there is none.
     ///
     /// # Errors
-    /// An entry that was changed; it is removed.
+    /// Fails if the entry was changed, and then removes it, or if the machine cannot read it.
     pub(super) fn take(folder: &Path) -> Result<Option<Self>, StoreError> {
         if folder.symlink_metadata().is_err_and(|why| why.kind() == io::ErrorKind::NotFound) {
             return Ok(None);
@@ -125,7 +125,7 @@ impl<T> Entry<T> {
     /// Compares all files with what was published.
     ///
     /// # Errors
-    /// An entry that was changed; it is removed.
+    /// Fails if the entry was changed, and then removes it, or if the machine cannot read it.
     pub(super) fn check(&self) -> Result<(), StoreError> {
         let unreadable = |why| unreadable(&self.folder, "the folder", why);
         let is_folder = self.folder.symlink_metadata().map_err(unreadable)?.is_dir();
@@ -133,7 +133,7 @@ impl<T> Entry<T> {
         if !is_folder {
             return Err(spoilt(&self.folder, "it is a link".to_owned()));
         }
-        // No other file may lie there, since compilers take what they find.
+        // No other file may lie there, since a compiler uses whatever it finds.
         let surplus = names.iter().find(|name| *name != INDEX && !self.digests.contains_key(*name));
         if let Some(name) = surplus {
             return Err(spoilt(
@@ -153,7 +153,7 @@ impl<T> Entry<T> {
     /// Returns the bytes of a file, which are those that were published.
     ///
     /// # Errors
-    /// A file that was changed; the entry is removed.
+    /// Fails if the file was changed, and then removes the entry, or if the machine cannot read it.
     pub(super) fn bytes(&self, name: &str) -> Result<Vec<u8>, StoreError> {
         let mut bytes = vec![];
         let read = open(&self.folder.join(name)).and_then(|mut file| file.read_to_end(&mut bytes));
@@ -231,7 +231,7 @@ mod tests {
         (home, folder)
     }
 
-    /// After `change`, the entry is refused, taken away, and can be published again.
+    /// Checks that after `change` the entry is refused and removed, and can be published again.
     fn check(what: &str, change: impl Fn(&Path)) {
         let (_home, folder) = entry();
         let taken = Entry::<String>::take(&folder).unwrap().unwrap();
@@ -263,7 +263,7 @@ mod tests {
             std::fs::rename(folder, folder.with_file_name("away")).unwrap();
             symlink(folder.with_file_name("away"), folder).unwrap();
         });
-        check("a folder in the place of a file", |folder| {
+        check("a folder instead of a file", |folder| {
             std::fs::remove_file(folder.join("a")).unwrap();
             std::fs::create_dir(folder.join("a")).unwrap();
         });

@@ -1,9 +1,9 @@
-//! Why a submission cannot be built, and who is to blame for that.
+//! The reasons why a submission cannot be built, and who is to blame for them.
 
 use super::entry::StoreError;
 use crate::sandbox::{FolderError, Shortage};
 
-/// Why there is no program.
+/// The reason why there is no program.
 #[derive(Debug, thiserror::Error)]
 pub enum BuildError {
     /// The submission is to blame; the text is for the student.
@@ -20,16 +20,16 @@ pub enum BuildError {
 /// A fault of the machine or the grader that keeps a submission from being built.
 #[derive(Debug, thiserror::Error)]
 pub enum Fault {
-    /// The machine fell short.
+    /// The machine lacked something.
     #[error(transparent)]
     Machine(#[from] Shortage),
     /// There is no temporary folder.
     #[error(transparent)]
     Folder(#[from] FolderError),
-    /// What the grader stored cannot be used.
+    /// An entry of the store cannot be used.
     #[error(transparent)]
     Store(#[from] StoreError),
-    /// Anything else; the text is for the one who grades.
+    /// Any other fault; the text is for the person who grades.
     #[error("{0}")]
     Other(String),
 }

@@ -1,4 +1,4 @@
-//! What a compiler may use, and what is said where it takes more.
+//! The limits of compilers, and the errors of builds that exceed them.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! From a submission to a program that can be run.
+//! Builds a program from a submission.
 
 mod diagnostics;
 mod entry;
@@ -20,17 +20,18 @@ pub use workshop::Workshop;
 
 use crate::submission::{Kind, Submission};
 
-/// Builds `submission`; `tell` hears what takes a while.
+/// Builds `submission`. `progress` is called before each step that takes a while, with a
+/// description of it.
 ///
 /// # Errors
-/// [`BuildError`].
+/// See [`BuildError`].
 pub fn build(
     submission: &Submission,
     workshop: &Workshop,
-    tell: &dyn Fn(&str),
+    progress: &dyn Fn(&str),
 ) -> Result<Built, BuildError> {
     match &submission.kind {
-        Kind::Rust(rust) => rustc::build(&rust.sources, &submission.digest, workshop, tell),
-        Kind::Own(own) => own::build(own, tell),
+        Kind::Rust(rust) => rustc::build(&rust.sources, &submission.digest, workshop, progress),
+        Kind::Own(own) => own::build(own, progress),
     }
 }

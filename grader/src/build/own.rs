@@ -1,4 +1,4 @@
-//! A submission that says how it is built: its command runs in a private copy of the folder.
+//! Builds a submission that says how it is built. Its command runs in a private copy of the folder.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -10,31 +10,32 @@ use super::program::{Built, Program};
 use crate::sandbox::{self, Call, Folder, Outcome, Turn};
 use crate::submission::Own;
 
-/// Bytes that must be left for a build: small tools leave no trace of what they lacked.
+/// Bytes that must be free for a build. Small tools do not report that they lacked room.
 const NEEDED: u64 = 16 << 20;
 
-/// Copies, builds if there is a command for it, and says what is to be run.
-pub(super) fn build(own: &Own, tell: &dyn Fn(&str)) -> Result<Built, BuildError> {
+/// Copies the submission, runs its build command if it has one, and returns its program.
+pub(super) fn build(own: &Own, progress: &dyn Fn(&str)) -> Result<Built, BuildError> {
     let folder = Folder::new().map_err(Fault::from)?;
     copy(own, &folder)
         .map_err(|why| Fault::Other(format!("the submission cannot be copied: {why}")))?;
     let search = std::env::var_os("PATH").unwrap_or_else(|| "/usr/bin:/bin".into());
     let mut time = Duration::ZERO;
     if let Some(words) = &own.build {
-        tell("building the submission");
+        progress("building the submission");
         time = run(words, folder.path(), &search)?;
     }
     let (path, args) = command(&own.run, folder.path());
     if path.is_absolute() && !path.is_file() {
         let word = crate::plain::name(own.run[0].as_bytes());
         return Err(BuildError::Rejected(format!(
-            "the run command of submission.toml starts with `{word}`, which is not there"
+            "the run command of submission.toml starts with `{word}`, which does not exist"
         )));
     }
     Ok(Built { program: Program::in_folder(path, args, search, folder), warnings: vec![], time })
 }
 
-/// Makes a private copy. All files are made executable: archives do not say which are.
+/// Copies the submission to `folder`. All files are made executable, since archives do not say
+/// which are.
 fn copy(own: &Own, folder: &Folder) -> std::io::Result<()> {
     for file in &own.files {
         let to = folder.path().join(file);
@@ -44,7 +45,8 @@ fn copy(own: &Own, folder: &Folder) -> std::io::Result<()> {
     Ok(())
 }
 
-/// The words of a command, where one that begins with `./` is a path in `folder`.
+/// Returns the program and the arguments of a command. A word that begins with `./` is a path in
+/// `folder`.
 fn command(words: &[String], folder: &Path) -> (PathBuf, Vec<OsString>) {
     let resolve = |word: &String| match word.strip_prefix("./") {
         Some(rest) => folder.join(rest).into_os_string(),

@@ -11,26 +11,26 @@ use super::entry::Entry;
 use super::error::Fault;
 use crate::sandbox::{self, Folder};
 
-/// The program's file in its entry of the store.
+/// The name of the program's file in its entry of the store.
 pub(super) const PROGRAM: &str = "program";
 
-/// A program in the store, described by the compiler's warnings.
+/// A program in the store, with the compiler's warnings as its description.
 pub(super) type Stored = Entry<Vec<String>>;
 
-/// A program, and what there is to say of its making.
+/// A program, and the result of its build.
 #[derive(Debug)]
 pub struct Built {
     /// The program.
     pub program: Program,
     /// The compiler's warnings.
     pub warnings: Vec<String>,
-    /// The wall time of the build, which is zero where a stored build was taken.
+    /// The wall time of the build, which is zero if a stored build was used.
     pub time: Duration,
 }
 
 /// The program of a submission.
 ///
-/// A program that the grader has compiled runs from a private copy of what is stored. Whatever it
+/// A program that the grader has compiled runs from a private copy of the stored one. Whatever it
 /// does to its own file, the store keeps the program, so it cannot make its failures look like the
 /// machine's.
 #[derive(Debug)]
@@ -41,7 +41,7 @@ pub struct Program {
     pub args: Vec<OsString>,
     /// PATH of its environment.
     pub search: OsString,
-    /// The folder of a private copy, which goes away with this.
+    /// The folder of a private copy, which is removed with the program.
     folder: Option<Folder>,
     /// The source from which the private copy can be made again.
     source: Option<Source>,
@@ -50,21 +50,23 @@ pub struct Program {
 #[derive(Debug)]
 struct Source {
     stored: Stored,
-    /// The private copy as it was made; `None` where it cannot be looked at.
+    /// The identity of the private copy when it was made; `None` before that.
     made: Mutex<Option<Look>>,
 }
 
-/// Numbers that tell whether a file was changed: device, number, size, and the time of the last
-/// change, which nobody can set to what it was.
+/// The identity of a file, which shows whether it was changed.
+///
+/// The numbers are device, inode number, size, and the time of the last change (seconds and
+/// nanoseconds), which no program can set back.
 type Look = (u64, u64, u64, i64, i64);
 
 impl Program {
-    /// Returns a program that lies somewhere for good.
+    /// Returns a program whose file lies somewhere permanently.
     pub fn new(path: impl Into<PathBuf>, args: Vec<OsString>, search: impl Into<OsString>) -> Self {
         Self { path: path.into(), args, search: search.into(), folder: None, source: None }
     }
 
-    /// Returns a program in a folder of its own, which goes away with it.
+    /// Returns a program in a folder of its own, which is removed with it.
     pub(super) fn in_folder(
         path: PathBuf,
         args: Vec<OsString>,
@@ -74,8 +76,8 @@ impl Program {
         Self { folder: Some(folder), ..Self::new(path, args, search) }
     }
 
-    /// Returns whether the submission says what is executed, and not the grader, which has compiled
-    /// it.
+    /// Returns whether the submission chooses the executable file. The grader chooses it for a
+    /// program that it has compiled.
     pub fn is_foreign(&self) -> bool {
         self.folder.is_some() && self.source.is_none()
     }
@@ -83,7 +85,7 @@ impl Program {
     /// Returns a private copy of a stored program.
     ///
     /// # Errors
-    /// A stored program that was changed; no room for the copy.
+    /// Fails if the stored program was changed, or if the copy cannot be written.
     pub(super) fn of_stored(stored: Stored, search: &str) -> Result<Self, Fault> {
         let folder = Folder::new()?;
         let path = folder.path().join(PROGRAM);
@@ -104,7 +106,7 @@ impl Program {
     /// Makes the private copy again.
     ///
     /// # Errors
-    /// A stored program that was changed; no room for the copy.
+    /// Fails if the stored program was changed, or if the copy cannot be written.
     pub fn restore(&self) -> Result<(), Fault> {
         let Some(source) = &self.source else { return Ok(()) };
         let bytes = source.stored.bytes(PROGRAM)?;
@@ -138,7 +140,7 @@ mod tests {
         (home, folder, program)
     }
 
-    /// The private copy is changed, noticed, and made again.
+    /// Checks that a change of the private copy is noticed, and that the copy is made again.
     fn check(what: &str, change: impl Fn(&Path)) {
         let (_home, _folder, program) = program();
         assert!(program.is_intact(), "{what}: before");

@@ -1,5 +1,5 @@
-//! A submission in the template: one call of the compiler, stored under the hash of all that went
-//! into it.
+//! Builds a submission in the template by one call of the compiler. The result is stored under a
+//! hash of everything that went into it.
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -15,7 +15,7 @@ use super::{diagnostics, entry};
 use crate::files;
 use crate::sandbox::{self, Call, Finished, Folder, Limits, Outcome, Turn};
 
-/// How student code is compiled; part of the key.
+/// The flags of the compiler for student code, which are part of the key.
 const FLAGS: [&str; 11] = [
     "--crate-name=student",
     "--edition=2024",
@@ -29,26 +29,28 @@ const FLAGS: [&str; 11] = [
     "strip=debuginfo",
     "--error-format=json",
 ];
-/// CPU time of the compiler; a right program takes a second or two.
+/// The limit on the CPU time of the compiler; a correct program takes a second or two.
 const CPU: Duration = Duration::from_secs(60);
 /// Bytes that the compiler and the linker write for a program, temporary files included: four times
 /// what was measured.
 const NEEDED: u64 = 8 << 20;
+/// PATH of the compiler and of the program.
 const SEARCH: &str = "/usr/bin:/bin";
-/// Takes the stored program of these sources, or compiles it.
+
+/// Returns the stored program of these sources, or compiles it.
 pub(super) fn build(
     sources: &BTreeMap<String, String>,
     digest: &str,
     workshop: &Workshop,
-    tell: &dyn Fn(&str),
+    progress: &dyn Fn(&str),
 ) -> Result<Built, BuildError> {
-    let sdk = workshop.sdk(tell)?;
+    let sdk = workshop.sdk(progress)?;
     let key = blake3::hash(format!("{digest} {} {FLAGS:?}", sdk.key).as_bytes()).to_hex();
     let folder = workshop.store().join("builds").join(&key[..32]);
     if let Some(stored) = Stored::take(&folder).map_err(Fault::from)? {
         return built(stored, Duration::ZERO);
     }
-    tell("compiling the submission");
+    progress("compiling the submission");
     let time = compile(&workshop.toolchain()?.rustc(), sources, sdk, &folder)?;
     let missing = || Fault::Other(format!("{} is not there after it was stored", folder.display()));
     built(Stored::take(&folder).map_err(Fault::from)?.ok_or_else(missing)?, time)
@@ -84,8 +86,7 @@ fn compile(
     Ok(finished.wall)
 }
 
-/// Why there is no program. Libraries that were changed are looked for before the student is
-/// blamed.
+/// Returns why there is no program. The student is blamed only if no library was changed.
 fn failed(finished: Finished, sdk: &Sdk, limits: &Limits) -> BuildError {
     if let Err(why) = sdk.check() {
         return Fault::from(why).into();
@@ -131,8 +132,7 @@ fn with(prefix: &str, path: &Path) -> OsString {
 mod tests {
     use super::*;
 
-    /// The compiler ends with an error. Who is to blame, where `spoil` does something to the
-    /// libraries?
+    /// Checks who is to blame for an error of the compiler after `spoil` has changed the libraries.
     fn check(spoil: impl Fn(&Path), is_rejected: bool) {
         let home = tempfile::tempdir().unwrap();
         let folder = home.path().join("sdk");

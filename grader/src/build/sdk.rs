@@ -2,8 +2,8 @@
 //! one state of `cases`.
 //!
 //! An entry `sdk-KEY` of the store holds the libraries, and says which of them the student's code
-//! may name. With these a submission is one call of rustc: no cargo, no lock, and no way for a
-//! `build.rs` or a manifest to take part.
+//! may name. With these, a submission is built by one call of rustc: no cargo, no lock, and no way
+//! for a `build.rs` or a manifest to take part.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -17,16 +17,16 @@ use super::toolchain::Toolchain;
 use crate::files;
 use crate::leftovers::Held;
 
-/// Compiled crates, compared with what was stored when this process took them.
+/// The compiled crates, which were as they were stored when this process took them.
 #[derive(Clone, Debug)]
 pub struct Sdk {
     /// The libraries, and the file names of those that student code may name, by crate.
     entry: Entry<BTreeMap<String, String>>,
-    /// Hash of all that went into it.
+    /// A hash of everything that went into the crates.
     pub key: String,
 }
 
-/// Why there are no compiled crates. The grader or the machine is to blame.
+/// The reason why there are no compiled crates. The grader or the machine is to blame.
 #[derive(Debug, thiserror::Error)]
 pub enum SdkError {
     /// There is no compiler, or none that can be used.
@@ -35,12 +35,12 @@ pub enum SdkError {
     /// The crates do not build, or cannot be read.
     #[error("{0}")]
     Cases(String),
-    /// What is stored cannot be used.
+    /// The entry of the store cannot be used.
     #[error(transparent)]
     Store(#[from] StoreError),
 }
 
-/// The build; part of the key.
+/// The arguments of cargo for the build, which are part of the key.
 const ARGS: [&str; 6] = [
     "build",
     "--release",
@@ -51,28 +51,28 @@ const ARGS: [&str; 6] = [
 ];
 
 impl Sdk {
-    /// Takes the crates that lie in `store`, or makes them from the workspace at `root`. Student
-    /// code may name those of `dependencies`.
+    /// Takes the crates from `store`, or compiles them from the workspace at `root`. Student code
+    /// may name the crates `dependencies`.
     pub(super) fn prepare(
         toolchain: &Toolchain,
         root: &Path,
         store: &Path,
         dependencies: &[String],
-        tell: &dyn Fn(&str),
+        progress: &dyn Fn(&str),
     ) -> Result<Self, SdkError> {
         let key = key(toolchain, root, dependencies).map_err(|why| {
             SdkError::Cases(format!("the sources of `cases` cannot be used: {why}"))
         })?;
         let folder = store.join(format!("sdk-{key}"));
-        // What a killed run left is in nobody's way, so a store that cannot be cleared is no reason
-        // to stop.
+        // Leftovers of a killed run do no harm, so a store that cannot be cleared is no reason to
+        // stop.
         let _ = files::clear_parts(store);
         if let Some(entry) = Entry::take(&folder)? {
             return Ok(Self { entry, key });
         }
-        tell("compiling the crates that submissions use (once, a minute or so)");
+        progress("compiling the crates that submissions use (once, a minute or so)");
         let alone = alone(root, store).map_err(|why| {
-            SdkError::Cases(format!("`cases` cannot be made ready to be built: {why}"))
+            SdkError::Cases(format!("the build of `cases` cannot be prepared: {why}"))
         })?;
         let artifacts = compile(toolchain, root, alone.path()).map_err(SdkError::Cases)?;
         publish(&artifacts, dependencies, &folder)?;
@@ -86,12 +86,12 @@ impl Sdk {
         Self { entry, key: String::new() }
     }
 
-    /// Where the libraries lie.
+    /// Returns the folder of the libraries.
     pub(super) fn folder(&self) -> &Path {
         &self.entry.folder
     }
 
-    /// The libraries that student code may name, by crate.
+    /// Returns the libraries that student code may name, by crate.
     pub(super) fn externs(&self) -> impl Iterator<Item = (&String, PathBuf)> {
         self.entry.about.iter().map(|(name, file)| (name, self.entry.folder.join(file)))
     }
@@ -99,7 +99,8 @@ impl Sdk {
     /// Compares the libraries with what was stored.
     ///
     /// # Errors
-    /// Libraries that were changed; they are removed.
+    /// Fails if a library was changed, and then removes all of them, or if the machine cannot read
+    /// one.
     pub(super) fn check(&self) -> Result<(), StoreError> {
         self.entry.check()
     }
@@ -120,7 +121,7 @@ fn key(toolchain: &Toolchain, root: &Path, dependencies: &[String]) -> io::Resul
     Ok(hasher.finalize().to_hex()[..32].to_owned())
 }
 
-/// Makes a workspace of `cases` alone, in `store`, with the versions that the whole workspace has
+/// Creates a workspace of `cases` alone, in `store`, with the versions that the whole workspace has
 /// locked.
 ///
 /// The template is a member of the whole workspace. A dependency that a student adds to it, or a
@@ -144,6 +145,14 @@ fn manifest(root: &Path) -> io::Result<String> {
     let workspace = table.get_mut("workspace").and_then(toml::Value::as_table_mut);
     let workspace = workspace.ok_or_else(|| wrong("there is no workspace in it".to_owned()))?;
     workspace.insert("members".to_owned(), toml::Value::from(vec!["cases"]));
+    // Most of the packages that have a profile of their own are not here, and cargo would warn of
+    // each of them.
+    let profiles = table.get_mut("profile").and_then(toml::Value::as_table_mut);
+    for (_, profile) in profiles.into_iter().flatten() {
+        if let Some(packages) = profile.get_mut("package").and_then(toml::Value::as_table_mut) {
+            packages.retain(|name, _| name == "*");
+        }
+    }
     toml::to_string(&table).map_err(|why| wrong(why.to_string()))
 }
 
@@ -166,9 +175,9 @@ struct Target {
     name: String,
 }
 
-/// Builds the workspace in `alone` without the network if it can be done, else with it.
+/// Builds the workspace in `alone` without the network if possible, else with it.
 ///
-/// The crates that the workspace at `root` has compiled are used again.
+/// Crates that the workspace at `root` has already compiled are reused.
 fn compile(toolchain: &Toolchain, root: &Path, alone: &Path) -> Result<Vec<Artifact>, String> {
     let run = |more: &[&str]| -> Result<Output, String> {
         let mut cargo = Command::new(toolchain.cargo());
@@ -212,7 +221,8 @@ fn publish(artifacts: &[Artifact], dependencies: &[String], folder: &Path) -> Re
         let found =
             artifacts.iter().find(|artifact| artifact.crate_name == name).ok_or_else(|| {
                 SdkError::Cases(format!(
-                    "the template depends on `{name}`, which `cases` does not bring along"
+                    "the template depends on `{name}`, which is neither `cases` nor one of its \
+                     dependencies"
                 ))
             })?;
         externs.insert(

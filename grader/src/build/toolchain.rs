@@ -1,51 +1,51 @@
-//! The Rust compiler itself, behind the proxy that rustup puts in its place.
+//! Finds the Rust compiler itself, behind the proxy of rustup.
 
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// A compiler and what it calls itself.
+/// A compiler and its version.
 #[derive(Clone, Debug)]
 pub struct Toolchain {
-    /// Folder of `bin` and `lib`.
+    /// The folder of `bin` and `lib`.
     pub sysroot: PathBuf,
-    /// What `rustc -vV` prints.
+    /// The output of `rustc -vV`.
     pub version: String,
 }
 
 const HELP: &str = "install Rust from https://rustup.rs, or put it into PATH";
 
 impl Toolchain {
-    /// Finds the one that the workspace `root` asks for.
+    /// Finds the toolchain that the workspace at `root` selects.
     ///
     /// # Errors
-    /// Says how to get one.
+    /// Fails if there is no compiler that runs. The text says how to get one.
     pub fn find(root: &Path) -> Result<Self, String> {
-        let sysroot = PathBuf::from(ask(Command::new("rustc")
+        let sysroot = PathBuf::from(run(Command::new("rustc")
             .args(["--print", "sysroot"])
             .current_dir(root))?);
-        let version = ask(Command::new(sysroot.join("bin/rustc")).arg("-vV").current_dir(root))?;
+        let version = run(Command::new(sysroot.join("bin/rustc")).arg("-vV").current_dir(root))?;
         Ok(Self { sysroot, version })
     }
 
-    /// The compiler proper.
+    /// Returns the path of the compiler.
     pub fn rustc(&self) -> PathBuf {
         self.sysroot.join("bin/rustc")
     }
 
-    /// Its cargo; where the toolchain has none, the one in PATH.
+    /// Returns the path of the toolchain's cargo, or `cargo` from PATH if it has none.
     pub fn cargo(&self) -> PathBuf {
         let own = self.sysroot.join("bin/cargo");
         if own.is_file() { own } else { "cargo".into() }
     }
 
-    /// The first line of its version.
+    /// Returns the first line of the version.
     pub fn name(&self) -> &str {
         self.version.lines().next().unwrap_or_default()
     }
 }
 
-fn ask(command: &mut Command) -> Result<String, String> {
+fn run(command: &mut Command) -> Result<String, String> {
     let output = command.output().map_err(|why| match why.kind() {
         ErrorKind::NotFound | ErrorKind::PermissionDenied => {
             format!("the Rust compiler cannot be run ({why}): {HELP}")

@@ -1,4 +1,5 @@
-//! What building needs: the workspace, the template, the compiler and the compiled crates.
+//! Finds everything that building needs: the workspace, the template, the compiler and the compiled
+//! crates.
 
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -8,7 +9,7 @@ use super::sdk::{Sdk, SdkError};
 use super::toolchain::Toolchain;
 use crate::submission::Template;
 
-/// What building needs, found once and shared by all submissions.
+/// Everything that building needs, found once and shared by all submissions.
 #[derive(Debug)]
 pub struct Workshop {
     /// The workspace of the assignment.
@@ -24,15 +25,14 @@ impl Workshop {
     /// folder.
     ///
     /// # Errors
-    /// Says what is missing.
+    /// Fails if there is no workspace. The text says what is missing.
     pub fn open(stages: &Path) -> Result<Self, String> {
         let here = std::env::current_dir().unwrap_or_default();
         let binary = std::env::current_exe().unwrap_or_default();
         let stages = stages.canonicalize().unwrap_or_default();
         let root = [stages.as_path(), &binary, &here].into_iter().find_map(root_above).ok_or(
             "the workspace of the assignment (with `student_template` and `cases`) is not above \
-                the \
-             cases, the grader's binary, or the current folder: run from within it",
+             the cases, the grader's binary, or the current folder: run from within it",
         )?;
         Ok(Self {
             root,
@@ -42,7 +42,7 @@ impl Workshop {
         })
     }
 
-    /// Returns the folder where prepared things are stored between runs.
+    /// Returns the folder in which compiled libraries and programs are kept between runs.
     pub fn store(&self) -> PathBuf {
         self.root.join("target/grader")
     }
@@ -50,7 +50,7 @@ impl Workshop {
     /// Returns the compiler.
     ///
     /// # Errors
-    /// Says how to get one.
+    /// Fails if there is no compiler that runs. The text says how to get one.
     pub fn toolchain(&self) -> Result<&Toolchain, Fault> {
         let found = self.toolchain.get_or_init(|| Toolchain::find(&self.root));
         found.as_ref().map_err(|why| Fault::Other(why.clone()))
@@ -60,12 +60,18 @@ impl Workshop {
     /// which takes a while.
     ///
     /// # Errors
-    /// What cargo says, and a store that cannot be used. The error stays the same while this
-    /// process runs.
-    pub fn sdk(&self, tell: &dyn Fn(&str)) -> Result<&Sdk, Fault> {
+    /// Fails if the crates do not build, or if the store cannot be used. Later calls return the
+    /// same error.
+    pub fn sdk(&self, progress: &dyn Fn(&str)) -> Result<&Sdk, Fault> {
         let prepare = || {
             let toolchain = self.toolchain().map_err(|why| SdkError::Toolchain(why.to_string()))?;
-            Sdk::prepare(toolchain, &self.root, &self.store(), &self.template.dependencies, tell)
+            Sdk::prepare(
+                toolchain,
+                &self.root,
+                &self.store(),
+                &self.template.dependencies,
+                progress,
+            )
         };
         self.sdk.get_or_init(prepare).as_ref().map_err(|why| Fault::Other(why.to_string()))
     }

@@ -18,8 +18,8 @@ pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
     let allowance = arguments.limit.allowance();
     say_lowered(&allowance, talk);
     let bench = Bench { allowance, ..Bench::open(&stages(arguments.cases.as_deref())?)? };
-    // Done ahead so that the first wait is explained. Where it fails, the submissions that need the
-    // crates say so.
+    // The crates are compiled ahead, so that the first wait is explained. If that fails, the
+    // submissions that need the crates report it.
     let _ = bench.workshop.sdk(&|what| {
         if !talk.is_quiet {
             say::err(what);
@@ -45,7 +45,7 @@ pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
     Ok(if summary.failed.is_empty() { Done::Passed } else { Done::Ours })
 }
 
-/// The last lines: how many records there are, where the table is, what is left to do.
+/// Returns the last lines: how many records there are, where the table is, what is left to do.
 fn closing(summary: &Summary, options: &Options) -> String {
     let Summary { n_done, n_graded, n_left, failed, .. } = summary;
     let have = if *n_done == 1 { "has" } else { "have" };
@@ -54,7 +54,7 @@ fn closing(summary: &Summary, options: &Options) -> String {
         format!("{submissions} {have} a record, {n_graded} of them graded in this run\n");
     if *n_left > 0 {
         text += &format!(
-            "{n_left} are left, so there is no table yet: run the same command again to go on\n"
+            "{n_left} are left, so there is no table yet: run the same command again to continue\n"
         );
     } else {
         text += &format!("table: {}\n", options.out.join("class.html").display());

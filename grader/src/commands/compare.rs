@@ -14,20 +14,21 @@ use grader::sandbox::interrupted;
 use crate::arguments::Compare;
 use crate::exit::{Done, Outcome, print};
 
-/// This many pixels are decoded before they are compared: few enough to stay in the cache.
+/// Number of pixels that are decoded before they are compared, few enough to stay in the cache.
 const BAND_PIXELS: usize = 1 << 15;
 /// A picture of fewer pixels is decoded faster than a second thread starts.
 const LEAST_SHARED: usize = 1 << 18;
+
 pub(crate) fn run(arguments: &Compare) -> Outcome {
     let Compare { a, b, answer, tolerance } = arguments;
     match (b, answer) {
         (Some(b), None) => with_other(a, b, tolerance.unwrap_or(0.0)),
         (None, Some(answer)) => with_answer(a, answer, *tolerance),
-        _ => Err(GradeError::Input("say what to compare with".to_owned())),
+        _ => Err(GradeError::Input("name a second picture, or an answer with --answer".to_owned())),
     }
 }
 
-/// A `Picture` is read row by row, and keeps the name that the user typed.
+/// A picture that is read row by row, with the name that the user typed.
 struct Picture<'a> {
     name: &'a Path,
     rows: Rows<Input>,
@@ -46,7 +47,7 @@ impl<'a> Picture<'a> {
     }
 }
 
-/// Blames the machine for a failure to read, and the file for its content.
+/// Returns the error of a picture: the machine's if a read fails, else the user's for the content.
 fn unreadable(name: &Path, why: &PictureError) -> GradeError {
     let text = format!("{}: {why}", input::shown(name));
     match why {
@@ -55,7 +56,7 @@ fn unreadable(name: &Path, why: &PictureError) -> GradeError {
     }
 }
 
-/// Compares two pictures, which are decoded at the same time, some rows after others.
+/// Compares two pictures, which are decoded in parallel, band by band.
 fn with_other(a: &Path, b: &Path, slack: f64) -> Outcome {
     input::demand_two(a, b)?;
     let (mut a, mut b) = (Picture::open(a)?, Picture::open(b)?);
@@ -131,8 +132,7 @@ fn with_answer(name: &Path, answer: &Path, tolerance: Option<f64>) -> Outcome {
             let Limits { count, cluster: most, .. } = answer.limits;
             format!(
                 "they agree: {n_out} pixels differ by more than {slack} levels, {cluster} of them \
-                    side by side; \
-                 {count} may, {most} of them side by side"
+                 side by side; {count} may, {most} of them side by side"
             )
         }
     };

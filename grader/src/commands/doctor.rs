@@ -10,7 +10,7 @@ use grader::sandbox::{Folder, LEVEL, memory_left};
 use crate::arguments::{Doctor, stages};
 use crate::exit::{self, Done, Outcome};
 
-/// A line: what is looked at, and what is there, or what is missing and how to get it.
+/// A line of the report: the subject, and what is there, or what is missing and how to get it.
 type Line = (&'static str, Result<String, String>);
 
 pub(crate) fn run(arguments: &Doctor) -> Outcome {
@@ -49,7 +49,7 @@ pub(crate) fn run(arguments: &Doctor) -> Outcome {
     Ok(if lines.iter().all(|(_, found)| found.is_ok()) { Done::Passed } else { Done::Ours })
 }
 
-/// rustc links by way of `cc`.
+/// Returns the path of `cc`, which rustc calls to link.
 fn linker() -> Result<String, String> {
     let folders = ["/usr/bin", "/bin"];
     let found = folders.iter().map(|folder| Path::new(folder).join("cc")).find(|cc| cc.is_file());
@@ -58,12 +58,12 @@ fn linker() -> Result<String, String> {
     found.map(|cc| cc.display().to_string()).ok_or_else(|| help.to_owned())
 }
 
-/// Whether programs can be given folders to work in.
+/// Checks that programs can be given folders to work in.
 fn temporary_files() -> Result<String, String> {
     Folder::new().map(|_| std::env::temp_dir().display().to_string()).map_err(|why| why.to_string())
 }
 
-/// Whether this process may give programs what they may use. A limit that is lower but enough is
+/// Checks that this process can give programs their limits. A limit that is lower but enough is
 /// named.
 fn limits() -> Result<String, String> {
     let lowered = Allowance::default().picture.lowered();
@@ -81,11 +81,11 @@ fn limits() -> Result<String, String> {
         (_, lower) if !lower.is_empty() => {
             Ok(format!("programs get {}, which is enough", lower.join(", ")))
         }
-        _ => Ok("none of this process is in the way".to_owned()),
+        _ => Ok("this process lowers none of the limits of programs".to_owned()),
     }
 }
 
-/// Whether one program fits into the memory that is left.
+/// Checks that one program fits into the memory that is left.
 fn memory() -> Result<String, String> {
     let (needed, mib) = (Allowance::MEMORY, |bytes: u64| bytes >> 20);
     match memory_left() {
@@ -101,7 +101,7 @@ fn memory() -> Result<String, String> {
     }
 }
 
-/// Whether compiled crates and submissions can be stored.
+/// Checks that compiled crates and submissions can be stored.
 fn store(folder: &Path) -> Result<String, String> {
     let name = format!(".doctor-{}", std::process::id());
     let probe = folder.join(name);

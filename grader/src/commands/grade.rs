@@ -10,7 +10,7 @@ use crate::commands::publish;
 use crate::exit::Outcome;
 use crate::progress::{Bar, Talk};
 
-/// Prints what a selection contains, before anything is run.
+/// Prints what the options select, before anything is run.
 pub(crate) fn say_selected(
     bench: &Bench,
     options: &Options,
@@ -37,7 +37,7 @@ pub(crate) fn run(arguments: &Grade, talk: &Talk) -> Outcome {
     publish::publish(&graded, &arguments.reports, talk)
 }
 
-/// Says which limits of programs are lower than the course allows, if much is to be said.
+/// Prints which limits of programs this process lowers, if the output is to be verbose.
 pub(crate) fn say_lowered(allowance: &Allowance, talk: &Talk) {
     if talk.is_verbose {
         allowance

@@ -30,8 +30,8 @@ pub(crate) fn run(arguments: &Lint, talk: &Talk) -> Outcome {
     Ok(if found.blame == Blame::Machine { Done::Ours } else { Done::of(found.problems.is_empty()) })
 }
 
-/// Whether some folder in `folder` is a stage. One that cannot be listed is left to the reader of
-/// the stages.
+/// Returns whether `folder` holds a stage. The answer is `true` for a folder that cannot be listed,
+/// which the reader of the stages then reports.
 fn has_stage(folder: &Path) -> bool {
     std::fs::read_dir(folder)
         .map_or(true, |entries| entries.flatten().any(|it| it.path().join("stage.toml").is_file()))

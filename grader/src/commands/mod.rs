@@ -1,4 +1,4 @@
-//! What each command does.
+//! The commands of `grader`, one module each.
 
 pub(crate) mod batch;
 pub(crate) mod compare;

@@ -1,4 +1,4 @@
-//! Writes the reports that the command line names, and prints the one for people.
+//! Writes the reports that the command line names, and prints the report for people.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -18,7 +18,8 @@ use crate::progress::Talk;
 /// minutes.
 ///
 /// # Errors
-/// A name cannot be written, or two reports would be the same file.
+/// Fails if a name cannot be written, if two reports would be the same file, or if `--open` names a
+/// stream.
 pub(crate) fn check(reports: &Reports) -> Result<(), GradeError> {
     let Reports { json, html, junit, open } = reports;
     let named: Vec<&PathBuf> = [json, html, junit].into_iter().flatten().collect();
@@ -40,17 +41,19 @@ pub(crate) fn check(reports: &Reports) -> Result<(), GradeError> {
     Ok(())
 }
 
-/// Returns the one path of a regular file that may have several names, such as `a` and `./a`.
+/// Returns the same path for all names of a regular file, such as `a` and `./a`; `None` for
+/// anything else.
 fn place(name: &Path) -> Option<PathBuf> {
     let (Place::File(path) | Place::Free(path)) = Place::of(name).ok()? else { return None };
     let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
     Some(folder.canonicalize().ok()?.join(path.file_name()?))
 }
 
-/// Writes every report, and prints the one for people unless another one goes to standard output.
+/// Writes every report, and prints the report for people unless another one goes to standard
+/// output.
 ///
 /// # Errors
-/// A report cannot be written. The error is that of the first one; the others are written.
+/// Fails if a report cannot be written. The error is that of the first one; the others are written.
 pub(crate) fn publish(graded: &Graded, reports: &Reports, talk: &Talk) -> Outcome {
     let record = &graded.record;
     let Reports { json, html, junit, open: is_shown } = reports;
@@ -89,10 +92,10 @@ fn open(path: &Path) -> Result<(), GradeError> {
         .map_err(|why| GradeError::Machine(format!("cannot run {opener} to show the page: {why}")))
 }
 
-/// Returns how the command ends.
+/// Returns the result of the command.
 ///
-/// An interrupt and what is no submission come first, since hardly anything was run then. A fault
-/// of the grader or the machine comes next, since no points are final then.
+/// An interrupt, and a hand-in that is no submission, come first, since hardly anything was run
+/// then. A fault of the grader or the machine comes next, since no points are final then.
 fn done(record: &Record) -> Done {
     let checks = record.stages.iter().flat_map(|stage| &stage.checks);
     let verdicts: Vec<Verdict> =

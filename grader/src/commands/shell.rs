@@ -1,4 +1,4 @@
-//! `grader completions`, `grader man` and `grader schema`: what this program says of itself.
+//! `grader completions`, `grader man` and `grader schema`.
 
 use clap::CommandFactory;
 use grader::files;

@@ -2,39 +2,39 @@
 
 use std::collections::BTreeMap;
 
-/// The evidence of one case or check. What could not be judged (a crash, a function still to be
-/// written) is no evidence and is left out.
+/// The evidence of one case or check. A result that could not be judged (a crash, a function still
+/// to be written) is no evidence and is left out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Evidence {
     /// The id of the case or check.
     pub id: String,
     /// Thousandths of a point that the case or check is worth.
     pub weight: u64,
-    /// The sort of answer that came back.
-    pub came: Came,
-    /// Mistakes that make the case or check fail, by id, each with the share of what came back
-    /// wrong that it explains: 0 to 1, and 0 where all is right.
+    /// Correctness of the answer.
+    pub correctness: Correctness,
+    /// The known mistakes that make the case or check fail, by id. The value is the share of the
+    /// observed error that the mistake explains, 0 to 1; it is 0 if the answer is correct.
     pub shares: BTreeMap<String, f64>,
 }
 
-/// The sort of answer that came back.
+/// The kind of answer that a program gave.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Came {
-    /// A right one: every mistake that would have made the case or check fail is not there.
+pub enum Correctness {
+    /// A correct answer: the program makes none of the mistakes that fail this case or check.
     Right,
-    /// A wrong one.
+    /// A wrong answer.
     Wrong,
 }
 
 impl Evidence {
-    /// Returns the evidence of a right answer, which these mistakes would have got wrong.
+    /// Returns the evidence of a correct answer to a case or check that these mistakes fail.
     pub fn right(id: &str, weight: u64, mistakes: impl IntoIterator<Item = String>) -> Self {
         let shares = mistakes.into_iter().map(|id| (id, 0.0)).collect();
-        Self { id: id.to_owned(), weight, came: Came::Right, shares }
+        Self { id: id.to_owned(), weight, correctness: Correctness::Right, shares }
     }
 
-    /// Returns the evidence of a wrong answer, and how much of it each mistake explains.
+    /// Returns the evidence of a wrong answer, with the share of it that each mistake explains.
     pub fn wrong(id: &str, weight: u64, shares: BTreeMap<String, f64>) -> Self {
-        Self { id: id.to_owned(), weight, came: Came::Wrong, shares }
+        Self { id: id.to_owned(), weight, correctness: Correctness::Wrong, shares }
     }
 }

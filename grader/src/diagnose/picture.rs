@@ -1,29 +1,29 @@
-//! How much of what is wrong with a picture each known mistake explains.
+//! The share of a picture's errors that each known mistake explains.
 
 use std::collections::BTreeMap;
 
 use cases::answer::{ImageAnswer, Levels, Wrong, neighbours};
 use cases::film::{Image, byte, level};
 
-/// A colour may lie this many levels beyond those around it: what the file rounds away, and the
-/// quantiser.
+/// The levels by which a colour may lie beyond the colours around it, because the answer file and
+/// the quantiser round.
 const NEAR: f64 = 6.0;
 
-/// For each mistake the share of the pixels that are out, or would be with the mistake, which show
-/// what the mistake shows. 0 to 1.
+/// Returns, for each mistake, the share of the relevant pixels that look as the mistake makes them
+/// look, from 0 to 1. Relevant are pixels that are out, and pixels that the mistake would change.
 ///
-/// A pixel shows what the mistake shows where it has about its colour, or lies between its
-/// neighbours there: edges fall a pixel to one side or the other.
+/// A pixel looks like the mistake if it has about the mistaken colour, or lies between the mistaken
+/// colours of its neighbours: edges may be a pixel to one side or the other.
 ///
 /// # Panics
-/// Where the sizes differ.
+/// Panics if the sizes differ.
 pub fn picture(actual: &Image, answer: &ImageAnswer, mistakes: &[Wrong]) -> BTreeMap<String, f64> {
     let right = answer.expected.pixels().iter().map(|light| light.to_array().map(byte)).collect();
     let seen = Seen { actual, out: answer.out(actual), right };
     mistakes.iter().map(|mistake| (mistake.id.clone(), share(&seen, mistake))).collect()
 }
 
-/// The student's picture beside the right one.
+/// The student's picture and the correct one.
 struct Seen<'a> {
     actual: &'a Image,
     out: Vec<bool>,
@@ -48,7 +48,8 @@ fn share(seen: &Seen, mistake: &Wrong) -> f64 {
     f64::from(n_explained) / f64::from(n_all.max(1))
 }
 
-/// Whether each channel lies between the least and the most of the 3 × 3 pixels around.
+/// Returns whether each channel lies within the range of the 3 × 3 mistaken pixels around `n`,
+/// widened by [`NEAR`] levels.
 fn is_between(levels: [f64; 3], mistaken: &[Levels], width: usize, n: usize) -> bool {
     let (mut lo, mut hi) = (mistaken[n], mistaken[n]);
     for one in neighbours(n, width, mistaken.len()) {
@@ -68,15 +69,15 @@ mod tests {
 
     const GREY: u8 = 100;
 
-    /// A row of greys.
+    /// Returns a picture of one row of greys.
     fn row(levels: &[u8]) -> Image {
         Image::from_fn(levels.len() as u32, 1, |i, _| {
             DVec3::splat(f64::from(levels[i as usize]) / 255.0)
         })
     }
 
-    /// How much of the row a mistake explains that gives `mistaken` where [`GREY`] is right all
-    /// over; 0 stands for no change.
+    /// Checks the share of the row that a mistake explains. `mistaken` holds the greys that the
+    /// mistake gives where [`GREY`] is correct everywhere; 0 means no change.
     fn check(actual: &[u8], mistaken: &[u8], share: f64) {
         let answer = ImageAnswer::exact(row(&vec![GREY; actual.len()]), 1.0, 0);
         let changes = mistaken.iter().map(|level| (*level > 0).then_some([*level; 3])).collect();
@@ -101,7 +102,7 @@ mod tests {
 
     #[test]
     fn what_is_wrong_and_the_mistake_would_not_change_counts_against_it() {
-        // the third one as an edge
+        // The third pixel counts as an edge.
         check(&[40, 40, 40, 40, 40, 40, 40, 40], &[40, 40, 0, 0, 0, 0, 0, 0], 3.0 / 8.0);
     }
 

@@ -1,37 +1,37 @@
-//! From the evidence of all cases and checks to the few mistakes that explain it.
+//! Ranks the few mistakes that explain the evidence of all cases and checks.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Came, Evidence};
+use super::{Correctness, Evidence};
 
-/// Most mistakes that are named.
+/// The maximum number of diagnoses.
 const MOST: usize = 3;
-/// A mistake is named only where at least this share of what it would change came out as it says:
-/// some make a mistake in one place, not all over.
+/// A mistake is named only if at least this share of what it would change came out accordingly. The
+/// threshold is low because some submissions make a mistake in one place only.
 const TRUST: f64 = 0.2;
-/// And where that share, times the share that it explains of what is wrong and not explained yet,
-/// is at least this.
+/// A mistake is named only if that share, times the share of the unexplained error that it
+/// explains, is at least this value.
 const WORTH: f64 = 0.15;
-/// A case is explained where this share of what is wrong in it is.
+/// A case counts as explained if this share of its error is explained.
 const EXPLAINED: f64 = 0.6;
-/// Mistakes whose values differ by less than this share explain alike.
+/// Mistakes with values that differ by less than this share are named together.
 const ALIKE: f64 = 0.01;
 
-/// A mistake that is named, or several that the evidence does not tell apart.
+/// A mistake that is named, or several that the evidence does not distinguish.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Named {
     /// Ids of the mistakes, ordered.
     pub mistakes: Vec<String>,
-    /// Ids of the cases and checks that it explains, in the order of the evidence.
+    /// Ids of the cases and checks that the mistakes explain, in the order of the evidence.
     pub explains: Vec<String>,
 }
 
-/// How a mistake stands against the evidence; in thousandths of points.
+/// The evidence for and against one mistake, in thousandths of points.
 #[derive(Clone, Copy, Debug, Default)]
 struct Tally {
-    /// Weight of what is wrong and not explained yet, as far as it explains it.
+    /// The weight of the unexplained errors, times the share that the mistake explains.
     gain: f64,
-    /// Weight of what it would change, but which came out otherwise.
+    /// The weight of what the mistake would change but did not.
     against: f64,
 }
 
@@ -45,9 +45,10 @@ impl Tally {
     }
 }
 
-/// The mistakes that explain what is wrong, the one that explains most first.
+/// Returns at most three mistakes that explain the errors, the one that explains most first.
 pub fn rank(evidence: &[Evidence]) -> Vec<Named> {
-    let mut open: Vec<&Evidence> = evidence.iter().filter(|one| one.came == Came::Wrong).collect();
+    let mut open: Vec<&Evidence> =
+        evidence.iter().filter(|one| one.correctness == Correctness::Wrong).collect();
     let mut named: Vec<Named> = vec![];
     while named.len() < MOST && !open.is_empty() {
         let touched: BTreeSet<&str> = evidence
@@ -92,8 +93,8 @@ pub fn rank(evidence: &[Evidence]) -> Vec<Named> {
     named
 }
 
-/// All mistakes against all evidence. What is wrong in what a named mistake touches too does not
-/// count against another one: there two mistakes meet.
+/// Weighs all mistakes against all evidence. An error in a case or check that a named mistake also
+/// affects does not count against another mistake, because the two mistakes overlap there.
 fn tally<'a>(
     evidence: &'a [Evidence],
     open: &[&Evidence],
@@ -109,12 +110,12 @@ fn tally<'a>(
             if is_open {
                 tally.gain += weight * share;
             }
-            match one.came {
-                Came::Right => tally.against += weight,
-                Came::Wrong if !touched.contains(one.id.as_str()) => {
+            match one.correctness {
+                Correctness::Right => tally.against += weight,
+                Correctness::Wrong if !touched.contains(one.id.as_str()) => {
                     tally.against += weight * (1.0 - share)
                 }
-                Came::Wrong => {}
+                Correctness::Wrong => {}
             }
         }
     }
@@ -125,19 +126,20 @@ fn tally<'a>(
 mod tests {
     use super::*;
 
-    /// A line of evidence: what came (`=` right, `!` wrong), its weight, and the mistakes that make
-    /// it fail, with the share of what is wrong that each explains.
+    /// A line of evidence. It holds the answer (`=` correct, `!` wrong), its weight, and the
+    /// mistakes that fail it, each with the share of the error that it explains.
     type Line = (char, u64, &'static [(&'static str, f64)]);
 
-    /// What is named, with the numbers of the lines that it explains.
+    /// Checks the mistakes that are named, each with the numbers of the lines that it explains.
     fn check(lines: &[Line], expected: &[(&[&str], &[usize])]) {
         let evidence: Vec<Evidence> = lines
             .iter()
             .enumerate()
-            .map(|(n, (came, weight, shares))| {
+            .map(|(n, (correctness, weight, shares))| {
                 let shares = shares.iter().map(|(id, share)| ((*id).to_owned(), *share)).collect();
-                let came = if *came == '=' { Came::Right } else { Came::Wrong };
-                Evidence { id: n.to_string(), weight: *weight, came, shares }
+                let correctness =
+                    if *correctness == '=' { Correctness::Right } else { Correctness::Wrong };
+                Evidence { id: n.to_string(), weight: *weight, correctness, shares }
             })
             .collect();
         let strings = |list: &[&str]| list.iter().map(|id| (*id).to_owned()).collect::<Vec<_>>();
@@ -161,7 +163,7 @@ mod tests {
 
     #[test]
     fn what_came_out_otherwise_speaks_against_it() {
-        // One in five, or in four: made in one place.
+        // A mistake in one place: a share of 1/6 is too small, 1/4 is enough.
         check(&[('!', 10, &[("a", 1.0)]), ('=', 50, &[("a", 0.0)])], &[]);
         check(&[('!', 10, &[("a", 1.0)]), ('=', 30, &[("a", 0.0)])], &[(&["a"], &[0])]);
         check(&[('!', 10, &[("a", 1.0)]), ('!', 10, &[("a", 0.0)])], &[(&["a"], &[0])]);
@@ -187,7 +189,8 @@ mod tests {
         let apart: [Line; 3] =
             [('!', 20, &[("a", 1.0)]), ('!', 10, &[("b", 1.0)]), ('=', 10, &[("c", 0.0)])];
         check(&apart, &[(&["a"], &[0]), (&["b"], &[1])]);
-        // Where both show, neither explains the whole; that does not speak against the second.
+        // Where both mistakes show, neither explains the whole error. That does not count against
+        // the second.
         let together: [Line; 3] = [
             ('!', 30, &[("a", 1.0)]),
             ('!', 10, &[("b", 1.0)]),

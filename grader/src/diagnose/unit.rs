@@ -1,4 +1,4 @@
-//! Which known mistakes say what a function answered.
+//! The known mistakes that give the same answer as a function.
 
 use std::collections::BTreeMap;
 
@@ -7,9 +7,9 @@ use cases::probe::Answer;
 
 use crate::judge;
 
-/// 1 for each mistake that gives this answer, 0 for the others.
+/// Returns, by id, 1 for each mistake that gives the answer `actual`, and 0 for the others.
 pub fn unit(actual: &Answer, right: &CheckAnswer) -> BTreeMap<String, f64> {
-    let share = |wrong: &Answer| f64::from(u8::from(judge::alike(wrong, actual, right.allowed)));
+    let share = |wrong: &Answer| f64::from(u8::from(judge::equal(wrong, actual, right.allowed)));
     right.wrong.iter().map(|(id, wrong)| (id.clone(), share(wrong))).collect()
 }
 

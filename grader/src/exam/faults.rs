@@ -8,9 +8,9 @@ use cases::answer::AnswerError;
 
 use crate::blame::{self, Blame};
 
-/// Where `reference expect` looks for stages by itself.
+/// The folder in which `reference expect` looks for stages by default.
 const USUAL_FOLDER: &str = "cases/stages";
-/// The command names single cases up to this number, and their stage or folder beyond.
+/// Largest number of cases that the command names. For more, it names their stage or folder.
 const MOST_NAMED: usize = 3;
 
 /// A question, or a list of them, without an answer that can be trusted.
@@ -18,11 +18,11 @@ const MOST_NAMED: usize = 3;
 pub struct Fault {
     /// The question.
     pub subject: Subject,
-    /// Why its answer cannot be trusted.
+    /// The reason why its answer cannot be trusted.
     pub why: AnswerError,
 }
 
-/// What an answer is for.
+/// The case, check or list that an answer belongs to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Subject {
     /// The image case of this id.
@@ -45,7 +45,7 @@ impl Subject {
         }
     }
 
-    /// Whether a judgement of one of `ids` needs the answer.
+    /// Returns whether judging one of `ids` needs the answer.
     fn concerns(&self, ids: &BTreeSet<&str>) -> bool {
         match self {
             Self::Case(id) | Self::Check(id) => ids.contains(id.as_str()),
@@ -55,8 +55,8 @@ impl Subject {
     }
 }
 
-/// Whether `id` is that of a unit check of `stage`: it has two parts behind the stage, an image
-/// case has one.
+/// Returns whether `id` is that of a unit check of `stage`, which has two parts after the stage.
+/// The id of an image case has one.
 fn is_check_of(id: &str, stage: &str) -> bool {
     id.strip_prefix(stage).is_some_and(|behind| behind.matches('/').count() == 2)
 }
@@ -71,7 +71,7 @@ impl fmt::Display for Subject {
     }
 }
 
-/// Why nothing can be judged: some of the answers that are needed cannot be trusted.
+/// The answers that are needed and cannot be trusted, so that nothing can be judged.
 #[derive(Debug)]
 pub struct Untrusted<'a> {
     folder: &'a Path,
@@ -80,8 +80,8 @@ pub struct Untrusted<'a> {
 }
 
 impl<'a> Untrusted<'a> {
-    /// Returns those of `faults`, found in the stages in `folder`, that concern one of `ids`, or
-    /// `None` where there are none.
+    /// Returns the `faults` of the stages in `folder` that concern one of `ids`, or `None` if there
+    /// are none.
     pub(super) fn among(
         folder: &'a Path,
         faults: &'a [Fault],
@@ -96,7 +96,7 @@ impl<'a> Untrusted<'a> {
         (!faults.is_empty()).then_some(Self { folder, faults })
     }
 
-    /// Returns whose fault it is: the machine's if it fails to read one of the answers.
+    /// Returns the party to blame: the machine if it fails to read one of the answers.
     pub fn blame(&self) -> Blame {
         match self.faults.iter().any(|fault| blame::of(&fault.why) == Blame::Machine) {
             true => Blame::Machine,
@@ -104,7 +104,7 @@ impl<'a> Untrusted<'a> {
         }
     }
 
-    /// Returns the faults of one kind as lines: a stage with its cases by name and the number of
+    /// Returns the faults of one kind, one line per stage: the names of its cases and the number of
     /// its checks.
     fn lines(&self, kind: Kind) -> Vec<String> {
         let of_kind = || self.faults.iter().filter(|fault| Kind::of(&fault.why) == kind);
@@ -136,7 +136,7 @@ impl<'a> Untrusted<'a> {
     }
 }
 
-/// The kinds of fault, which are told apart in a message.
+/// The kinds of fault, each with a heading of its own in a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Missing,
@@ -180,8 +180,8 @@ impl fmt::Display for Untrusted<'_> {
     }
 }
 
-/// Returns the command that renews the answers to `subjects`, as narrow as it can be said in a few
-/// words.
+/// Returns the command that renews the answers to `subjects`: up to [`MOST_NAMED`] cases, a stage,
+/// or all of `folder`.
 pub(super) fn command(folder: &Path, subjects: &[&Subject]) -> String {
     let is_usual = folder == Path::new(USUAL_FOLDER);
     let path = |id: &str| match is_usual {

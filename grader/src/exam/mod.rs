@@ -19,12 +19,12 @@ use cases::stage::{Stage, load_all};
 pub use faults::{Fault, Subject, Untrusted};
 pub use single::{SingleError, stored_answer};
 
-/// All stages with all answers that can be trusted.
+/// All stages, with all answers that can be trusted.
 #[derive(Debug)]
 pub struct Exam {
-    /// The folder `stages`.
+    /// The folder of the stages.
     pub folder: PathBuf,
-    /// What the course of the folder decides.
+    /// The course of the folder.
     pub course: Course,
     /// The stages, in order.
     pub stages: Vec<Questions>,
@@ -34,14 +34,14 @@ pub struct Exam {
     pub faults: Vec<Fault>,
     /// Ids of stored answers to unit checks that do not exist.
     pub surplus: Vec<String>,
-    /// What accuracy costs, if it was measured, or why that cannot be read.
+    /// The measured cost of accuracy, `None` if it was not measured, or why it cannot be read.
     pub fronts: Result<Option<Fronts>, String>,
     /// A hash of everything in the folder that a score depends on. Titles, descriptions and times
     /// do not count.
     pub hash: String,
 }
 
-/// A stage, and those of its answers that can be trusted.
+/// A stage, with all of its answers that can be trusted.
 #[derive(Clone, Debug)]
 pub struct Questions {
     /// The stage.
@@ -52,15 +52,16 @@ pub struct Questions {
     pub units: BTreeMap<String, CheckAnswer>,
 }
 
-/// Bytes of the list of what accuracy costs that are read at most.
+/// Largest size in bytes of the file with the cost of accuracy.
 const MAX_FRONTS_BYTES: u64 = 64 << 20;
 
 impl Exam {
     /// Reads the stages in `folder`, their course and their answers. An answer that is missing or
-    /// belongs to something else is a fault; [`Exam::trust`] refuses to judge by what is left.
+    /// belongs to another version of its case is a fault; [`Exam::trust`] refuses to judge without
+    /// it.
     ///
     /// # Errors
-    /// Everything that is wrong with the cases or the course.
+    /// Returns everything that is wrong with the cases or the course.
     pub fn load(folder: &Path) -> Result<Self, Problems> {
         let course = course::course_of(folder)?;
         let stages = load_all(folder, &course)?;
@@ -90,7 +91,8 @@ impl Exam {
     /// that can be trusted.
     ///
     /// # Errors
-    /// [`Untrusted`] names those that have none, and the command that renews them.
+    /// Returns [`Untrusted`], which names the answers that cannot be trusted and the command that
+    /// renews them.
     pub fn trust<'a>(
         &'a self,
         ids: impl IntoIterator<Item = &'a str>,
@@ -120,8 +122,8 @@ fn questions(
     }
     let mut units = BTreeMap::new();
     match load::checks(folder, course, &stage) {
-        Ok((answers, unasked)) => {
-            surplus.extend(unasked);
+        Ok((answers, without_check)) => {
+            surplus.extend(without_check);
             for (id, answer) in answers {
                 match answer {
                     Ok(answer) => drop(units.insert(id, answer)),
@@ -137,7 +139,7 @@ fn questions(
 fn fronts(folder: &Path) -> Result<Option<Fronts>, String> {
     let path = fronts_path(folder);
     let wrong = |why: &dyn std::fmt::Display| {
-        format!("what accuracy costs {} cannot be used: {why}", path.display())
+        format!("the cost of accuracy in {} cannot be used: {why}", path.display())
     };
     match files::read_text(&path, MAX_FRONTS_BYTES) {
         Ok(text) => fronts_from_str(&text).map(Some).map_err(|why| wrong(&why)),
@@ -146,8 +148,10 @@ fn fronts(folder: &Path) -> Result<Option<Fronts>, String> {
     }
 }
 
-/// Hashes what a score depends on: for each question its points, its rules and what its answer has
-/// to be made from, and the bytes of all stored answers.
+/// Returns a hash of everything in `folder` that a score depends on.
+///
+/// The hash covers the points and rules of all questions, the digests of what their answers are
+/// made from, and the bytes of all stored answers.
 fn hash(folder: &Path, course: &Course, stages: &[Stage]) -> String {
     let mut hasher = blake3::Hasher::new();
     let mut add = |parts: &[&[u8]]| {

@@ -11,16 +11,16 @@ use super::Subject;
 use super::faults::command;
 use crate::blame::{self, Blame};
 
-/// How the name of an answer ends.
+/// The ending of the name of an answer.
 const ENDING: &str = ".answer.exr";
 
-/// Why the answer in a file cannot be used.
+/// The reason why the answer in a file cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum SingleError {
     /// The path is not that of a file with a stored answer.
     #[error("{}: a stored answer is a file that is called STAGES/STAGE/CASE{ENDING}", .0.display())]
     Name(PathBuf),
-    /// No case lies beside the answer, so that nothing tells what it is the answer to.
+    /// There is no case beside the answer, so nothing shows what it is the answer to.
     #[error("{}: there is no case {} beside it, so nothing shows that the answer is \
         current", answer.display(), case.display())]
     NoCase {
@@ -39,13 +39,13 @@ pub enum SingleError {
         path: PathBuf,
         /// The command that renews it.
         renewal: String,
-        /// What is wrong with it.
+        /// The fault of the answer.
         source: AnswerError,
     },
 }
 
 impl SingleError {
-    /// Returns whose fault it is: the machine's if it fails to read a file.
+    /// Returns the party to blame: the machine if it fails to read a file.
     pub fn blame(&self) -> Blame {
         if let Self::Cases(problems) = self {
             blame::of_problems(problems)
@@ -58,7 +58,7 @@ impl SingleError {
 /// Returns the answer in the file at `path`, if it belongs to the case that lies beside it.
 ///
 /// # Errors
-/// [`SingleError`].
+/// See [`SingleError`].
 pub fn stored_answer(path: &Path) -> Result<ImageAnswer, SingleError> {
     // The case lies beside the file that a link leads to.
     let path = &path.canonicalize().unwrap_or_else(|_| path.to_owned());

@@ -1,11 +1,11 @@
-//! What a program may use while it is examined.
+//! The limits of a program that is graded.
 
 use std::time::Duration;
 
 use crate::build::Program;
 use crate::sandbox::Limits;
 
-/// The limits of what a program may use.
+/// The limits for each kind of run of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Allowance {
     /// The limits for one picture.
@@ -15,13 +15,13 @@ pub struct Allowance {
 }
 
 impl Allowance {
-    /// CPU time for a picture, and for the questions of a stage, unless the course says otherwise.
+    /// The default CPU time for a picture, and for the questions of a stage.
     pub const TIME: Duration = Duration::from_secs(10);
-    /// Resident bytes unless the course says otherwise.
+    /// The default limit on resident bytes.
     pub const MEMORY: u64 = 1 << 30;
 
-    /// Returns an allowance of `time` of CPU time, the other times that follow from it, and
-    /// `memory` resident bytes.
+    /// Returns an allowance of `time` of CPU time and `memory` resident bytes. The other times
+    /// follow from [`Limits::with_time`].
     pub fn new(time: Duration, memory: u64) -> Self {
         let limits = Limits {
             cpu: time,
@@ -37,21 +37,21 @@ impl Allowance {
         Self { picture: limits, questions: limits }
     }
 
-    /// Returns the idle time that all runs of a submission may take together: twelve times that of
-    /// one picture.
+    /// Returns the limit on the idle time of all runs of a submission: twelve times that of one
+    /// picture.
     pub fn most_idle(&self) -> Duration {
         self.picture.idle * N_IDLE
     }
 }
 
-/// Number of runs of a submission that may be idle for as long as one may.
+/// The limit on the idle time of a submission, in units of the limit on one picture.
 const N_IDLE: u32 = 12;
 
-/// Number of time-outs within a stage, of pictures or of questions, after which the rest gets
-/// [`reduced`] limits.
+/// Number of time-outs of pictures or of questions in a stage after which the rest get [`reduced`]
+/// limits.
 pub const N_TIMEOUTS: usize = 2;
 
-/// Returns the limits for what most likely is not done in time either: a fifth of the time, but at
+/// Returns the limits for runs that will most likely time out as well: a fifth of the time, but at
 /// least a second.
 pub fn reduced(limits: Limits) -> Limits {
     limits.with_time((limits.cpu / 5).max(Duration::from_secs(1)))
@@ -63,7 +63,7 @@ impl Default for Allowance {
     }
 }
 
-/// A program that is examined, and what it may use.
+/// A program that is graded, and its allowance.
 #[derive(Clone, Copy, Debug)]
 pub struct Candidate<'a> {
     /// The program.

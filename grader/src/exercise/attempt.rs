@@ -1,9 +1,9 @@
-//! Runs one process of a program, and finds out who is to blame where it did not give what it
-//! should.
+//! Runs one process of a program, and decides whether the program or the machine is to blame for a
+//! failure.
 //!
-//! A failure counts only if it is the program's own. The process is run again, once and alone,
-//! where others may have slowed it down or filled the disk, where the program's file was changed,
-//! and where the machine could not start it.
+//! A failure counts only if it is the program's own. The process is run once more, alone, if others
+//! may have slowed it down or filled the disk, if the program's file was changed, or if the machine
+//! could not start it.
 
 use std::ffi::OsString;
 use std::path::Path;
@@ -12,33 +12,34 @@ use super::allowance::Candidate;
 use super::failure::Failure;
 use crate::sandbox::{self, Call, Clock, Finished, Folder, Limits, Outcome, Room, Shortage, Turn};
 
-/// The input of a process.
+/// The input and the limits of a process.
 pub(super) struct Task<'a> {
     pub(super) limits: Limits,
-    /// Bytes that a right program may have to write to its folder.
+    /// Bytes that a correct program may have to write to its folder.
     pub(super) needed: u64,
     pub(super) stdin: &'a [u8],
-    /// Puts into the folder what the program reads there, and returns the arguments.
+    /// Writes the input files of the program into the folder, and returns the arguments.
     pub(super) prepare: &'a dyn Fn(&Path) -> std::io::Result<Vec<OsString>>,
 }
 
-/// Room for what programs write beside what is asked for, such as compiled scripts.
+/// Room, in bytes, for files that programs write besides their output, such as compiled scripts.
 pub(super) const NEEDED: u64 = 64 << 10;
 
-/// Fewer free files than this are few: a program may make so many beside what is asked for.
+/// Number of free files on the disk below which a failure may be due to their lack. A program may
+/// create this many besides its output.
 const FEW_FILES: u64 = 1000;
 
 /// The result of a process.
 pub(super) struct Attempt<T> {
-    /// What `read` took from the process and its folder.
+    /// The value that `read` took from the process and its folder.
     pub(super) output: T,
     pub(super) finished: Finished,
-    /// The failure of the program, or `None` where its end says nothing against it.
+    /// The failure of the program, or `None` if it did not fail by its own fault.
     pub(super) failure: Option<Failure>,
 }
 
-/// Runs the program with `task`, and takes its output by `read`, which also says whether it is what
-/// was due.
+/// Runs the program with `task`, and takes its output by `read`, which also returns whether the
+/// program did its task.
 pub(super) fn attempt<T>(
     candidate: &Candidate,
     task: &Task,
@@ -57,12 +58,13 @@ pub(super) fn attempt<T>(
     }
     let (second, is_good) = once(candidate, task, Turn::Alone, read);
     if !candidate.program.is_intact() {
-        // The program changed its file itself, as nothing else ran. The next process finds a fault.
+        // Nothing else ran, so the program changed its file itself. If the file cannot be restored,
+        // the next process reports it.
         let _ = candidate.program.restore();
     }
     let Finished { wall, cpu, .. } = second.finished;
     match second.finished.outcome {
-        // It was neither idle nor did it compute: others kept it from that, or a disk did.
+        // The program was neither idle nor computing, so other processes or a disk held it up.
         Outcome::TimedOut(Clock::Wall) if !is_good && sandbox::sees_processes() => {
             second.not_the_programs(Shortage::Busy { wall: wall.as_secs(), cpu: cpu.as_secs() })
         }
@@ -77,7 +79,7 @@ impl<T> Attempt<T> {
     }
 }
 
-/// Returns whether a second run may end otherwise, for a reason that is not the program's.
+/// Returns whether a second run may end differently for a reason outside the program.
 fn is_doubtful(finished: &Finished, limits: &Limits) -> bool {
     match finished.outcome {
         Outcome::TimedOut(Clock::Wall) | Outcome::Machine(Shortage::NotStarted(_)) => true,
@@ -89,13 +91,13 @@ fn is_doubtful(finished: &Finished, limits: &Limits) -> bool {
     }
 }
 
-/// Returns whether the disk may have been full for a moment: another program, which has ended
-/// since, may have taken as much as was left.
+/// Returns whether the disk may have been full for a moment. Another program, which has ended
+/// since, may have taken all that was left.
 fn is_tight(least: Room, limits: &Limits) -> bool {
     least.bytes < limits.folder_size || least.files < FEW_FILES
 }
 
-/// Runs one process in a fresh folder, and returns whether it gave what was due.
+/// Runs one process in a fresh folder, and returns its result and whether it did its task.
 fn once<T>(
     candidate: &Candidate,
     task: &Task,

@@ -1,4 +1,4 @@
-//! The tree of rays behind a pixel, as the program tells it.
+//! Obtains the ray tree behind a pixel from the program.
 
 use std::path::Path;
 
@@ -10,7 +10,10 @@ use crate::judge;
 use crate::plain::shown;
 use crate::sandbox::Outcome;
 
-/// What the program prints about pixel (x, y), or what kept it from that.
+/// Returns what the program prints about pixel (`x`, `y`) of `scene`, made harmless to show.
+///
+/// # Errors
+/// Returns the message for the student if the program does not end with code 0.
 pub fn explain(candidate: &Candidate, scene: &Scene, x: u32, y: u32) -> Result<String, String> {
     let limits = candidate.allowance.picture;
     let prepare = |folder: &Path| {

@@ -1,5 +1,5 @@
-//! Finds out whether a program fails in the same way whatever it is given. Such a program is not
-//! run for every check.
+//! Decides whether a program fails in the same way whatever its input is. If so, it is not run for
+//! every check.
 
 use std::path::Path;
 
@@ -7,14 +7,13 @@ use cases::program::EXIT_TODO;
 
 use crate::sandbox::{Finished, Outcome};
 
-/// Number of processes that must fail in the same way before another one, which is given nothing to
-/// do, decides.
+/// Number of processes that must fail in the same way before a trial with an empty input decides.
 const N_SAME: u32 = 3;
-/// The same number where the processes die without a word, so that their ends look alike whatever
-/// the cause is.
+/// The value of [`N_SAME`] for processes that print no message when they die: their ends look alike
+/// whatever the cause.
 const N_SILENT: u32 = 8;
-/// This many lines at the end of the error stream are compared: they hold the place and the message
-/// of a Rust panic and of a Python exception.
+/// Number of lines at the end of standard error that are compared. They hold the place and the
+/// message of a Rust panic or a Python exception.
 const N_LINES: usize = 5;
 
 /// The way in which a process failed.
@@ -22,15 +21,15 @@ const N_LINES: usize = 5;
 pub struct Failure {
     /// The end of the process, with its streams cut.
     pub finished: Finished,
-    /// The last lines on the error stream, without what differs from run to run.
+    /// The last lines on standard error, without what differs from run to run.
     message: String,
 }
 
 impl Failure {
     /// Returns the failure of a process that ran in `folder`.
     ///
-    /// There is none where the end says nothing against the program: code 0, a function still to be
-    /// written, a fault of the machine, an interrupt.
+    /// Returns `None` if the end is no failure of the program: code 0, a function that is still to
+    /// be written, a fault of the machine, an interrupt.
     pub(super) fn of(finished: &Finished, folder: &Path) -> Option<Self> {
         let is_todo = finished.outcome == Outcome::Exited(i32::from(EXIT_TODO));
         if is_todo
@@ -53,15 +52,15 @@ impl Failure {
         self.finished.outcome == other.finished.outcome && self.message == other.message
     }
 
-    /// Returns how many processes must fail like this one.
+    /// Returns how many processes must fail like this one before a trial decides.
     pub(super) fn n_needed(&self) -> u32 {
         let is_death = matches!(self.finished.outcome, Outcome::Exited(_) | Outcome::Signalled(_));
         if is_death && self.message.trim().is_empty() { N_SILENT } else { N_SAME }
     }
 }
 
-/// Returns a message without numbers in brackets and addresses: Rust prints the number of a thread
-/// as `(1234)`, and C++ an address as `0x55d0`.
+/// Returns a message without numbers in parentheses and addresses: Rust prints the number of a
+/// thread as `(1234)`, and C++ an address as `0x55d0`.
 fn settled(message: &str) -> String {
     let mut settled = String::with_capacity(message.len());
     let mut rest = message;
@@ -77,7 +76,7 @@ fn settled(message: &str) -> String {
     settled + rest
 }
 
-/// The evidence of the first processes of one kind (`render`, `probe`) on all others.
+/// The evidence that the first processes of one kind (`render`, `probe`) give about all others.
 #[derive(Clone, Debug, Default)]
 pub struct Start {
     state: State,
@@ -88,35 +87,37 @@ enum State {
     /// No process has ended yet.
     #[default]
     New,
-    /// All processes so far gave nothing and failed in this way; and how many there were.
+    /// All processes so far gave no result and failed in this way. The number counts them.
     Failing(Failure, u32),
-    /// One gave something, ended without a failure, or failed otherwise. From now on all are run.
+    /// A process gave a result, ended without a failure, or failed in another way. From now on all
+    /// are run.
     Fine,
-    /// No process will give anything, as so many have shown.
+    /// No process will give a result, as this number of processes has shown.
     Broken(Failure, u32),
 }
 
 impl Start {
-    /// Returns the failure of a program that fails whatever it is given, and how many processes
-    /// have shown that.
+    /// Returns the failure of a program that fails whatever its input is, and the number of
+    /// processes that have shown that.
     pub fn broken(&self) -> Option<(&Failure, u32)> {
         if let State::Broken(failure, n) = &self.state { Some((failure, *n)) } else { None }
     }
 
-    /// Returns how many processes have failed alike, if that is not yet enough to know.
+    /// Returns how many processes have failed alike while it is undecided whether the program is
+    /// broken, else 0.
     pub(super) fn n_failures(&self) -> u32 {
         if let State::Failing(_, n) = self.state { n } else { 0 }
     }
 
-    /// Returns whether it is known if the program is broken.
+    /// Returns whether it is decided if the program is broken.
     pub fn is_known(&self) -> bool {
         matches!(self.state, State::Fine | State::Broken(..))
     }
 
-    /// Takes in how a process ended. `failure` is `None` where it gave anything, or did not fail.
+    /// Records how a process ended. `failure` is `None` if it gave a result or did not fail.
     ///
-    /// `trial` is called at most once, to run the program with nothing to do. A program that fails
-    /// at one function or shape alone survives that, so none of its other checks is lost.
+    /// `trial` is called at most once, to run the program with an empty input. A program that fails
+    /// only at one function or shape survives the trial, so none of its other checks is lost.
     pub(super) fn see(
         &mut self,
         failure: Option<&Failure>,
@@ -137,10 +138,10 @@ impl Start {
     }
 }
 
-/// Returns the order in which `n` things are tried until it is known whether the program is broken.
+/// Returns the order in which `n` items are tried until it is known whether the program is broken.
 ///
-/// The first two come first, then the last one, then others from all over: what the first two share
-/// may be what the program fails at.
+/// The first two items come first, then the last one, then others from all over the list. The
+/// program may fail only at what the first two have in common.
 pub fn order(n: usize) -> Vec<usize> {
     let far_apart = (2..N_SILENT + 2).filter_map(|n_failures| spread(n_failures, n));
     let mut order: Vec<usize> = vec![];
@@ -152,8 +153,9 @@ pub fn order(n: usize) -> Vec<usize> {
     order
 }
 
-/// Returns which of `n` things to try after `n_failures`, at least two, of them failed: the last
-/// one, then others from all over; `None` where there are none.
+/// Returns the index of the item to try next after `n_failures` (at least two) of `n` items failed.
+///
+/// The last item comes first, then others from all over the list. Returns `None` if `n` is 0.
 pub(super) fn spread(n_failures: u32, n: usize) -> Option<usize> {
     let last = n.checked_sub(1)?;
     let nth = (n_failures as usize).saturating_sub(2);
@@ -165,7 +167,8 @@ pub(super) mod tests {
     use super::*;
     use crate::sandbox::Clock;
 
-    /// A failure by `code` with `stderr`, seen in the folder `/tmp/7`.
+    /// Returns the failure of a process that ended with `outcome` and `stderr` in the folder
+    /// `/tmp/7`.
     fn failure(outcome: Outcome, stderr: &str) -> Option<Failure> {
         let finished = Finished { stderr: stderr.into(), ..Finished::without_run(outcome) };
         Failure::of(&finished, Path::new("/tmp/7"))
@@ -175,8 +178,7 @@ pub(super) mod tests {
         failure(Outcome::Exited(1), stderr)
     }
 
-    /// What is known after processes ended so, and the trial as the last says: is it known, and is
-    /// it broken?
+    /// Checks what is decided after processes ended as in `ends`, and the trial as in `trial`.
     fn check(ends: &[Option<Failure>], trial: Option<Failure>, is_known: bool, is_broken: bool) {
         let mut start = Start::default();
         let mut n_trials = 0;
@@ -215,7 +217,7 @@ pub(super) mod tests {
         check(&[no_config(), None, no_config()], no_config(), true, false);
     }
 
-    /// Ends without a word look alike, so more of them are needed.
+    /// Ends without a message look alike, so more of them are needed.
     #[test]
     fn silent_ends_need_more_evidence() {
         let silent = |n| vec![failure(Outcome::Signalled(11), ""); n];

@@ -1,5 +1,5 @@
-//! Finds the functions at which a program fails whatever the question is. No more questions are put
-//! to such a function.
+//! Finds the functions at which a program fails whatever the question is. They get no more
+//! questions.
 
 use std::collections::BTreeMap;
 
@@ -7,26 +7,27 @@ use cases::probe::Question;
 
 use super::failure::{Failure, spread};
 
-/// The evidence of the questions of one stage on each function.
+/// The evidence about each function from the questions of one stage.
 #[derive(Debug, Default)]
 pub(super) struct Functions<'a>(BTreeMap<&'a str, State>);
 
 #[derive(Debug)]
 enum State {
-    /// All questions so far ended the process in this way; and how many there were.
+    /// All questions so far have ended the process in this way. The number counts them.
     Failing(Box<Failure>, u32),
-    /// One was answered, or ended the process otherwise. From now on all questions are put.
+    /// A question was answered, or ended the process in another way. From now on all questions are
+    /// sent.
     Fine,
 }
 
 impl<'a> Functions<'a> {
-    /// Takes in that `function` answered a question.
+    /// Records that `function` answered a question.
     pub(super) fn answer(&mut self, function: &'a str) {
         self.0.insert(function, State::Fine);
     }
 
-    /// Takes in that a process ended at a question to `function`, without a failure where that says
-    /// nothing against the program.
+    /// Records that a process ended at a question to `function`. `failure` is `None` if that is not
+    /// a failure of the program.
     pub(super) fn end(&mut self, function: &'a str, failure: Option<Failure>) {
         let before = self.0.remove(function);
         let state = match (before, failure) {
@@ -39,9 +40,12 @@ impl<'a> Functions<'a> {
         self.0.insert(function, state);
     }
 
-    /// Returns the question that best tells whether a function that has failed at its first two
-    /// questions fails at all of them.
-    pub(super) fn telling<'b>(&self, open: &[&'b Question]) -> Option<&'b Question> {
+    /// Returns the next question to a function that has failed at all of its questions so far, at
+    /// least two.
+    ///
+    /// The question is far from the earlier ones, so that it best shows whether the function fails
+    /// at all of them. Returns `None` if there is no such function, or no open question to it.
+    pub(super) fn next_single<'b>(&self, open: &[&'b Question]) -> Option<&'b Question> {
         self.0.iter().find_map(|(function, state)| {
             let State::Failing(_, n @ 2..) = state else { return None };
             let of_function: Vec<&Question> =
@@ -50,10 +54,11 @@ impl<'a> Functions<'a> {
         })
     }
 
-    /// Returns the number of questions at which `function` failed, if it fails at all of them.
+    /// Returns the number of questions at which `function` failed, if that proves that it fails at
+    /// all of them.
     pub(super) fn n_failures(&self, function: &str) -> Option<u32> {
         match self.0.get(function) {
-            // One more than for a whole program, for which a run without a question decides.
+            // One more than for a whole program, since a function has no trial without a question.
             Some(State::Failing(failure, n)) if *n > failure.n_needed() => Some(*n),
             _ => None,
         }
@@ -72,9 +77,11 @@ mod tests {
         (0..n).map(|n| Question { id: format!("q{n}"), ask: ask(n) }).collect()
     }
 
-    /// Checks what is known after questions to `indices` ended so: the place among 80 open ones of
-    /// the next one to put alone, and the number of failures where that is enough.
-    fn check(ends: &[Option<&str>], telling: Option<usize>, n_failures: Option<u32>) {
+    /// Checks what is known after questions to `indices` ended as in `ends`.
+    ///
+    /// `next_single` is the index among 80 open questions of the next one to send alone, and
+    /// `n_failures` the number of failures if that is enough.
+    fn check(ends: &[Option<&str>], next_single: Option<usize>, n_failures: Option<u32>) {
         let questions = questions(80);
         let open: Vec<&Question> = questions.iter().collect();
         let mut functions = Functions::default();
@@ -85,9 +92,9 @@ mod tests {
             }
         }
         let place = functions
-            .telling(&open)
+            .next_single(&open)
             .map(|it| questions.iter().position(|one| one.id == it.id).unwrap());
-        assert_eq!((place, functions.n_failures("indices")), (telling, n_failures), "{ends:?}");
+        assert_eq!((place, functions.n_failures("indices")), (next_single, n_failures), "{ends:?}");
         assert_eq!(functions.n_failures("attenuation"), None);
     }
 
@@ -112,6 +119,6 @@ mod tests {
     fn where_no_question_is_left_none_is_put() {
         let mut functions = Functions::default();
         (0..2).for_each(|_| functions.end("indices", crash("no sphere")));
-        assert!(functions.telling(&[]).is_none());
+        assert!(functions.next_single(&[]).is_none());
     }
 }

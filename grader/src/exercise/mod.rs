@@ -1,5 +1,5 @@
-//! Puts the cases to a program: each picture in a process and folder of its own, the unit checks of
-//! a stage in one process where it holds out.
+//! Runs a program on the cases. Each picture gets its own process and folder; the unit checks of a
+//! stage share one process, unless it dies.
 
 mod allowance;
 mod attempt;
@@ -13,7 +13,7 @@ pub mod replies;
 pub use allowance::{Allowance, Candidate, N_TIMEOUTS, reduced};
 pub use explain::explain;
 pub use failure::{Failure, Start, order};
-pub use pictures::{NoPicture, Shot, read, shoot};
+pub use pictures::{NoPicture, Rendered, read, render_case};
 pub use probes::{Ended, LeftOut, Probed, probe};
 pub use replies::Got;
 

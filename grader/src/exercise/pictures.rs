@@ -1,5 +1,5 @@
-//! One picture: the scene goes in as a file, a picture comes out as a file, which is read as what
-//! it is: a stranger's.
+//! Renders one picture: the scene goes in as a file, and the picture comes out as a file, which is
+//! read as untrusted data.
 
 use std::io::Read;
 use std::os::unix::fs::MetadataExt;
@@ -17,25 +17,25 @@ use crate::submission::{ReadError, open_regular};
 
 /// The result of a call to render.
 #[derive(Debug)]
-pub struct Shot {
+pub struct Rendered {
     /// The picture, or why there is none.
     pub picture: Result<Image, NoPicture>,
     /// The end of the program.
     pub finished: Finished,
     /// The limits under which it ran.
     pub limits: Limits,
-    /// The failure of the program, where it also left no file.
+    /// The failure of the program, if it also left no file.
     failure: Option<Failure>,
 }
 
-/// Why there is no picture of the right size.
+/// The reason why there is no picture of the right size.
 #[derive(Debug)]
 pub enum NoPicture {
     /// There is no file.
     Missing,
-    /// The header says another size.
+    /// The header states another size; the text says which.
     Size(String),
-    /// There is a file, but no picture in it; says what is there.
+    /// There is a file, but no picture in it; the text says what is there.
     Unreadable(String),
     /// The machine fails to read the file.
     Machine(String),
@@ -43,13 +43,13 @@ pub enum NoPicture {
 
 const SCENE: &str = "scene.json";
 const OUT: &str = "out.png";
-/// Bytes of the largest file that is read as a picture.
+/// Largest size in bytes of a file that is read as a picture.
 const MAX_BYTES: u64 = 64 << 20;
-/// Bytes of a pixel in the largest of the usual forms, a PFM picture.
+/// Bytes of a pixel in the largest of the usual formats, PFM.
 const PIXEL_BYTES: u64 = 12;
 
-/// Has the program render `scene` in a fresh folder.
-pub fn shoot(candidate: &Candidate, scene: &Scene, limits: Limits) -> Shot {
+/// Runs the program to render `scene` in a fresh folder.
+pub fn render_case(candidate: &Candidate, scene: &Scene, limits: Limits) -> Rendered {
     let render = scene.render;
     let prepare = |folder: &Path| {
         let (input, output) = (folder.join(SCENE), folder.join(OUT));
@@ -65,7 +65,7 @@ pub fn shoot(candidate: &Candidate, scene: &Scene, limits: Limits) -> Shot {
             (picture, is_good)
         });
     let failure = failure.filter(|_| matches!(picture, Err(NoPicture::Missing)));
-    Shot { picture, finished, limits, failure }
+    Rendered { picture, finished, limits, failure }
 }
 
 /// Returns whether the program ended by itself.
@@ -73,14 +73,16 @@ fn is_over(finished: &Finished) -> bool {
     matches!(finished.outcome, Outcome::Exited(_) | Outcome::Signalled(_))
 }
 
-impl Shot {
-    /// Tells `start` how this process ended.
+impl Rendered {
+    /// Records in `start` how this process ended.
     pub fn tell(&self, start: &mut Start, candidate: &Candidate, scene: &Scene) {
-        start.see(self.failure.as_ref(), || shoot(candidate, &empty(scene), self.limits).failure);
+        start.see(self.failure.as_ref(), || {
+            render_case(candidate, &empty(scene), self.limits).failure
+        });
     }
 }
 
-/// Returns a small picture of the same view with nothing in it.
+/// Returns a scene for a small picture of the same view, without effects, lights and objects.
 fn empty(scene: &Scene) -> Scene {
     Scene {
         render: Render { width: 8, height: 6, ..scene.render },
@@ -93,10 +95,10 @@ fn empty(scene: &Scene) -> Scene {
     }
 }
 
-/// Reads the picture at `path`, demanded to be of this size.
+/// Reads the picture at `path`, which must be `width` × `height`.
 ///
 /// # Errors
-/// [`NoPicture`]; a link, a pipe or a device in its place is not opened.
+/// See [`NoPicture`]. A link is not followed; a pipe or a device is neither waited for nor read.
 pub fn read(path: &Path, width: u32, height: u32) -> Result<Image, NoPicture> {
     match std::fs::symlink_metadata(path) {
         Err(why) if blame::of(&why) == Blame::Machine => {

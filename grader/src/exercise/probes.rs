@@ -1,5 +1,5 @@
-//! The unit checks of a stage. A program that dies or hangs at one question is started again behind
-//! it, so that the question costs only itself.
+//! Runs the unit checks of a stage. A program that dies or hangs at a question is restarted with
+//! the next one, so that only that question is lost.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
@@ -13,25 +13,25 @@ use super::replies::{self, Got, Replies};
 use super::{Allowance, Candidate, N_TIMEOUTS, Start, reduced};
 use crate::sandbox::{Finished, Limits, Outcome};
 
-/// Questions at which one function may have to be stopped, before no more are put to it.
+/// Number of questions at which a function may have to be stopped before it gets no more.
 const MAX_HANGS: usize = 2;
-/// CPU time and idle time of all processes of a stage, after which no more are started.
+/// CPU time plus idle time of all processes of a stage after which no more are started.
 const MAX_TIME: Duration = Duration::from_secs(120);
 
-/// The results of the calls to probe.
+/// The results of the unit checks of a stage.
 #[derive(Debug, Default)]
 pub struct Probed {
     /// The replies, by id of the question.
     pub got: BTreeMap<String, Got>,
     /// The end of the process for a question without a reply, by id of the question.
     pub ended: BTreeMap<String, Ended>,
-    /// Questions that were not put to the program, and why.
-    pub not_asked: BTreeMap<String, String>,
-    /// Questions that were left out because the program fails whatever it is given.
+    /// Questions that were not sent to the program, with the reason, by id.
+    pub not_run: BTreeMap<String, String>,
+    /// Ids of the questions that were left out because the program fails whatever its input is.
     pub skipped: BTreeSet<String>,
     /// Questions that were left out because the function fails whatever the question is, by id.
     pub left_out: BTreeMap<String, LeftOut>,
-    /// What is worth saying of the output as a whole.
+    /// Remarks on the output as a whole.
     pub remarks: Vec<String>,
     /// Wall time of all processes.
     pub time: Duration,
@@ -39,7 +39,7 @@ pub struct Probed {
     pub cpu: Duration,
     /// Idle time of all processes.
     pub idle: Duration,
-    /// Largest resident bytes.
+    /// Largest resident size of a process, in bytes.
     pub peak_bytes: u64,
 }
 
@@ -63,11 +63,11 @@ pub struct LeftOut {
     pub n: usize,
 }
 
-/// Puts all questions to the program. `start` holds what is known of the program so far.
+/// Sends all questions to the program. `start` holds what is known about the program so far.
 ///
-/// Where the program ends early, the first question behind the last answer is to blame. Where not
-/// one answer came, it may just not have sent off its answers; so the suspect is put to it alone
-/// before it is blamed, unless answers have been seen to come out of a process that died.
+/// If the program ends early, the first question after the last answer is to blame. If there is no
+/// answer at all, the program may still have buffered its answers. The suspect is then sent alone
+/// before it is blamed, unless an earlier process that died has already delivered answers.
 pub fn probe(candidate: &Candidate, questions: &[Question], start: &mut Start) -> Probed {
     let mut probed = Probed::default();
     let mut open: Vec<&Question> = questions.iter().collect();
@@ -83,13 +83,12 @@ pub fn probe(candidate: &Candidate, questions: &[Question], start: &mut Start) -
         }
         if let Some(why) = spent(&probed, &candidate.allowance) {
             probed
-                .not_asked
+                .not_run
                 .extend(open.drain(..).map(|question| (question.id.clone(), why.clone())));
             break;
         }
         let batch = batch(&open, start, &functions);
-        let Asked { finished, behind, failure } =
-            ask(candidate, &batch, limits, &mut probed, start);
+        let Sent { finished, behind, failure } = ask(candidate, &batch, limits, &mut probed, start);
         let answers_nothing = behind == 0 && probed.got.is_empty();
         let is_through =
             finished.outcome == Outcome::Exited(0) && (answers_nothing || behind == batch.len());
@@ -113,8 +112,8 @@ pub fn probe(candidate: &Candidate, questions: &[Question], start: &mut Start) -
         else {
             continue;
         };
-        let Asked { finished, failure, .. } = match is_sure {
-            true => Asked { finished, behind, failure },
+        let Sent { finished, failure, .. } = match is_sure {
+            true => Sent { finished, behind, failure },
             false => ask(candidate, &[suspect], limits, &mut probed, start),
         };
         take_answers(&mut open, &probed, &mut functions);
@@ -141,50 +140,52 @@ pub fn probe(candidate: &Candidate, questions: &[Question], start: &mut Start) -
     probed
 }
 
-/// Returns why no process is started any more, where those before took too long.
+/// Returns why no more processes are started if the earlier ones took too long, else `None`.
 ///
-/// What other stages take does not count, so that the order of the stages decides nothing.
+/// The time of other stages does not count, so that the order of the stages does not matter.
 fn spent(probed: &Probed, allowance: &Allowance) -> Option<String> {
     let most_idle = allowance.most_idle();
     if probed.cpu + probed.idle >= MAX_TIME {
         return Some(format!(
-            "not asked: the questions before it took more than {} s",
+            "not run: the questions before it took more than {} s",
             MAX_TIME.as_secs()
         ));
     }
     let seconds = most_idle.as_secs();
     (probed.idle >= most_idle).then(|| {
-        format!("not asked: the program was idle for {seconds} s at the questions before it")
+        format!("not run: the program was idle for {seconds} s at the questions before it")
     })
 }
 
-/// Returns the questions for the next process: all that are open, or a single one where it is still
-/// to be found out whether the program, or one of its functions, fails whatever it is given.
+/// Returns the questions for the next process: all that are open, or a single one.
+///
+/// The single one helps to decide whether the program, or one of its functions, fails whatever its
+/// input is.
 fn batch<'a>(open: &[&'a Question], start: &Start, functions: &Functions) -> Vec<&'a Question> {
-    let telling = match start.n_failures() {
-        0 | 1 => functions.telling(open),
+    let next_single = match start.n_failures() {
+        0 | 1 => functions.next_single(open),
         n => spread(n, open.len()).map(|place| open[place]),
     };
-    telling.map_or_else(|| open.to_vec(), |question| vec![question])
+    next_single.map_or_else(|| open.to_vec(), |question| vec![question])
 }
 
-/// The result of putting questions to one process.
-struct Asked {
+/// The result of sending questions to one process.
+struct Sent {
     finished: Finished,
-    /// Place behind the last question that was answered.
+    /// Index after the last question that was answered; 0 if there is none.
     behind: usize,
-    /// The failure of the program, or `None` where its end says nothing against it.
+    /// The failure of the program, or `None` if it did not fail by its own fault.
     failure: Option<Failure>,
 }
 
-/// Puts the questions to one process, and takes in its answers.
+/// Sends the questions to one process, and adds its answers to `probed`.
 fn ask(
     candidate: &Candidate,
     open: &[&Question],
     limits: Limits,
     probed: &mut Probed,
     start: &mut Start,
-) -> Asked {
+) -> Sent {
     let Attempt { output: replies, finished, failure } = run(candidate, open, limits);
     start.see(failure.as_ref().filter(|_| replies.got.is_empty()), || {
         run(candidate, &[], limits).failure
@@ -199,10 +200,10 @@ fn ask(
         .rposition(|question| replies.got.contains_key(&question.id))
         .map_or(0, |last| last + 1);
     probed.got.extend(replies.got);
-    Asked { finished: finished.without_streams(), behind, failure }
+    Sent { finished: finished.without_streams(), behind, failure }
 }
 
-/// Removes the questions that have been answered.
+/// Removes the questions that have been answered, and records that for their functions.
 fn take_answers<'a>(open: &mut Vec<&'a Question>, probed: &Probed, functions: &mut Functions<'a>) {
     for question in open.extract_if(.., |question| probed.got.contains_key(&question.id)) {
         functions.answer(question.ask.function());
@@ -216,7 +217,7 @@ fn run(candidate: &Candidate, questions: &[&Question], limits: Limits) -> Attemp
             + "\n"
     });
     let stdin: String = lines.collect();
-    let asked: BTreeSet<&str> = questions.iter().map(|question| question.id.as_str()).collect();
+    let ids: BTreeSet<&str> = questions.iter().map(|question| question.id.as_str()).collect();
     let task = Task {
         limits,
         needed: NEEDED,
@@ -224,8 +225,8 @@ fn run(candidate: &Candidate, questions: &[&Question], limits: Limits) -> Attemp
         prepare: &|_| Ok(vec!["probe".into()]),
     };
     attempt(candidate, &task, &|_, finished| {
-        let replies = replies::parse(&finished.stdout, &asked);
-        let is_good = finished.outcome == Outcome::Exited(0) && replies.got.len() == asked.len();
+        let replies = replies::parse(&finished.stdout, &ids);
+        let is_good = finished.outcome == Outcome::Exited(0) && replies.got.len() == ids.len();
         (replies, is_good)
     })
 }
@@ -238,9 +239,7 @@ fn remark(replies: &Replies, probed: &mut Probed) {
         ));
     }
     if replies.n_unknown > 0 {
-        probed
-            .remarks
-            .push(format!("{} answers are to questions that were not asked", replies.n_unknown));
+        probed.remarks.push(format!("{} answers belong to no question", replies.n_unknown));
     }
 }
 
@@ -248,7 +247,7 @@ fn cannot_go_on(finished: &Finished) -> bool {
     matches!(finished.outcome, Outcome::Machine(_) | Outcome::NoProgram(_) | Outcome::Interrupted)
 }
 
-/// Puts no more questions to `function`, which fails at all of them.
+/// Removes the questions to `function`, which fails at all of them.
 fn leave_out(
     open: &mut Vec<&Question>,
     function: &str,
@@ -264,15 +263,14 @@ fn leave_out(
     probed.left_out.extend(ids.into_iter().map(|id| (id, left_out.clone())));
 }
 
-/// Puts no more questions to a function that had to be stopped again and again.
+/// Removes the questions to functions that had to be stopped [`MAX_HANGS`] times.
 fn give_up(open: &mut Vec<&Question>, hangs: &BTreeMap<&str, usize>, probed: &mut Probed) {
     open.retain(|question| {
         let function = question.ask.function();
         let n = hangs.get(function).copied().unwrap_or(0);
         if n >= MAX_HANGS {
-            let why =
-                format!("not asked: `{function}` had to be stopped on {n} questions before it");
-            probed.not_asked.insert(question.id.clone(), why);
+            let why = format!("not run: `{function}` had to be stopped on {n} questions before it");
+            probed.not_run.insert(question.id.clone(), why);
         }
         n < MAX_HANGS
     });

@@ -1,4 +1,4 @@
-//! What a program prints in answer to questions, matched with them by id.
+//! Reads the answers that a program prints, and matches them with the questions by id.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,40 +7,40 @@ use serde_json::{Value, json};
 
 use crate::plain;
 
-/// Bytes of a line that is read: no answer comes near, and JSON takes many times its length in
-/// memory.
+/// Largest number of bytes of a line that is parsed. No answer is nearly as long, and parsed JSON
+/// takes many times its length in memory.
 const MAX_LINE: usize = 64 << 10;
 
-/// What came back for a question.
+/// The reply to a question.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Got {
     /// An answer.
     Answer(Answer),
-    /// A line with the question's id that is no answer; says why.
+    /// A line with the question's id that is no answer; the text says why.
     Malformed(String),
-    /// Two answers or more.
+    /// Two or more answers.
     Twice,
 }
 
-/// All that stood on standard output.
+/// The content of standard output.
 #[derive(Debug, Default, PartialEq)]
 pub struct Replies {
-    /// By id of the question.
+    /// The replies, by id of the question.
     pub got: BTreeMap<String, Got>,
-    /// Answers to questions that were not asked.
+    /// Number of answers that belong to no question.
     pub n_unknown: usize,
-    /// Lines that are no answers.
+    /// Number of lines that are no answers.
     pub n_stray: usize,
-    /// The first of these lines.
+    /// The first line that is no answer.
     pub stray: Option<String>,
 }
 
-/// Reads an answer a line, to the questions `asked`.
-pub fn parse(stdout: &[u8], asked: &BTreeSet<&str>) -> Replies {
+/// Reads one answer per line. `ids` holds the ids of the questions.
+pub fn parse(stdout: &[u8], ids: &BTreeSet<&str>) -> Replies {
     let mut replies = Replies::default();
     for line in stdout.split(|byte| *byte == b'\n').filter(|line| !line.trim_ascii().is_empty()) {
-        match understand(line, asked) {
-            Line::Reply(id, got) if asked.contains(id.as_str()) => {
+        match understand(line, ids) {
+            Line::Reply(id, got) if ids.contains(id.as_str()) => {
                 replies.got.entry(id).and_modify(|before| *before = Got::Twice).or_insert(got);
             }
             Line::Reply(..) => replies.n_unknown += 1,
@@ -58,16 +58,16 @@ enum Line {
     Stray,
 }
 
-fn understand(line: &[u8], asked: &BTreeSet<&str>) -> Line {
+fn understand(line: &[u8], ids: &BTreeSet<&str>) -> Line {
     if line.len() > MAX_LINE {
-        return named_in(line, asked, &format!("the line is longer than {} KiB", MAX_LINE >> 10));
+        return named_in(line, ids, &format!("the line is longer than {} KiB", MAX_LINE >> 10));
     }
     let value = match serde_json::from_slice::<Value>(line) {
         Ok(value) => value,
         Err(why) => {
             return named_in(
                 line,
-                asked,
+                ids,
                 &format!("it is no JSON ({why}; write \"nan\" and \"inf\" in quotes)"),
             );
         }
@@ -82,7 +82,7 @@ fn understand(line: &[u8], asked: &BTreeSet<&str>) -> Line {
     Line::Reply(id, got)
 }
 
-/// The one answer of a reply; keys that are no answers do no harm.
+/// Returns the only answer of a reply. Keys that are no answers are ignored.
 fn answer(reply: Value) -> Result<Answer, String> {
     let answers = |(key, value): &(&String, &Value)| {
         serde_json::from_value::<Answer>(json!({ *key: value })).is_ok()
@@ -97,11 +97,11 @@ fn answer(reply: Value) -> Result<Answer, String> {
     }
 }
 
-/// A line that cannot be read still answers the question whose quoted id stands in it: Python, say,
-/// prints a bare NaN.
-fn named_in(line: &[u8], asked: &BTreeSet<&str>, why: &str) -> Line {
+/// Assigns a line that cannot be read to the question whose quoted id it contains. Python, for
+/// example, prints a bare NaN.
+fn named_in(line: &[u8], ids: &BTreeSet<&str>, why: &str) -> Line {
     let text = String::from_utf8_lossy(line);
-    let quoted = text.split('"').find(|part| asked.contains(part));
+    let quoted = text.split('"').find(|part| ids.contains(part));
     let why = format!("{why}: {}", plain::name(line));
     quoted.map_or(Line::Stray, |id| Line::Reply(id.to_owned(), Got::Malformed(why)))
 }

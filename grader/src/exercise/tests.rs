@@ -1,4 +1,4 @@
-//! Programs in shell that answer as submissions might.
+//! Tests with shell scripts that answer as submissions might.
 
 use std::os::unix::fs::PermissionsExt;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -14,7 +14,7 @@ use crate::build::Program;
 use crate::sandbox::{Clock, Limits, Outcome};
 use crate::workers::side_by_side;
 
-/// A program whose text is a shell script; it lives as long as the folder.
+/// Returns a shell script as a program, and the folder that holds it.
 fn program(script: &str) -> (Program, tempfile::TempDir) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("program");
@@ -32,7 +32,7 @@ fn questions() -> Vec<Question> {
     (0..5).map(|n| Question { id: format!("q{n}"), ask: ask(n) }).collect()
 }
 
-/// Answers each line, after `special` has had a look at the id in $id.
+/// Returns a script that answers each line, after it runs `special` with the id in $id.
 fn answering(special: &str) -> String {
     format!(
         "while read -r line; do id=${{line#*:\\\"}}; id=${{id%%\\\"*}}; {special}
@@ -40,7 +40,7 @@ fn answering(special: &str) -> String {
     )
 }
 
-/// Probes with the script; which questions got an answer, and which one ended the program.
+/// Checks which questions the script answers, and which ones end it.
 fn check_probe(script: &str, answered: &[&str], ended: &[&str]) -> Probed {
     let (program, _folder) = program(script);
     let probed = probe(&candidate(&program), &questions(), &mut Start::default());
@@ -61,11 +61,11 @@ fn idle_time_is_limited_over_all_questions_of_a_stage() {
             Candidate { program: &program, allowance: Allowance { picture, questions: limits } };
         probe(&candidate, &questions(), &mut Start::default())
     };
-    assert!(probed(limits).not_asked.is_empty());
+    assert!(probed(limits).not_run.is_empty());
     let probed = probed(short);
-    assert!(!probed.ended.is_empty() && !probed.not_asked.is_empty(), "{probed:?}");
+    assert!(!probed.ended.is_empty() && !probed.not_run.is_empty(), "{probed:?}");
     assert!(
-        probed.not_asked.values().all(|why| why.starts_with("not asked: the program was idle")),
+        probed.not_run.values().all(|why| why.starts_with("not run: the program was idle")),
         "{probed:?}"
     );
 }
@@ -91,13 +91,13 @@ fn a_question_that_kills_costs_only_itself() {
 }
 
 #[test]
-fn answers_not_sent_off_before_a_death_are_asked_for_again() {
+fn answers_lost_in_a_buffer_are_requested_again() {
     let buffered = format!("out=$({}); echo \"$out\"", answering("[ $id = q2 ] && kill -KILL $$;"));
     check_probe(&buffered, &["q0", "q1", "q3", "q4"], &["q2"]);
 }
 
 #[test]
-fn what_a_program_leaves_out_is_missing_and_asked_once() {
+fn an_omitted_answer_is_missing_and_its_question_is_sent_once() {
     let probed =
         check_probe(&answering("[ $id = q1 ] && continue;"), &["q0", "q2", "q3", "q4"], &["q1"]);
     assert_eq!(probed.ended["q1"].finished.outcome, Outcome::Exited(0));
@@ -105,7 +105,7 @@ fn what_a_program_leaves_out_is_missing_and_asked_once() {
 }
 
 #[test]
-fn stray_text_and_strange_answers_are_told() {
+fn stray_text_and_strange_answers_are_reported() {
     let probed = check_probe(
         &answering("echo hello; echo '{\"id\":\"x\",\"value\":1}';"),
         &["q0", "q1", "q2", "q3", "q4"],
@@ -140,18 +140,18 @@ fn scene() -> Scene {
     }
 }
 
-/// Has the script make a picture, with `good.png` and `small.png` in $pictures.
-fn shot(script: &str) -> Shot {
+/// Runs the script to make a picture, with `good.png` and `small.png` in $pictures.
+fn shot(script: &str) -> Rendered {
     shot_within(script, Allowance::default().picture)
 }
 
-fn shot_within(script: &str, limits: Limits) -> Shot {
+fn shot_within(script: &str, limits: Limits) -> Rendered {
     let pictures = tempfile::tempdir().unwrap();
     let grey = |width| film::Image::from_fn(width, 3, |_, _| DVec3::splat(0.2));
     film::write(&pictures.path().join("good.png"), &grey(4)).unwrap();
     film::write(&pictures.path().join("small.png"), &grey(3)).unwrap();
     let (program, _folder) = program(&format!("pictures={}\n{script}", pictures.path().display()));
-    shoot(&candidate(&program), &scene(), limits)
+    render_case(&candidate(&program), &scene(), limits)
 }
 
 #[test]
@@ -183,7 +183,8 @@ fn what_is_no_picture_of_the_right_size_says_why() {
     }
 }
 
-/// Uses up so many hundredths of a second of CPU time, however long that takes, and draws.
+/// Returns a script that uses this number of hundredths of a second of CPU time, however long that
+/// takes, and then draws.
 fn spending(hundredths: &str) -> String {
     format!(
         "out=$3; want={hundredths}; while read -r line < /proc/$$/stat; do set -- ${{line##*) }}; \
@@ -195,7 +196,7 @@ fn seconds(cpu: u64) -> Limits {
     Allowance::new(Duration::from_secs(cpu), Allowance::MEMORY).picture
 }
 
-/// Does `work` while `n` threads keep the processors busy.
+/// Runs `work` while `n` threads keep the processors busy.
 fn under_load<R>(n: usize, work: impl FnOnce() -> R) -> R {
     let is_over = AtomicBool::new(false);
     std::thread::scope(|scope| {
@@ -249,7 +250,7 @@ fn a_time_out_near_the_limit_is_confirmed_alone_where_others_run() {
 }
 
 #[test]
-fn a_few_processes_tell_that_a_program_answers_nothing() {
+fn a_few_processes_show_that_a_program_answers_nothing() {
     let home = tempfile::tempdir().unwrap();
     let log = home.path().join("log");
     let count = || std::fs::read_to_string(&log).unwrap().lines().count();
@@ -261,20 +262,23 @@ fn a_few_processes_tell_that_a_program_answers_nothing() {
         (4, 3),
         "all questions, the first and the last one, none: {probed:?}"
     );
-    // One that dies without a word at the first question and without one answers the others.
+    // A program that dies silently at the first question, and without a question, answers the
+    // others.
     let at_q0 = answering("n=1; case $id in q0) exit 1;; esac;");
     let silent = format!("{note}; n=0; {at_q0}; [ $n = 1 ] || exit 1");
     let probed = check_probe(&silent, &["q1", "q2", "q3", "q4"], &["q0"]);
     assert!(probed.skipped.is_empty(), "{probed:?}");
-    // One that fails at the questions alone is run with nothing to do, and is not broken.
+    // A program that fails at every question but survives an empty input is not broken.
     let picky = format!("{note}; read -r line || exit 0; echo no answers >&2; exit 1");
     let probed = check_probe(&picky, &[], &["q0", "q1", "q3", "q4"]);
     assert!(probed.skipped.is_empty(), "{probed:?}");
 }
 
-/// Puts 50 questions to each of the functions `indices` (i0 to i49) and `reflect` (r0 to r49), in
-/// turn, to a program that answers unless `script` ends it. Returns the number of processes that
-/// were started, and the results.
+/// Sends 50 questions to each of two functions, in turn, to a program that answers unless `script`
+/// ends it.
+///
+/// The functions are `indices` (i0 to i49) and `reflect` (r0 to r49). Returns the number of
+/// processes that were started, and the results.
 fn probe_two_functions(script: &str) -> (usize, Probed) {
     let home = tempfile::tempdir().unwrap();
     let log = home.path().join("log");
@@ -313,7 +317,7 @@ fn a_function_that_fails_at_all_questions_costs_a_few_processes_and_nothing_else
     );
 }
 
-/// Nothing is answered, and the last question to `reflect` ends its process well.
+/// No question is answered, and the last question to `reflect` ends its process with code 0.
 #[test]
 fn an_end_without_an_answer_shows_that_a_function_does_not_fail_at_all_questions() {
     let (_, probed) = probe_two_functions(

@@ -1,5 +1,5 @@
-//! The diagnosis of a submission: gathers what every case and check says about the known mistakes,
-//! names those that explain it.
+//! The diagnosis of a submission: collects the evidence of every case and check about the known
+//! mistakes, and names the mistakes that explain it.
 
 use std::collections::BTreeMap;
 
@@ -13,9 +13,9 @@ use crate::diagnose::{self, Evidence, Named};
 use crate::exam::Exam;
 use crate::record::{Diagnosis, FindingKind, Verdict};
 
-/// The known mistakes that explain what is wrong in `answers`, the one that explains most first;
-/// their names go to the findings that they explain. Pictures of mistakes are unpacked only where
-/// something is wrong.
+/// Returns the known mistakes that explain the errors in `answers`, the one that explains most
+/// first. Also writes their ids to the findings that they explain. The pictures of mistakes are
+/// unpacked only if an answer is wrong.
 pub(super) fn diagnose(exam: &Exam, plan: &Plan, answers: &mut Answers) -> Vec<Diagnosis> {
     if !answers.done.values().any(|done| state(done) == State::Wrong) {
         return vec![];
@@ -58,13 +58,13 @@ fn diagnosis(named: &Named, known: &BTreeMap<&str, &Mistake>) -> Diagnosis {
     Diagnosis { mistakes: mistakes.collect(), explains: named.explains.clone() }
 }
 
-/// What a judgement says to a diagnosis.
+/// The meaning of a judgement for a diagnosis.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum State {
     Right,
     Wrong,
-    /// It could not be judged, or only a person could.
-    Mute,
+    /// The result could not be judged, or only a person can judge it.
+    Undecided,
 }
 
 fn state(done: &Done) -> State {
@@ -72,7 +72,7 @@ fn state(done: &Done) -> State {
     match (done.judgement.verdict, kind) {
         (Verdict::Pass, None | Some(FindingKind::Remark)) => State::Right,
         (Verdict::Partial | Verdict::Fail, Some(FindingKind::Wrong)) => State::Wrong,
-        _ => State::Mute,
+        _ => State::Undecided,
     }
 }
 
@@ -89,7 +89,7 @@ fn of_case(exam: &Exam, part: &Part, case: &Case, done: &Done) -> Option<Evidenc
             let shares = diagnose::picture(done.picture.as_ref()?, answer, &mistakes);
             Some(Evidence::wrong(&case.id, case.points, shares))
         }
-        State::Mute => None,
+        State::Undecided => None,
     }
 }
 
@@ -100,6 +100,6 @@ fn of_check(part: &Part, check: &Check, points: u64, done: &Done) -> Option<Evid
         State::Wrong => {
             Some(Evidence::wrong(&check.id, points, diagnose::unit(done.answer.as_ref()?, right)))
         }
-        State::Mute => None,
+        State::Undecided => None,
     }
 }

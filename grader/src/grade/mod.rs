@@ -1,4 +1,4 @@
-//! One submission from folder to record.
+//! Grades one submission, from its folder to its record.
 
 mod diagnosis;
 mod perform;
@@ -27,22 +27,22 @@ use crate::record::{Build, Finding, FindingKind, Submission, Verdict};
 use crate::submission::{self, SubmissionError};
 use crate::workers::guarded;
 
-/// What all gradings share: made once, used from any number of threads.
+/// The parts that all gradings share. They are made once and used from any number of threads.
 #[derive(Debug)]
 pub struct Bench {
-    /// Questions and answers.
+    /// The questions and answers.
     pub exam: Exam,
-    /// What builds submissions.
+    /// The workspace, template and compiler that build submissions.
     pub workshop: Workshop,
-    /// What programs may use.
+    /// The limits of the programs.
     pub allowance: Allowance,
 }
 
 impl Bench {
-    /// Reads the stages and their answers in `stages`, and finds the workspace around them.
+    /// Reads the stages and answers in the folder `stages`, and finds the workspace around them.
     ///
     /// # Errors
-    /// Everything that is wrong with the cases; a workspace that is not there.
+    /// Returns everything that is wrong with the cases, or an error if there is no workspace.
     pub fn open(stages: &Path) -> Result<Self, GradeError> {
         let exam = Exam::load(stages)
             .map_err(|why| GradeError::of(blame::of_problems(&why), why.to_string()))?;
@@ -50,11 +50,11 @@ impl Bench {
         Ok(Self { exam, workshop, allowance: Allowance::default() })
     }
 
-    /// Returns a line on what words select of the exam, such as
-    /// `12 checks in 3 stages match `sphere``; `None` where each stage that was named is one.
+    /// Returns a line on the selected part of the exam, such as `` 12 checks in 3 stages match
+    /// `sphere` ``. It is `None` if each word names one whole stage.
     ///
     /// # Errors
-    /// A word that selects nothing; says what there is.
+    /// Returns a message with the possible choices if a word selects nothing.
     pub fn selected(
         &self,
         stages: &[String],
@@ -64,16 +64,16 @@ impl Bench {
         Ok(plan.summary(stages, checks))
     }
 
-    /// What `built` may use.
+    /// Returns the program of `built` with its limits.
     fn candidate<'a>(&self, built: &'a Built) -> Candidate<'a> {
         Candidate { program: &built.program, allowance: self.allowance }
     }
 
-    /// Hash of everything but the submission that a score depends on: cases, answers, grader,
-    /// limits, compiler.
+    /// Returns a hash of everything except the submission that a score depends on: cases, answers,
+    /// grader, limits, compiler.
     ///
     /// # Errors
-    /// No compiler.
+    /// Returns an error if no compiler is found.
     pub fn epoch(&self) -> Result<String, GradeError> {
         let compiler =
             &self.workshop.toolchain().map_err(|why| GradeError::Machine(why.to_string()))?.version;
@@ -82,23 +82,24 @@ impl Bench {
     }
 }
 
-/// What to grade, and which part of the exam.
+/// The submission to grade, and the part of the exam to grade it on.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Folder or archive.
+    /// The folder or archive of the submission.
     pub submission: PathBuf,
-    /// How it is called in the record.
+    /// The name of the submission in the record.
     pub name: String,
-    /// Stages to grade: ids, or what they begin with, such as `02`. Empty: all.
+    /// Ids of the stages to grade, or beginnings of ids such as `02`. An empty list selects all.
     pub stages: Vec<String>,
-    /// Checks to grade: ids, or what they begin with, such as `01_ray_casting/sphere`. Empty: all.
+    /// Ids of the checks to grade, or beginnings of ids such as `01_ray_casting/sphere`. An empty
+    /// list selects all.
     pub cases: Vec<String>,
-    /// Programs that run at once; at least 1.
+    /// The number of programs that run at once, at least 1.
     pub jobs: usize,
 }
 
 impl Options {
-    /// The whole exam, for the submission at `path`, on all cores.
+    /// Returns options that select the whole exam for the submission at `path`, on all cores.
     pub fn new(path: impl Into<PathBuf>) -> Self {
         let submission = path.into();
         let name = submission.display().to_string();
@@ -107,10 +108,10 @@ impl Options {
     }
 }
 
-/// Why there is no record: nothing of this is the student's fault.
+/// The reason why there is no record. None of the reasons is the student's fault.
 #[derive(Debug, thiserror::Error)]
 pub enum GradeError {
-    /// What was asked for cannot be read, or is not there: exit code 2.
+    /// The input cannot be read or does not exist: exit code 2.
     #[error("{0}")]
     Input(String),
     /// The machine or the grader failed: exit code 3.
@@ -119,7 +120,7 @@ pub enum GradeError {
 }
 
 impl GradeError {
-    /// Returns the error for which this party is to blame.
+    /// Returns the error for which `blame` is responsible.
     pub fn of(blame: Blame, text: String) -> Self {
         match blame {
             Blame::Machine => Self::Machine(text),
@@ -134,13 +135,14 @@ impl From<WriteError> for GradeError {
     }
 }
 
-/// Grades one submission: reads it, builds it, asks it everything that is selected, judges, scores.
+/// Grades one submission: reads it, builds it, runs all selected checks, judges and scores them.
 ///
-/// Whatever a submission does, there is a record of it. After an interrupt the record says what was
-/// not run.
+/// Every submission gets a record, whatever it does. After an interrupt the record lists the checks
+/// that were not run.
 ///
 /// # Errors
-/// What is nobody's submission, or the machine's fault before any case ran.
+/// Returns an error if nothing is selected, if answers are missing or stale, if the submission
+/// cannot be read, or if the machine fails before any case ran.
 pub fn grade(
     bench: &Bench,
     options: &Options,
@@ -158,7 +160,7 @@ pub fn grade(
         }
         Err(build) => (perform::nothing(&plan, build.finding.as_ref()), build),
     };
-    // A diagnosis is a hint: a fault of the grader in it costs no check.
+    // A diagnosis is only a hint, so a panic of the grader in it must not cost a check.
     let diagnoses =
         guarded(|| diagnosis::diagnose(&bench.exam, &plan, &mut answers)).unwrap_or_default();
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
@@ -166,10 +168,10 @@ pub fn grade(
     Ok(Graded { record: write_up::record(epoch, submission, build, stages, diagnoses), pictures })
 }
 
-/// Demands that whatever `options` select has answers that can be trusted.
+/// Checks that everything that `options` selects has trusted answers.
 ///
 /// # Errors
-/// A selection of nothing; answers that are missing or stale.
+/// Returns an error if nothing is selected, or if answers are missing or stale.
 pub fn check_answers(bench: &Bench, options: &Options) -> Result<(), GradeError> {
     trusted(bench, planned(bench, options)?).map(drop)
 }
@@ -178,7 +180,7 @@ fn planned<'a>(bench: &'a Bench, options: &Options) -> Result<Plan<'a>, GradeErr
     Plan::new(&bench.exam, &options.stages, &options.cases).map_err(GradeError::Input)
 }
 
-/// Demands answers that can be trusted for all of `plan`.
+/// Returns `plan` if all of its checks have trusted answers.
 fn trusted<'a>(bench: &Bench, plan: Plan<'a>) -> Result<Plan<'a>, GradeError> {
     let ids = plan.stages.iter().flat_map(plan::Part::ids);
     bench
@@ -188,10 +190,11 @@ fn trusted<'a>(bench: &Bench, plan: Plan<'a>) -> Result<Plan<'a>, GradeError> {
     Ok(plan)
 }
 
-/// A program with what was left aside, or what is to be said where there is none.
+/// A program with the remarks on files that were left aside, or the record of a failed build.
 type Prepared = Result<(Built, Vec<String>), Build>;
 
-/// Reads and builds; the digest is empty where nothing could be read.
+/// Reads and builds the submission. Returns its digest, which is empty if it was refused, and the
+/// program.
 fn prepare(
     bench: &Bench,
     options: &Options,
@@ -228,9 +231,9 @@ fn prepare(
 }
 
 /// Returns a paragraph on sources and manifests of the submission that are not used, or an empty
-/// text.
+/// string.
 ///
-/// They may be the cause of a compiler error.
+/// Unused files may be the cause of a compiler error.
 fn unused(submission: &submission::Submission) -> String {
     let submission::Kind::Rust(rust) = &submission.kind else { return String::new() };
     if rust.unused.is_empty() {
@@ -249,11 +252,10 @@ fn rejected(verdict: Verdict, finding: Finding, ignored: Vec<String>) -> Build {
     Build { verdict, finding: Some(finding), warnings: vec![], ignored, time_s: 0.0 }
 }
 
-/// Judges pictures that someone has rendered already: `folder/STAGE/CASE.png`. Unit checks are left
-/// out.
+/// Judges pictures that already exist as `folder/STAGE/CASE.png`. Unit checks are left out.
 ///
 /// # Errors
-/// A selection that nothing meets.
+/// Returns an error if nothing is selected, or if answers are missing or stale.
 pub fn images(bench: &Bench, folder: &Path, options: &Options) -> Result<Graded, GradeError> {
     let plan = trusted(bench, planned(bench, options)?.pictures_only())?;
     let mut answers = perform::review(&plan, folder);
@@ -272,11 +274,12 @@ pub fn images(bench: &Bench, folder: &Path, options: &Options) -> Result<Graded,
     Ok(Graded { record, pictures })
 }
 
-/// The tree of rays behind a pixel of an image case as the submission tells it, or why it does not,
-/// in words for the student.
+/// Returns the ray tree behind the pixel (`x`, `y`) of the image case `case`, as the submission
+/// prints it. The inner error is a message to the student on why there is none.
 ///
 /// # Errors
-/// No such case, pixel or submission; the machine's fault.
+/// Returns an error if the case, the pixel or the submission does not exist, or if the machine
+/// fails.
 pub fn explain(
     bench: &Bench,
     path: &Path,

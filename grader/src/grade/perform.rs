@@ -1,5 +1,5 @@
-//! Runs the program for all that is planned, many processes at once. The results do not depend on
-//! their order.
+//! Runs the program for all planned checks, with several processes at a time. The results do not
+//! depend on the order of the processes.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -68,7 +68,7 @@ struct Ran {
     picture: Option<Finished>,
 }
 
-/// Runs the program for all that is planned, `jobs` processes at a time.
+/// Runs the program for all planned checks, `jobs` processes at a time.
 pub(super) fn exercise(
     plan: &Plan,
     candidate: &Candidate,
@@ -184,7 +184,7 @@ impl Session<'_> {
         self.candidate.allowance.most_idle()
     }
 
-    /// Puts the results together as if all tasks had been run one after another.
+    /// Combines the results as if all tasks had been run one after another.
     fn settle(&self, mut ran: BTreeMap<usize, Ran>, units: &Start, pictures: &Start) -> Answers {
         let mut answers = Answers::default();
         let mut before: Vec<Taken> = vec![];
@@ -253,7 +253,7 @@ impl Ran {
     }
 }
 
-/// Judges pictures that lie in `folder`.
+/// Judges the existing pictures in `folder`.
 pub(super) fn review(plan: &Plan, folder: &Path) -> Answers {
     let mut answers = Answers::default();
     for part in &plan.stages {
@@ -271,7 +271,7 @@ pub(super) fn review(plan: &Plan, folder: &Path) -> Answers {
     answers
 }
 
-/// Returns the results where nothing can be run, because of `finding`.
+/// Returns the results if nothing can be run because of `finding`.
 pub(super) fn nothing(plan: &Plan, finding: Option<&Finding>) -> Answers {
     let kind = finding.map_or(FindingKind::Internal, |finding| finding.kind);
     let why = match kind {
@@ -290,7 +290,7 @@ fn picture(
     limits: Limits,
     start: &mut Start,
 ) -> Ran {
-    let shot = exercise::shoot(candidate, &case.scene, limits);
+    let shot = exercise::render_case(candidate, &case.scene, limits);
     if !start.is_known() {
         shot.tell(start, candidate, &case.scene);
     }

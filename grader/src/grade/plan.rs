@@ -1,4 +1,4 @@
-//! Which checks are run: those of the exam that the options select.
+//! The checks that are run: the part of the exam that the options select.
 
 use cases::stage::{Case, Check};
 use pages::lines::{count, some};
@@ -9,25 +9,25 @@ use crate::score;
 
 /// The selected checks of the selected stages, each with its points.
 pub(super) struct Plan<'a> {
-    /// In order; none of them empty.
+    /// The parts in the order of the exam. No part is empty.
     pub(super) stages: Vec<Part<'a>>,
 }
 
-/// What is run of a stage.
+/// The selected checks of one stage.
 pub(super) struct Part<'a> {
     /// The whole stage and its answers.
     pub(super) questions: &'a Questions,
-    /// Image cases.
+    /// The image cases.
     pub(super) cases: Vec<&'a Case>,
-    /// Unit checks, each with its thousandths of a point.
+    /// The unit checks, each with its thousandths of a point.
     pub(super) checks: Vec<(&'a Check, u64)>,
 }
 
 impl<'a> Plan<'a> {
-    /// Selects by stage and by check; an empty list selects all.
+    /// Selects by stage and by check. An empty list selects all.
     ///
     /// # Errors
-    /// A word that selects nothing; says what there is.
+    /// Returns a message with the possible choices if a word selects nothing.
     pub(super) fn new(
         exam: &'a Exam,
         stages: &[String],
@@ -56,13 +56,13 @@ impl<'a> Plan<'a> {
         Ok(Self { stages: parts.into_iter().filter(|part| !is_empty(part)).collect() })
     }
 
-    /// The same without unit checks.
+    /// Returns the plan without its unit checks.
     pub(super) fn pictures_only(mut self) -> Self {
         self.stages.iter_mut().for_each(|part| part.checks.clear());
         self
     }
 
-    /// Returns what the words selected, in a line; `None` where each of them names one whole stage.
+    /// Returns a line on what the words select, or `None` if each of them names one whole stage.
     pub(super) fn summary(&self, stages: &[String], checks: &[String]) -> Option<String> {
         if checks.is_empty() && self.stages.len() <= stages.len().max(1)
             || stages.is_empty() && checks.is_empty()
@@ -100,14 +100,14 @@ fn part<'a>(questions: &'a Questions, words: &[String]) -> Part<'a> {
 }
 
 impl<'a> Part<'a> {
-    /// The ids of all that is run.
+    /// Returns the ids of the selected checks.
     pub(super) fn ids(&self) -> impl Iterator<Item = &'a str> {
         let checks = self.checks.iter().map(|(check, _)| check.id.as_str());
         self.cases.iter().map(|case| case.id.as_str()).chain(checks)
     }
 }
 
-/// Whether `id` begins with one of `words`, or its part behind the stage does; an empty list
+/// Returns whether `id`, or its part after the stage, begins with one of `words`. An empty list
 /// selects all.
 fn is_selected(id: &str, words: &[String]) -> bool {
     words.is_empty()
@@ -116,7 +116,7 @@ fn is_selected(id: &str, words: &[String]) -> bool {
             .any(|word| id.starts_with(word.as_str()) || behind(id).starts_with(word.as_str()))
 }
 
-/// The part of an id behind the stage.
+/// Returns the part of an id after the stage.
 fn behind(id: &str) -> &str {
     id.split_once('/').map_or("", |(_, behind)| behind)
 }

@@ -1,16 +1,16 @@
-//! What is heard of a submission while it is graded.
+//! Progress reports while a submission is graded.
 
-/// Hears how far the work has come. Called from several threads.
+/// A receiver of progress reports, which is called from several threads.
 pub trait Progress: Sync {
-    /// Hears that something begins that takes a while, such as `compiling`.
+    /// Reports the start of a long phase, such as `compiling`.
     fn phase(&self, what: &str);
-    /// Hears that `n_checks` programs are about to be run.
+    /// Reports that `n_checks` programs are about to be run.
     fn begin(&self, n_checks: u64);
-    /// Hears that one of the programs has ended.
+    /// Reports that one of the programs has ended.
     fn step(&self);
 }
 
-/// Hears nothing.
+/// A receiver that ignores all reports.
 pub struct Silent;
 
 impl Progress for Silent {

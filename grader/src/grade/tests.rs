@@ -1,4 +1,4 @@
-//! Small programs on an exam of flat colours that is made up here.
+//! Small programs on an exam of flat colours, which is made here.
 
 use std::os::unix::fs::PermissionsExt;
 use std::time::Duration;
@@ -14,7 +14,7 @@ use crate::sandbox::Limits;
 const STAGE: &str =
     "title = \"Flat\"\nabout = \"Flat.\"\nallows = []\nneeds = []\nunit_points = 0\n";
 
-/// The case `n`: all pixels have the light n / 10.
+/// Returns the text of case `n`, in which all pixels have the light n / 10.
 fn case(n: usize) -> String {
     format!(
         "title = \"Flat\"\nabout = \"Flat.\"\nrules = [1]\npoints = 2\n[render]\nsize = [4, 3]\n\
@@ -28,7 +28,8 @@ fn flat(width: u32, n: usize) -> Image {
     Image::from_fn(width, 3, |_, _| DVec3::splat(n as f64 / 10.0))
 }
 
-/// An exam of the cases 1 to `n`, and a folder with their right pictures, such as `1.png`.
+/// Returns an exam of the cases 1 to `n`, and a folder with their correct pictures, such as
+/// `1.png`.
 fn exam(n: usize) -> (Exam, tempfile::TempDir) {
     let home = tempfile::tempdir().unwrap();
     let stages = home.path().join("stages");
@@ -46,8 +47,9 @@ fn exam(n: usize) -> (Exam, tempfile::TempDir) {
     (exam, home)
 }
 
-/// What each check is worth and says, when a script is run for the exam. The script finds the
-/// number of the case in $n and the right picture in $right; its last word is to copy that to $out.
+/// Runs a script on the exam and returns the verdict and the message of each check. The script
+/// finds the number of the case in $n and the path of the correct picture in $right. Its last
+/// command copies that picture to $out.
 fn on(
     exam: &(Exam, tempfile::TempDir),
     script: &str,
@@ -84,7 +86,7 @@ fn verdicts(results: &[(Verdict, String)]) -> Vec<Verdict> {
 fn a_panic_of_the_judge_costs_one_check() {
     use Verdict::{Ours, Pass};
     let mut exam = exam(4);
-    // The judge relies on pictures of one size, which are demanded before it sees them.
+    // The judge relies on pictures of one size. The check of the size comes before it.
     let other_size = ImageAnswer::exact(flat(1, 9), 2.0, 0);
     exam.0.stages[0].images.insert("01_flat/c2".to_owned(), other_size);
     for jobs in [1, 3] {
@@ -101,7 +103,7 @@ fn the_number_of_jobs_changes_no_verdict_after_time_outs() {
     let seconds = Duration::from_secs;
     let limits =
         Limits { idle: Duration::from_millis(300), ..Allowance::new(seconds(6), 1 << 30).picture };
-    // Two time-outs leave 1.2 s for the others of the stage, of which the fourth needs more.
+    // After two time-outs the other pictures of the stage get 1.2 s each. The fourth needs more.
     let script = "case $n in 2|3) sleep 100;; 4) while read -r line < /proc/$$/stat; do set -- \
         ${line##*) }; \
                   [ $((${12} + ${13})) -ge 160 ] && break; done;; esac";

@@ -1,9 +1,9 @@
-//! Bounds what one submission takes of the machine: runs get less time, or are left out, because of
-//! earlier ones.
+//! Limits the machine time of one submission: earlier runs may shorten later ones, or cause them to
+//! be left out.
 //!
-//! The rules look at runs in the order of the plan, whatever order they ended in, so that the
-//! number of jobs changes no verdict. A run that began before the rules were known for it is
-//! corrected afterwards.
+//! The rules consider the runs in the order of the plan, not in the order in which they ended, so
+//! that the number of jobs changes no verdict. A run that began before the rules were known for it
+//! is corrected afterwards.
 
 use std::time::Duration;
 
@@ -12,8 +12,8 @@ use crate::exercise::N_TIMEOUTS;
 /// The time that a run took.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Taken {
-    /// Place of the stage in the plan, for a picture; `None` for unit checks, which count their own
-    /// time-outs.
+    /// The index of the stage in the plan, for a picture. It is `None` for unit checks, which count
+    /// their own time-outs.
     pub(super) stage: Option<usize>,
     pub(super) idle: Duration,
     pub(super) is_timeout: bool,
@@ -24,16 +24,16 @@ pub(super) struct Taken {
 pub(super) enum Share {
     /// All that the course allows.
     Whole,
-    /// Less time, since other pictures of its stage were not done in time.
+    /// Less time, because other pictures of its stage timed out.
     Reduced,
     /// Nothing: the submission has been idle for too long.
     Nothing,
 }
 
-/// Returns what a run of `stage` gets after `before`, the runs that stand before it in the plan.
+/// Returns the share for a run of `stage` after the runs `before`, which precede it in the plan.
 ///
-/// Some of these may be missing, since more of them never give a run more. `most_idle` is for all
-/// runs together.
+/// Some of the earlier runs may be missing, because more of them never give a run more time.
+/// `most_idle` is the limit for the idle time of all runs together.
 pub(super) fn share<'a>(
     before: impl Iterator<Item = &'a Taken>,
     stage: Option<usize>,
@@ -55,7 +55,8 @@ pub(super) fn share<'a>(
 mod tests {
     use super::*;
 
-    /// Runs before: stage, idle seconds, whether it was a time-out.
+    /// Checks the share after some runs, each given as stage, idle seconds, and whether it timed
+    /// out.
     fn check(before: &[(Option<usize>, u64, bool)], stage: Option<usize>, expected: Share) {
         let taken = |(stage, idle, is_timeout): &(Option<usize>, u64, bool)| Taken {
             stage: *stage,

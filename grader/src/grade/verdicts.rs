@@ -1,19 +1,20 @@
-//! Judgements on what a program gave, and on how it ended where it gave nothing.
+//! Judgements on the results of a program, and on how it ended if it gave no result.
 
 use cases::film::Image;
 use cases::probe::{Answer, Question};
 use cases::stage::Case;
 
 use crate::exam::Questions;
-use crate::exercise::{Ended, Failure, Got, LeftOut, NoPicture, Probed, Shot};
+use crate::exercise::{Ended, Failure, Got, LeftOut, NoPicture, Probed, Rendered};
 use crate::judge::{self, Judgement};
 use crate::record::{Finding, FindingKind};
 use crate::sandbox::{Clock, Finished, Limits, Outcome};
 
 /// Judges the process of a picture.
 ///
-/// A picture counts however the program ended after writing it, unless it had to be stopped.
-pub(super) fn of_shot(shot: &Shot, questions: &Questions, case: &Case) -> Judgement {
+/// A picture counts however the program ended after writing it, unless the program had to be
+/// stopped.
+pub(super) fn of_shot(shot: &Rendered, questions: &Questions, case: &Case) -> Judgement {
     let (finished, limits) = (&shot.finished, &shot.limits);
     let is_over = matches!(finished.outcome, Outcome::Exited(_) | Outcome::Signalled(_));
     let judgement = match &shot.picture {
@@ -57,7 +58,7 @@ pub(super) fn of_picture(image: &Image, questions: &Questions, case: &Case) -> J
     }
 }
 
-/// Judges where there is no picture of the right size.
+/// Judges a missing picture, or one that cannot be read or has the wrong size.
 pub(super) fn no_picture(why: &NoPicture) -> Judgement {
     Judgement::fail(match why {
         NoPicture::Machine(why) => return Judgement::ours(why.clone()),
@@ -71,7 +72,7 @@ pub(super) fn no_picture(why: &NoPicture) -> Judgement {
     })
 }
 
-/// Returns the answer to a question, if one could be read.
+/// Returns the answer to a question if one could be read, else `None`.
 pub(super) fn answer_to(question: &Question, probed: &Probed) -> Option<Answer> {
     match probed.got.get(&question.id) {
         Some(Got::Answer(answer)) => Some(answer.clone()),
@@ -99,10 +100,10 @@ pub(super) fn of_answer(question: &Question, probed: &Probed, questions: &Questi
         }
         (None, Some(Ended { finished, limits })) => judge::ending(finished, limits),
         (None, None) if let Some(left_out) = probed.left_out.get(&question.id) => {
-            not_asked(function, left_out)
+            not_run(function, left_out)
         }
         (None, None) => {
-            let why = probed.not_asked.get(&question.id).map_or("not asked", String::as_str);
+            let why = probed.not_run.get(&question.id).map_or("not run", String::as_str);
             wrong(FindingKind::Timeout, why.to_owned())
         }
     };
@@ -113,13 +114,12 @@ pub(super) fn of_answer(question: &Question, probed: &Probed, questions: &Questi
 }
 
 /// Returns the judgement on a question that was left out because `function` fails at all of them.
-fn not_asked(function: &str, LeftOut { ended, n_failures, n }: &LeftOut) -> Judgement {
+fn not_run(function: &str, LeftOut { ended, n_failures, n }: &LeftOut) -> Judgement {
     let mut judgement = judge::ending(&ended.finished, &ended.limits);
     if let Some(finding) = &mut judgement.finding {
         finding.message = format!(
-            "not asked, because the program fails at `{function}` whatever the question is: {}. \
-                {n_failures} processes \
-             ended in this way, so {} left out",
+            "not run, because the program fails at `{function}` whatever the question is: {}. \
+             {n_failures} processes ended in this way, so {} left out",
             finding.message,
             were(*n, "question")
         );
@@ -147,8 +147,7 @@ pub(super) fn skipped(
         };
         finding.message = format!(
             "not run, because the program fails whatever it is given: {}. {n_same} processes \
-                ended in this way, the \
-             last of them {given}, so {} left out",
+             ended in this way, the last of them {given}, so {} left out",
             finding.message,
             were(n, one)
         );

@@ -1,16 +1,17 @@
-//! What to say where a word on the command line selects nothing.
+//! Messages for words on the command line that select nothing.
 
 use std::collections::BTreeSet;
 
 use cases::problem::did_you_mean;
 use pages::lines::some;
 
-/// Names that are listed; more would hide the message.
+/// The number of names that are listed; more would hide the message.
 const MOST_LISTED: usize = 12;
 
-/// Says that no stage begins with `word`, which was meant most likely, and which there are.
+/// Returns a message that no stage begins with `word`, with the most likely intended stage and the
+/// list of stages.
 pub(super) fn no_stage(word: &str, ids: &[&str]) -> String {
-    // `shadows` means `02_shadows`, though its id begins otherwise.
+    // `shadows` means `02_shadows`, although the id begins with a number.
     let titles = ids.iter().filter_map(|id| Some((id.split_once('_')?.1, *id)));
     let names: Vec<(&str, &str)> = ids.iter().map(|id| (*id, *id)).chain(titles).collect();
     let meant = did_you_mean(word, names.iter().map(|(name, _)| *name));
@@ -20,8 +21,8 @@ pub(super) fn no_stage(word: &str, ids: &[&str]) -> String {
     format!("there is no stage `{word}`{}\nThe stages are {list}.", suggestion(meant))
 }
 
-/// Says that the id of no check begins with `word`, which was meant most likely, and which there
-/// are.
+/// Returns a message that no id of a check begins with `word`, with the most likely intended check
+/// and the list of checks.
 pub(super) fn no_check(word: &str, ids: &[&str]) -> String {
     // From `01_ray_casting/sphere/tangent`: all of it, `sphere/tangent` and `sphere`.
     let behind = |id: &&str| id.split_once('/').map(|(_, behind)| behind.to_owned());
@@ -38,7 +39,7 @@ pub(super) fn no_check(word: &str, ids: &[&str]) -> String {
     format!(
         "there is no case or check `{word}`{}\n\
             There are {list}. An id looks like `02_shadows/two_lamps`; its beginning, or that of \
-            its part behind the stage, will do.",
+            its part after the stage, is enough.",
         suggestion(meant)
     )
 }

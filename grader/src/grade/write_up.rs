@@ -1,4 +1,4 @@
-//! The record, from what was planned and what came of it.
+//! Writes the record from the plan and its results.
 
 use std::collections::BTreeMap;
 
@@ -17,10 +17,10 @@ use crate::record::{
 use crate::sandbox::LEVEL;
 use crate::score;
 
-/// Version of the grader.
+/// The version of the grader.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The whole record.
+/// Returns the whole record.
 pub(super) fn record(
     epoch: String,
     submission: Submission,
@@ -43,7 +43,8 @@ pub(super) fn record(
     }
 }
 
-/// Names the functions that are still to be written: by the template's files where `is_template`.
+/// Rewrites the messages on functions that are still to be written, so that they name the function,
+/// and its file if `is_template`.
 pub(super) fn name_functions(answers: &mut Answers, is_template: bool) {
     let findings = answers.done.values_mut().filter_map(|done| done.judgement.finding.as_mut());
     for finding in findings.filter(|finding| finding.kind == FindingKind::Todo) {
@@ -58,8 +59,8 @@ pub(super) fn name_functions(answers: &mut Answers, is_template: bool) {
     }
 }
 
-/// Whether the build or a check was not run, or not to its end, for the one reason that is neither
-/// the submission's nor the machine's: the user stopped the grader.
+/// Returns whether the user stopped the grader, so that the build or a check was not run to its
+/// end. Only an interrupt is the fault of neither the submission nor the machine.
 fn is_interrupted(build: &Build, stages: &[StageRecord]) -> bool {
     let checks =
         stages.iter().flat_map(|stage| &stage.checks).map(|check| (check.verdict, &check.finding));
@@ -70,7 +71,7 @@ fn is_interrupted(build: &Build, stages: &[StageRecord]) -> bool {
     })
 }
 
-/// The stages in order, and both pictures of each image case that has an answer.
+/// Returns the stages in order, and both pictures of each image case that has an answer.
 pub(super) fn stages(
     plan: &Plan,
     mut answers: Answers,
@@ -143,7 +144,7 @@ fn check(
 ) -> CheckRecord {
     let Judgement { verdict, share, finding } = done.judgement;
     let Score { earned, possible } = score::score(verdict, share, points);
-    // A part that is less than a thousandth of a point is none.
+    // Less than a thousandth of a point is nothing.
     let verdict = if verdict == Verdict::Partial && earned == 0 { Verdict::Fail } else { verdict };
     CheckRecord {
         id: id.to_owned(),

@@ -1,4 +1,4 @@
-//! What it means that a program ended as it did.
+//! The judgement on how a program ended.
 
 use cases::program::EXIT_TODO;
 
@@ -6,7 +6,7 @@ use super::Judgement;
 use crate::record::{Finding, FindingKind};
 use crate::sandbox::{Clock, Finished, Limits, Outcome, Stream};
 
-/// The judgement on a program that ended without giving what it was asked for.
+/// Returns the judgement on a program that ended without giving the requested result.
 pub fn ending(finished: &Finished, limits: &Limits) -> Judgement {
     let fail = |kind, message: String| Judgement::fail(Finding::new(kind, message));
     let seconds = |duration: std::time::Duration| duration.as_secs_f64();
@@ -35,7 +35,7 @@ pub fn ending(finished: &Finished, limits: &Limits) -> Judgement {
         ),
         Outcome::OutOfMemory => fail(
             FindingKind::Memory,
-            format!("it asked for more than {} of memory", bytes(limits.memory)),
+            format!("it requested more than {} of memory", bytes(limits.memory)),
         ),
         Outcome::TooMuchOutput(Stream::Files) => {
             let message =
@@ -57,8 +57,7 @@ pub fn ending(finished: &Finished, limits: &Limits) -> Judgement {
             FindingKind::Crash,
             format!(
                 "its command cannot be run: {why} (is the program there, is it made for this \
-                    machine, \
-                 and does the first line of a script name an interpreter that is here?)"
+                 machine, and does the first line of a script name an interpreter that is here?)"
             ),
         ),
         Outcome::Machine(shortage) => Judgement::ours(shortage.to_string()),
@@ -70,8 +69,8 @@ pub fn ending(finished: &Finished, limits: &Limits) -> Judgement {
     judgement.with_stderr(finished.stderr_text())
 }
 
-/// The judgement where the program says that a function is still to be written: it is not asked
-/// further, and not wrong.
+/// Returns the judgement if the exit code says that a function is still to be written, else `None`.
+/// The check then counts as not run, not as wrong.
 pub fn todo(finished: &Finished) -> Option<Judgement> {
     let text = finished.stderr_text().unwrap_or_default();
     let what = text.lines().rev().find_map(|line| line.strip_prefix("todo: "));
@@ -81,7 +80,8 @@ pub fn todo(finished: &Finished) -> Option<Judgement> {
     })
 }
 
-/// The last line that the program wrote, which most often names the reason.
+/// Returns the last line of the error stream, after `: `, since it most often names the reason. A
+/// line that begins with `panic: ` is preferred. Empty if nothing was written.
 fn why(finished: &Finished) -> String {
     let text = finished.stderr_text().unwrap_or_default();
     let line = text

@@ -7,28 +7,28 @@ use crate::record::{Finding, FindingKind, Verdict};
 pub struct Judgement {
     /// The verdict, by which the check is scored.
     pub verdict: Verdict,
-    /// Thousandths of the check's points that it earns, where the verdict is `Partial`.
+    /// The share of the points in thousandths, if the verdict is `Partial`.
     pub share: u32,
-    /// The reason; also a remark on a pass.
+    /// The reason, or a remark on a pass.
     pub finding: Option<Finding>,
 }
 
 impl Judgement {
-    /// The judgement that all is right.
+    /// A pass without a remark.
     pub const PASS: Self = Self { verdict: Verdict::Pass, share: 0, finding: None };
 
-    /// Returns the judgement that all counts as right, but something is worth saying.
+    /// Returns a pass with a remark.
     pub fn pass_with(finding: Finding) -> Self {
         Self { finding: Some(finding), ..Self::PASS }
     }
 
-    /// Returns the judgement that the program is to blame.
+    /// Returns a failure of the program.
     pub fn fail(finding: Finding) -> Self {
         Self { verdict: Verdict::Fail, share: 0, finding: Some(finding) }
     }
 
-    /// Returns the judgement that the program is to blame, but earns `share` thousandths of the
-    /// points; with none it fails.
+    /// Returns a failure of the program that earns `share` thousandths of the points. A share of 0
+    /// gives the verdict `Fail`.
     pub fn partial(finding: Finding, share: u32) -> Self {
         if share == 0 {
             return Self::fail(finding);
@@ -40,18 +40,18 @@ impl Judgement {
         }
     }
 
-    /// Returns the judgement that the check could not be made, because of `finding`.
+    /// Returns the judgement that the check could not be run because of `finding`.
     pub fn not_run(finding: Finding) -> Self {
         Self { verdict: Verdict::NotRun, share: 0, finding: Some(finding) }
     }
 
-    /// Returns the judgement that the grader or the machine is to blame.
+    /// Returns a failure of the grader or the machine.
     pub fn ours(message: impl Into<String>) -> Self {
         let finding = Finding::new(FindingKind::Internal, message);
         Self { verdict: Verdict::Ours, share: 0, finding: Some(finding) }
     }
 
-    /// Adds `text` to what is said; a pass gets a remark.
+    /// Adds `text` to the message. A judgement without a finding gets a remark.
     pub fn remark(mut self, text: &str) -> Self {
         match &mut self.finding {
             Some(finding) => finding.message = format!("{}; {text}", finding.message),

@@ -1,4 +1,4 @@
-//! From what a program did to what it is worth: findings and verdicts. Runs nothing, reads no file.
+//! Turns the results of a program into findings and verdicts. Runs nothing and reads no file.
 
 mod ending;
 mod judgement;
@@ -9,4 +9,4 @@ mod unit;
 pub use ending::{ending, todo};
 pub use judgement::Judgement;
 pub use picture::{Comparison, Difference, RowsCompared, compare, picture};
-pub use unit::{alike, lines, unit};
+pub use unit::{equal, lines, unit};

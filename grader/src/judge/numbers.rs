@@ -1,6 +1,6 @@
-//! Numbers as they are shown.
+//! Formats of numbers in messages.
 
-/// `19200` as `19,200`.
+/// Formats a count with grouped thousands: 19200 becomes `19,200`.
 pub(super) fn grouped(n: u64) -> String {
     let digits = n.to_string();
     let mut text = String::new();
@@ -13,12 +13,13 @@ pub(super) fn grouped(n: u64) -> String {
     text
 }
 
-/// A share as `2.3 %`.
+/// Formats a share in percent: 0.023 becomes `2.3 %`.
 pub(super) fn percent(share: f64) -> String {
     format!("{:.1} %", share * 100.0)
 }
 
-/// Nine significant digits, trailing zeros cut, no minus before zero.
+/// Formats a number with nine significant digits, without trailing zeros and without a minus before
+/// zero.
 pub(super) fn short(x: f64) -> String {
     if !x.is_finite() || x == 0.0 {
         return (x + 0.0).to_string();

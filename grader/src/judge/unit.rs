@@ -1,4 +1,4 @@
-//! Answers to unit checks: number by number, each within what its question allows.
+//! Judges answers to unit checks, number by number, each within the allowed error of its question.
 
 use cases::answer::CheckAnswer;
 use cases::glam::DVec3;
@@ -8,14 +8,14 @@ use super::Judgement;
 use super::numbers::short;
 use crate::record::{Finding, FindingKind};
 
-/// Characters of a panic's message that are shown.
+/// The number of characters of a panic's message that are shown.
 const MAX_MESSAGE: usize = 1000;
 
-/// Judges the answer of a function by the right one.
+/// Judges the answer `actual` of a function by the correct one.
 ///
-/// Where either decision is right (hit or miss, which object, yes or no), an answer that decided
-/// otherwise passes; one that decided alike has its numbers compared. NaN and infinity are never
-/// right there.
+/// If `right.either` is set, both decisions are correct (hit or miss, which object, yes or no). An
+/// answer with the other decision then passes, unless one of its numbers is NaN or infinite. An
+/// answer with the same decision has its numbers compared.
 pub fn unit(actual: &Answer, right: &CheckAnswer, function: &str) -> Judgement {
     match actual {
         Answer::Todo(_) => {
@@ -46,14 +46,14 @@ pub fn unit(actual: &Answer, right: &CheckAnswer, function: &str) -> Judgement {
     }
 }
 
-/// As much of a panic's message as a report has room for.
+/// Returns the start of a panic's message, with ` […]` if it was cut.
 fn start(message: &str) -> String {
     let start: String = message.chars().take(MAX_MESSAGE).collect();
     if start.len() < message.len() { start + " […]" } else { start }
 }
 
-/// Whether two different decisions answer the same question: hit and miss, say, but not hit and
-/// colour.
+/// Returns whether two different decisions answer the same question, such as hit and miss, but not
+/// hit and colour.
 fn is_other_side(right: &Answer, given: &Answer) -> bool {
     use Answer::{Facing, Found, GoesOn, Hit, Miss, Vector};
     matches!(
@@ -72,7 +72,7 @@ fn wrong(message: String, actual: &Answer, right: &CheckAnswer) -> Judgement {
     Judgement::fail(Finding { expected: Some(expected), actual: Some(actual), ..finding })
 }
 
-/// An answer taken apart: what was decided, and the numbers that go with it.
+/// An answer split into its decision and the numbers that belong to it.
 struct Parts {
     decision: String,
     values: Vec<Value>,
@@ -115,14 +115,15 @@ fn parts(answer: &Answer) -> Parts {
     Parts { decision, values }
 }
 
-/// Whether two numbers agree: both the same infinity, or not farther apart than allowed. NaN agrees
-/// with nothing.
+/// Returns whether two numbers agree: they are equal (which includes infinities) or at most
+/// `allowed` apart. NaN agrees with nothing.
 fn is_near(expected: f64, given: f64, allowed: f64) -> bool {
     expected == given || (expected - given).abs() <= allowed
 }
 
-/// Whether two answers say the same: one decision, and numbers that agree, NaN with NaN too.
-pub fn alike(one: &Answer, other: &Answer, allowed: f64) -> bool {
+/// Returns whether two answers are equal: they have the same decision and numbers that agree. NaN
+/// agrees with NaN here.
+pub fn equal(one: &Answer, other: &Answer, allowed: f64) -> bool {
     let (one, other) = (parts(one), parts(other));
     let numbers = |parts: &Parts| {
         parts.values.iter().flat_map(|value| value.numbers.clone()).collect::<Vec<_>>()
@@ -136,7 +137,7 @@ impl Value {
         self.numbers.iter().zip(&given.numbers).all(|(e, g)| is_near(*e, *g, allowed))
     }
 
-    /// The one thing that is wrong with it, in words.
+    /// Describes the most telling difference between the two values.
     fn mismatch(&self, given: &Self, allowed: f64) -> String {
         let name = self.name;
         if given.numbers.iter().any(|x| x.is_nan()) {
@@ -175,24 +176,27 @@ fn length(v: &[f64]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// Right and given answer as lines of text that can be compared line by line: a line for the
-/// decision, one for each number. A number within the tolerance is shown as the right one, so that
-/// it does not stand out.
+/// Returns the correct and the given answer as texts that can be compared line by line. One line is
+/// for the decision, and one for each number. A number within the tolerance is shown as the correct
+/// one, so that only differences are visible.
 pub fn lines(right: &Answer, actual: &Answer, allowed: f64) -> (String, String) {
     let (right, actual) = (parts(right), parts(actual));
     let mut texts = (right.decision.clone() + "\n", actual.decision.clone() + "\n");
-    let is_alike = right.decision == actual.decision;
+    let same_decision = right.decision == actual.decision;
     for (n, value) in right.values.iter().enumerate() {
         for (i, expected) in value.numbers.iter().enumerate() {
             texts.0 += &line(value, i, &short(*expected));
-            let given =
-                actual.values.get(n).and_then(|given| given.numbers.get(i)).filter(|_| is_alike);
+            let given = actual
+                .values
+                .get(n)
+                .and_then(|given| given.numbers.get(i))
+                .filter(|_| same_decision);
             if let Some(given) = given {
-                texts.1 += &line(value, i, &beside(*expected, *given, allowed));
+                texts.1 += &line(value, i, &format_given(*expected, *given, allowed));
             }
         }
     }
-    if !is_alike {
+    if !same_decision {
         for value in &actual.values {
             texts.1.extend(
                 value.numbers.iter().enumerate().map(|(i, given)| line(value, i, &short(*given))),
@@ -208,9 +212,9 @@ fn line(value: &Value, i: usize, number: &str) -> String {
     format!("{}{axis} {number}\n", value.name)
 }
 
-/// A given number beside the right one: alike where it is right, with all its digits where nine
-/// would not tell them apart.
-fn beside(expected: f64, given: f64, allowed: f64) -> String {
+/// Formats a given number for a comparison with the correct one. Within the tolerance it is shown
+/// as the correct one. It has all its digits if nine digits would hide the difference.
+fn format_given(expected: f64, given: f64, allowed: f64) -> String {
     match short(given) {
         _ if is_near(expected, given, allowed) => short(expected),
         text if text == short(expected) => given.to_string(),
@@ -238,7 +242,7 @@ mod tests {
         }
     }
 
-    /// Judges and returns the verdict with the message.
+    /// Judges an answer, and checks the verdict and the message.
     fn check(actual: &Answer, right: &CheckAnswer, verdict: Verdict, message: Option<&str>) {
         let judgement = unit(actual, right, "f");
         let said = judgement.finding.map(|finding| finding.message);

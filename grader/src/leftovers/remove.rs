@@ -1,9 +1,9 @@
-//! Removes a folder with all that strangers have put there: nested by the thousand, closed, or full
-//! of links.
+//! Removes a folder with everything that untrusted programs have put there: folders that are deeply
+//! nested or closed, and links.
 //!
-//! `std::fs::remove_dir_all` holds a descriptor open for each level, so nested folders exhaust
-//! them. This function holds three, and goes back up by `..`. It follows no link, whatever is
-//! swapped while it works.
+//! `std::fs::remove_dir_all` holds a descriptor open for each level, so deeply nested folders
+//! exhaust them. This module holds three, and goes back up by `..`. No link is followed, even if a
+//! program replaces a folder by one meanwhile.
 
 use std::ffi::{CStr, CString};
 use std::io;
@@ -14,16 +14,19 @@ use std::path::Path;
 use rustix::fs::{AtFlags, Dir, FileType, Mode, OFlags};
 use rustix::io::Errno;
 
-/// Most names that are removed, so that a process that still runs cannot add names for ever.
+/// Largest number of names that are removed. A process that still runs could otherwise add names
+/// for ever.
 const MAX_NAMES: usize = 2_000_000;
 
 const FOLDER: OFlags =
     OFlags::RDONLY.union(OFlags::DIRECTORY).union(OFlags::NOFOLLOW).union(OFlags::CLOEXEC);
 
-/// Removes what is at `path`: a link itself, a folder with all that is in it.
+/// Removes the file, link or folder at `path`. A folder is removed with everything in it; the
+/// target of a link stays.
 ///
 /// # Errors
-/// What the file system says; some of the folder may be gone then.
+/// Fails if `path` has no last name, if the file system fails, or if there are too many names. Part
+/// of the folder may be gone then.
 pub fn remove(path: &Path) -> io::Result<()> {
     let name = path.file_name().ok_or(io::ErrorKind::InvalidInput)?;
     let parent =
@@ -37,11 +40,11 @@ pub fn remove(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Returns whether a name that is no folder is gone now, or `false` for a folder.
+/// Returns `true` if a name was removed, and `false` if it is that of a folder.
 fn is_gone(removed: Result<(), Errno>) -> io::Result<bool> {
     match removed {
         Ok(()) => Ok(true),
-        // Linux says the first of a folder, other systems the second.
+        // For a folder, Linux returns the first code and other systems the second.
         Err(Errno::ISDIR | Errno::PERM) => Ok(false),
         Err(why) => Err(why.into()),
     }
@@ -50,7 +53,7 @@ fn is_gone(removed: Result<(), Errno>) -> io::Result<bool> {
 /// A folder that is being emptied.
 struct Level {
     name: CString,
-    /// Device and number of the folder above, by which it is known again.
+    /// Device and inode number of the folder above, which identify it on the way back.
     above: (u64, u64),
     /// Names of the folders in it that are still there.
     folders: Vec<CString>,
@@ -86,7 +89,7 @@ fn remove_folder(mut here: OwnedFd, name: CString) -> io::Result<()> {
     Ok(())
 }
 
-/// Opens a folder that its owner may have closed.
+/// Opens a folder, and gives its owner all permissions if some are missing.
 fn enter(above: &OwnedFd, name: &CStr) -> io::Result<OwnedFd> {
     let open = || rustix::fs::openat(above, name, FOLDER, Mode::empty());
     let folder = match open() {
@@ -100,7 +103,7 @@ fn enter(above: &OwnedFd, name: &CStr) -> io::Result<OwnedFd> {
     Ok(folder)
 }
 
-/// Opens the folder above, which must be the one from which the walk came.
+/// Opens the folder above. Fails if it is not the one from which the walk came.
 fn leave(folder: &OwnedFd, above: (u64, u64)) -> io::Result<OwnedFd> {
     let up = rustix::fs::openat(folder, c"..", FOLDER, Mode::empty())?;
     let is_known = identity(&up)? == above;
@@ -114,7 +117,7 @@ fn identity(folder: &OwnedFd) -> io::Result<(u64, u64)> {
     Ok((about.st_dev as u64, about.st_ino as u64))
 }
 
-/// Removes all but the folders in `folder`, and returns the names of these.
+/// Removes everything in `folder` except folders, and returns the names of the folders.
 fn empty(folder: &OwnedFd, n_names: &mut usize) -> io::Result<Vec<CString>> {
     let mut folders = vec![];
     for entry in Dir::read_from(folder)? {
@@ -125,7 +128,7 @@ fn empty(folder: &OwnedFd, n_names: &mut usize) -> io::Result<Vec<CString>> {
         }
         *n_names += 1;
         if *n_names > MAX_NAMES {
-            return Err(io::Error::other("there is no end of names"));
+            return Err(io::Error::other("there are too many names"));
         }
         let is_folder = entry.file_type() == FileType::Directory
             || !is_gone(rustix::fs::unlinkat(folder, name, AtFlags::empty()))?;
@@ -140,7 +143,7 @@ mod tests {
 
     use super::*;
 
-    /// Fills a folder and demands that nothing is left of it.
+    /// Checks that nothing is left of a folder that `fill` has filled.
     fn check(fill: impl FnOnce(&Path)) {
         let home = tempfile::tempdir().unwrap();
         let folder = home.path().join("folder");

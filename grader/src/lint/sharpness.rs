@@ -1,19 +1,19 @@
-//! Whether a case can do its work: right tracers agree on its picture, wrong ones show in it, and a
-//! tracer without its stage does not give it.
+//! Checks that a case can do its work. Correct tracers agree on its picture, mistakes show in it,
+//! and a tracer without its stage does not produce it.
 
 use cases::answer::{ImageAnswer, Mistake, Wrong, largest_cluster};
 use cases::stage::Case;
 
-/// Where right tracers differ on more of the picture, too much of it is excused.
+/// The largest share of contested pixels; beyond it, too much of the picture is excused.
 const MOST_CONTESTED: f64 = 0.03;
-/// Where a tracer without the stage is right on more of the picture, a pixel more or less decides
-/// about the partial points. The public cases stay below 0.88.
+/// The largest share of the picture that a tracer without the stage may get right. Beyond it,
+/// single pixels decide about the partial points. The public cases stay below 0.88.
 const MOST_UNEARNED: f64 = 0.95;
-/// A mistake is to leave a cluster of so many times what is let pass.
+/// The least size of a mistake's cluster, as a multiple of the largest cluster that passes.
 const MARGIN: u32 = 2;
 
-/// Returns what keeps the case from its work. `wrong` are the mistakes that are stored with its
-/// answer, `mistakes` all that are known.
+/// Returns the problems of the case. `wrong` holds the mistakes that are stored with its answer,
+/// `mistakes` all known mistakes.
 pub(super) fn problems(
     case: &Case,
     answer: &ImageAnswer,
@@ -31,11 +31,9 @@ fn unearned(case: &Case, answer: &ImageAnswer) -> Option<String> {
         let (percent, most) = (share * 100.0, MOST_UNEARNED * 100.0);
         format!(
             "{}: a tracer without this stage, or one colour, is already right on {percent:.1} % \
-                of the picture, more than \
-             {most} %, so that there is nothing to give partial points for (show what the stage \
-             adds larger; an effect that \
-             the programs of the course simulate in every stage belongs into `always_simulated` \
-             of course.toml, not into \
+             of the picture, more than {most} %, so that there is nothing to give partial points \
+             for (show what the stage adds larger; an effect that the programs of the course \
+             simulate in every stage belongs in `always_simulated` of course.toml, not in \
              `allows` of an earlier stage)",
             case.id
         )
@@ -46,7 +44,7 @@ fn contested(case: &Case, answer: &ImageAnswer) -> Option<String> {
     let share = answer.contested_share();
     (share > MOST_CONTESTED).then(|| {
         format!(
-            "{}: right tracers differ on {:.1} % of the pixels, more than {} % (show what grazes \
+            "{}: correct tracers differ on {:.1} % of the pixels, more than {} % (show what grazes \
                 larger, or less of it)",
             case.id,
             share * 100.0,
@@ -55,8 +53,8 @@ fn contested(case: &Case, answer: &ImageAnswer) -> Option<String> {
     })
 }
 
-/// Looks at the weakest mistake in the rules that the case names. What stays within the envelope is
-/// no mistake of this case.
+/// Returns a problem if the weakest mistake in the rules that the case names does not show well
+/// enough. A mistake that stays within the envelope is no mistake of this case.
 fn blunt(
     case: &Case,
     answer: &ImageAnswer,
@@ -78,8 +76,7 @@ fn blunt(
     (cluster < wanted).then(|| {
         format!(
             "{}: too blunt for rule {rule}: the mistake `{id}` leaves no more than {cluster} \
-                wrong pixels side by side, at least \
-             {wanted} are wanted (show what it changes larger)",
+             wrong pixels side by side, at least {wanted} are wanted (show what it changes larger)",
             case.id
         )
     })
@@ -105,7 +102,7 @@ mod tests {
         Case { rules: vec![5], ..boxes }
     }
 
-    /// An answer that lets clusters of 3 pass, and is contested in so many pixels.
+    /// Returns an answer that lets clusters of 3 pass, with `n_contested` contested pixels.
     fn answer(n_contested: usize) -> ImageAnswer {
         let mut answer = ImageAnswer::exact(
             Image::from_fn(SIDE as u32, SIDE as u32, |_, _| DVec3::ZERO),
@@ -117,7 +114,7 @@ mod tests {
         answer
     }
 
-    /// A mistake that changes the first so many pixels of the first row.
+    /// Returns a mistake that changes the first `n` pixels of the first row.
     fn wrong(id: &str, n: usize) -> Wrong {
         let changes = (0..SIDE * SIDE).map(|at| (at < n).then_some([255; 3])).collect();
         Wrong { id: id.to_owned(), changes }
@@ -156,7 +153,7 @@ mod tests {
     #[test]
     fn right_tracers_agree_nearly_everywhere() {
         check(3, &[], &[]);
-        check(4, &[], &["right tracers differ on 4.0 % of the pixels, more than 3 %"]);
+        check(4, &[], &["correct tracers differ on 4.0 % of the pixels, more than 3 %"]);
     }
 
     #[test]

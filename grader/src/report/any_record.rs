@@ -1,7 +1,7 @@
-//! Every report of every record that can be read: none panics, none breaks its document, none gives
-//! a command to a log.
+//! Every report of every readable record: no report panics, breaks its document, or gives a command
+//! to a log.
 //!
-//! The records are drawn from the JSON Schema of a record, so that no field can be forgotten.
+//! The records are drawn from the JSON Schema of a record, so that no field is forgotten.
 
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -13,10 +13,10 @@ use crate::graded::Graded;
 use crate::plain::is_hidden;
 use crate::record::{self, Record};
 
-/// Depth of a question, which may be any JSON.
+/// The nesting depth of a question, which may be any JSON.
 const DEPTH: u32 = 3;
 
-/// Text of the pieces that attacks are made of, or any text at all.
+/// Returns text made of the pieces that attacks use, or any text.
 fn text() -> BoxedStrategy<Value> {
     let commands = [
         "::error::x",
@@ -56,7 +56,7 @@ fn text() -> BoxedStrategy<Value> {
     prop_oneof![attack, any::<String>()].prop_map(Value::from).boxed()
 }
 
-/// Any JSON, more often a question to a function.
+/// Returns any JSON, often a question to a function.
 fn anything() -> BoxedStrategy<Value> {
     let leaf =
         prop_oneof![Just(Value::Null), any::<bool>().prop_map(Value::from), text(), number()];
@@ -98,7 +98,7 @@ fn whole(schema: &Value) -> BoxedStrategy<Value> {
     prop_oneof![Just(0), Just(most), 0..=most, 0..=most.min(3000)].prop_map(Value::from).boxed()
 }
 
-/// Values of `schema`, whose references lead into `root`.
+/// Returns values of `schema`. Its references lead into `root`.
 fn of(schema: &Value, root: &Value) -> BoxedStrategy<Value> {
     if let Some(name) = schema["$ref"].as_str().and_then(|path| path.rsplit('/').next()) {
         return of(&root["$defs"][name], root);
@@ -137,7 +137,7 @@ fn of_kind(kind: &str, schema: &Value, root: &Value) -> BoxedStrategy<Value> {
                 .boxed()
         }
         "object" => object(schema, root),
-        other => panic!("the record has a part of the kind {other}, which nobody draws"),
+        other => panic!("the record has a part of the kind {other}, which this test does not draw"),
     }
 }
 
@@ -176,7 +176,7 @@ fn records() -> BoxedStrategy<Value> {
     of(&schema, &schema)
 }
 
-/// Whether a reader of logs obeys a line of `text`.
+/// Returns whether a reader of logs obeys a line of `text`.
 fn is_obeyed(text: &str) -> bool {
     text.split(['\n', '\r']).any(|line| {
         line.trim_start().starts_with("::") || line.contains("##[") || line.contains("##vso[")
@@ -187,7 +187,7 @@ fn is_harmless(text: &str) -> bool {
     !is_obeyed(text) && text.chars().all(|c| !is_hidden(c) || matches!(c, '\n' | '\t'))
 }
 
-/// The texts of an XML document, and the number of its test cases.
+/// Returns the texts of an XML document, and the number of its test cases.
 fn read_xml(xml: &str) -> Result<(String, usize), quick_xml::Error> {
     use quick_xml::events::Event;
     let mut reader = quick_xml::Reader::from_str(xml);

@@ -1,5 +1,5 @@
-//! JUnit XML, for CI systems: what is wrong is a failure, what did not end well an error, what was
-//! not run skipped.
+//! JUnit XML for CI systems. A wrong result is a failure, a crash or time-out is an error, and a
+//! check that was not run is skipped.
 //!
 //! Every text goes through [`shown`], which leaves only characters that XML allows.
 
@@ -11,10 +11,10 @@ use super::{mistakes, words};
 use crate::plain::shown;
 use crate::record::{CheckRecord, FindingKind, Record, StageRecord, Verdict};
 
-/// The record as a JUnit document; the build is a suite of its own.
+/// Returns the record as a JUnit document. The build is a suite of its own.
 ///
 /// # Errors
-/// What the encoder says.
+/// Returns the message of the encoder.
 pub fn to_string(record: &Record) -> Result<String, String> {
     let interrupted =
         if record.interrupted { " (interrupted: not everything was run)" } else { "" };
@@ -44,7 +44,7 @@ fn suite(record: &Record, stage: &StageRecord) -> TestSuite {
 fn case(record: &Record, stage: &str, check: &CheckRecord) -> TestCase {
     let mut case = TestCase::new(shown(&check.id), status(record, check));
     case.set_classname(shown(stage));
-    // A time that is none (negative, not a number, longer than a duration can be) is left out.
+    // An invalid time (negative, not a number, longer than a duration can be) is left out.
     if let Ok(time) = Duration::try_from_secs_f64(check.time_s) {
         case.set_time(time);
     }

@@ -1,25 +1,25 @@
-//! A diagnosis in words: what the program most likely does, where to look, which rule it breaks,
-//! how much it explains.
+//! A diagnosis in words: the likely mistake, the place to look at, the broken rule, and the number
+//! of failures that it explains.
 
 use cases::answer::Mistake;
 
 use crate::plain::shown;
 use crate::record::{CheckKind, Diagnosis, Record, Verdict};
 
-/// Where the rules stand, below the root of the workspace.
+/// The file with the rules, relative to the root of the workspace.
 pub const RULES: &str = "docs/shading-model.md";
 const TEXT: &str = include_str!("../../../docs/shading-model.md");
 
 /// A rule as `docs/shading-model.md` has it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rule {
-    /// Such as `Rule 7: reflection`.
+    /// The title, such as `Rule 7: reflection`.
     pub title: &'static str,
-    /// Formula and explanation, in Markdown.
+    /// The formula and the explanation, in Markdown.
     pub text: &'static str,
 }
 
-/// The rule of this number, where there is one.
+/// Returns the rule of this number, or `None` for a number without a rule.
 pub fn rule(number: u8) -> Option<Rule> {
     let title = TEXT
         .lines()
@@ -31,19 +31,20 @@ pub fn rule(number: u8) -> Option<Rule> {
 }
 
 impl Rule {
-    /// Where it is explained, such as `docs/shading-model.md#rule-7-reflection`.
+    /// Returns the link to the rule, such as `docs/shading-model.md#rule-7-reflection`.
     pub fn link(self) -> String {
         let anchor = self.title.chars().filter(|letter| letter.is_alphanumeric() || *letter == ' ');
         format!("{RULES}#{}", anchor.collect::<String>().to_lowercase().replace(' ', "-"))
     }
 }
 
-/// Where to look, such as `reflection.rs, function reflect`.
+/// Returns the place to look at, such as `reflection.rs, function reflect`.
 pub fn place(mistake: &Mistake) -> String {
     shown(&mistake.look_at.replacen(' ', ", function ", 1))
 }
 
-/// How much it explains, such as `5 of 6 failed pictures and 1 of 1 failed unit check`.
+/// Returns the number of failures that a diagnosis explains, such as
+/// `5 of 6 failed pictures and 1 of 1 failed unit check`.
 pub fn extent(record: &Record, diagnosis: &Diagnosis) -> String {
     let failed = |check: &&crate::record::CheckRecord| {
         matches!(check.verdict, Verdict::Partial | Verdict::Fail)
@@ -65,7 +66,8 @@ pub fn extent(record: &Record, diagnosis: &Diagnosis) -> String {
     parts.into_iter().flatten().collect::<Vec<_>>().join(" and ")
 }
 
-/// The sentence on a mistake among the record's diagnoses, for the case or check that it explains.
+/// Returns the sentence on the mistake `id` among the diagnoses of the record. `None` if no
+/// diagnosis has it.
 pub fn says<'a>(record: &'a Record, id: &str) -> Option<&'a str> {
     let mistakes = record.diagnoses.iter().flat_map(|diagnosis| &diagnosis.mistakes);
     mistakes.into_iter().find(|mistake| mistake.id == id).map(|mistake| mistake.says.as_str())

@@ -1,4 +1,4 @@
-//! Reports: functions of the record and the pictures behind it. They decide nothing.
+//! Reports: functions of the record and its pictures. They decide nothing.
 
 #[cfg(test)]
 mod any_record;

@@ -1,5 +1,5 @@
-//! A submission for the tests of the reports: something of each kind, with hostile text wherever a
-//! student can put it.
+//! A submission for the tests of the reports. It has a finding of each kind, with hostile text
+//! wherever a student can put text.
 
 use cases::answer::{ImageAnswer, Mistake};
 use cases::film::Image;
@@ -9,7 +9,8 @@ use cases::glam::DVec3;
 use crate::graded::{Front, Graded, Pictures};
 use crate::record::*;
 
-/// Runs a script wherever it is not escaped, hides what follows and turns the reading direction.
+/// Hostile text that runs a script if it is not escaped, hides what follows, and turns the reading
+/// direction.
 pub(crate) const HOSTILE: &str = "</script><script>document.title='owned'</script><img src=x \
     onerror=alert(1)>\" ' `\u{202e}\u{1b}[2J\u{0}&lt;{{ 7*7 }}";
 
@@ -30,7 +31,7 @@ pub(crate) fn graded(name: &str) -> Graded {
     Graded { record: record(name), pictures }
 }
 
-/// A ball before a slope; the actual picture is off by what `extra` says of each column.
+/// Returns both pictures of a ball before a slope. The actual one is off by `extra` of each column.
 pub(crate) fn pictures(has_actual: bool, extra: impl Fn(u32) -> DVec3) -> Pictures {
     let colour = |i: u32, j: u32| {
         let (x, y) = (f64::from(i) / 80.0 - 1.0, f64::from(j) / 80.0 - 0.75);
@@ -122,7 +123,7 @@ pub(crate) fn record(name: &str) -> Record {
     }
 }
 
-/// Explains two of the three that are wrong.
+/// Returns a diagnosis that explains two of the wrong checks.
 fn diagnosis() -> Diagnosis {
     let mistake = |id: &str, rule| Mistake {
         id: id.to_owned(),
@@ -157,7 +158,7 @@ fn check(name: &str, kind: CheckKind, verdict: Verdict, finding: Option<Finding>
 
 pub(crate) fn finding(kind: FindingKind) -> Finding {
     let stderr = Some(format!("panic: {HOSTILE}\nat src/sphere.rs:12"));
-    Finding { stderr, ..Finding::new(kind, format!("What came of it: {HOSTILE}")) }
+    Finding { stderr, ..Finding::new(kind, format!("The finding: {HOSTILE}")) }
 }
 
 fn wrong_answer() -> Finding {

@@ -1,12 +1,12 @@
-//! Verdicts, findings, points and times in plain words.
+//! Formats verdicts, findings, points and times for people.
 
 use crate::record::{FindingKind, Verdict};
 
-/// Returns what was earned of what is possible, in thousandths of a point, for people:
+/// Returns the earned part of the possible points as text, from thousandths of a point:
 /// `43.25 of 50`.
 ///
-/// Two decimals are shown, the rest is cut off: what is not all never looks like all. Where nothing
-/// would be left of what was earned, the thousandths are shown.
+/// Two decimals are shown and the rest is cut off, so that a part never looks like the whole. If
+/// that would leave nothing of a part, its thousandths are shown.
 pub fn share(earned: u64, possible: u64) -> String {
     let short = |thousandths: u64| match thousandths / 10 * 10 {
         0 => points(thousandths),
@@ -15,18 +15,18 @@ pub fn share(earned: u64, possible: u64) -> String {
     format!("{} of {}", short(earned), short(possible))
 }
 
-/// Returns points from thousandths, exactly, without needless zeros: `43.25`.
+/// Formats thousandths of a point exactly, without trailing zeros: `43.25`.
 pub fn points(thousandths: u64) -> String {
     let text = format!("{}.{:03}", thousandths / 1000, thousandths % 1000);
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// Returns a time in the unit that suits it: `40 ms`, `2.5 s`.
+/// Formats a time in the unit that suits it: `40 ms`, `2.5 s`.
 pub fn seconds(time_s: f64) -> String {
     if time_s < 0.0995 { format!("{:.0} ms", time_s * 1e3) } else { format!("{time_s:.1} s") }
 }
 
-/// A verdict as it stands in a report.
+/// Returns the word for a verdict in reports.
 pub fn verdict(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Pass => "right",
@@ -37,7 +37,7 @@ pub fn verdict(verdict: Verdict) -> &'static str {
     }
 }
 
-/// A kind of finding as it stands in a report.
+/// Returns the words for a kind of finding in reports.
 pub fn finding(kind: FindingKind) -> &'static str {
     match kind {
         FindingKind::Wrong => "wrong",

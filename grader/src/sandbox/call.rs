@@ -5,21 +5,21 @@ use std::path::PathBuf;
 
 use super::limits::Limits;
 
-/// A program that is to be run, with what it gets and what it may use.
+/// A program to run, with its input and its limits.
 #[derive(Clone, Debug)]
 pub struct Call {
     /// The program.
     pub program: PathBuf,
-    /// Arguments.
+    /// The arguments.
     pub args: Vec<OsString>,
-    /// The folder where the program starts; meant to be fresh and its own.
+    /// The folder in which the program starts, which should be fresh and used by no other program.
     pub folder: PathBuf,
     /// The whole environment of the program.
     pub environment: Vec<(OsString, OsString)>,
     /// Bytes that the program reads on standard input.
     pub stdin: Vec<u8>,
-    /// The limits of what the program may use.
+    /// The limits of the program.
     pub limits: Limits,
-    /// Bytes that a right program may have to write to its folder.
+    /// Bytes that a correct program may have to write to its folder.
     pub needed: u64,
 }

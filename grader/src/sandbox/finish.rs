@@ -1,4 +1,4 @@
-//! Puts the end of a run together from what the kernel, the streams and the watch report.
+//! Combines what the kernel, the streams and the watch report into the result of a run.
 
 use std::io;
 use std::time::Duration;
@@ -11,7 +11,7 @@ use super::room;
 use super::sys::Reaped;
 use super::watch::Watch;
 
-/// Puts together what the kernel, the streams and the watch report on `call`.
+/// Returns the result of `call` from what the kernel, the streams and the watch report.
 pub(super) fn finish(
     call: &Call,
     reaped: io::Result<Reaped>,
@@ -28,8 +28,8 @@ pub(super) fn finish(
     let peak_bytes = if watch.peak == 0 { reaped.max_resident } else { watch.peak };
     let cpu = reaped.cpu.max(watch.cpu);
     let outcome = match stopped.unwrap_or_else(|| classify(call, &reaped, &pump.stderr)) {
-        // What a process of its own used, or a second in which it was not looked at, counts as
-        // well.
+        // CPU time that the watch did not see counts as well: that of a child, or of the moments
+        // between two looks.
         Outcome::Exited(_) | Outcome::Signalled(_) if cpu > call.limits.cpu => {
             Outcome::TimedOut(Clock::Cpu)
         }
@@ -53,8 +53,8 @@ pub(super) fn finish(
     }
 }
 
-/// Returns the outcome of a process that ended before the grader ended it; the kernel may have done
-/// so for the grader.
+/// Returns the outcome of a process that the grader did not end. The kernel may have ended it at a
+/// limit that the grader set.
 fn classify(call: &Call, reaped: &Reaped, stderr: &[u8]) -> Outcome {
     match reaped.end {
         Ok(0) => Outcome::Exited(0),
@@ -72,7 +72,7 @@ fn classify(call: &Call, reaped: &Reaped, stderr: &[u8]) -> Outcome {
     }
 }
 
-/// Returns how much of `resource` the system gave to the program.
+/// Returns the system limit on `resource` under which the program ran.
 fn allowed(call: &Call, resource: Resource) -> u64 {
     let granted = call.limits.granted().into_iter().find(|granted| granted.resource == resource);
     granted.map_or(u64::MAX, |granted| granted.allowed)
@@ -88,8 +88,8 @@ fn holds_full_file(call: &Call) -> bool {
         .any(|found| found.is_file() && found.len() >= limit)
 }
 
-/// Returns whether the allocator of a known language gave up, which is how the limit on address
-/// space shows from outside.
+/// Returns whether standard error holds the message of an allocator that failed. The limit on
+/// address space shows in no other way.
 fn says_out_of_memory(stderr: &[u8]) -> bool {
     let text = String::from_utf8_lossy(stderr);
     ["memory allocation of ", "std::bad_alloc", "MemoryError", "OutOfMemoryError", "out of memory"]

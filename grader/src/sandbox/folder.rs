@@ -1,11 +1,11 @@
-//! Makes fresh folders for strangers' programs. All of them lie below one folder of this process.
+//! Creates fresh folders for untrusted programs. All of them lie below one folder of this process.
 //!
 //! ```text
 //! TMPDIR/grader-XXXXXX/        held by a lock while the process lives
 //!                     .grader  the mark
 //!                     0, 1 …   a folder for each run of a program
 //! ```
-//! [`clear_leftovers`] removes those of processes that were killed.
+//! [`clear_leftovers`] removes the folders of processes that were killed.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -16,7 +16,7 @@ use crate::leftovers::{self, Held, Kind};
 
 const ROOT: Kind = Kind { prefix: "grader-", is_marked: true, mode: 0o700 };
 
-/// A temporary folder that strangers write to. It is removed, with all that is in it, when this is
+/// A temporary folder that untrusted programs write to. It is removed with its content when this is
 /// dropped.
 #[derive(Debug)]
 pub struct Folder {
@@ -25,7 +25,7 @@ pub struct Folder {
     _root: Arc<Held>,
 }
 
-/// Why there is no temporary folder. This is never the fault of a submission.
+/// The reason why there is no temporary folder, which is never the fault of a submission.
 #[derive(Debug, thiserror::Error)]
 #[error(
     "no temporary folder can be made in {}: {source}; make room there, or set TMPDIR to a folder \
@@ -35,15 +35,15 @@ pub struct Folder {
 pub struct FolderError {
     /// The folder of temporary files: TMPDIR, or the system's.
     pub place: PathBuf,
-    /// What the system says.
+    /// The error of the system.
     pub source: io::Error,
 }
 
 impl Folder {
-    /// Makes an empty folder.
+    /// Creates an empty folder.
     ///
     /// # Errors
-    /// A folder of temporary files that is missing, full or closed.
+    /// Fails if the folder of temporary files is missing, full or closed.
     pub fn new() -> Result<Self, FolderError> {
         static NEXT: AtomicU64 = AtomicU64::new(0);
         let place = std::env::temp_dir();
@@ -56,14 +56,15 @@ impl Folder {
         make().map_err(|source| FolderError { place: place.clone(), source })
     }
 
-    /// Returns where the folder is.
+    /// Returns the path of the folder.
     pub fn path(&self) -> &Path {
         &self.path
     }
 }
 
 impl Drop for Folder {
-    /// What cannot be removed goes with the folder of the process, or by the next run.
+    /// Removes the folder. Anything that cannot be removed goes with the folder of the process, or
+    /// in the next run.
     fn drop(&mut self) {
         let _ = leftovers::remove(&self.path);
     }
@@ -71,12 +72,12 @@ impl Drop for Folder {
 
 /// Removes the temporary folders of runs that were killed.
 pub fn clear_leftovers() {
-    // A folder that cannot be listed may still take new ones. If it does not, the first new one
-    // says so.
+    // A folder that cannot be listed may still accept new folders. If it does not, creating the
+    // first one reports that.
     let _ = leftovers::clear(&std::env::temp_dir(), ROOT);
 }
 
-/// Returns the folder of this process, and makes it if no other folder of it is in use.
+/// Returns the folder of this process, and creates it if none is in use.
 fn root(place: &Path) -> io::Result<Arc<Held>> {
     static CURRENT: Mutex<Weak<Held>> = Mutex::new(Weak::new());
     let mut current = CURRENT.lock().unwrap_or_else(PoisonError::into_inner);

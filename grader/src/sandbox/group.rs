@@ -1,7 +1,7 @@
-//! Looks at the processes of a program through /proc. Where there is no /proc, nothing is seen.
+//! Inspects the processes of a program through /proc. Without /proc, no process is seen.
 //!
-//! These are the program itself, the group that it was given, and what any of them has started. A
-//! process that leaves its group is still seen as long as its parent lives.
+//! The processes are the program itself, those of its process group, and the descendants of both. A
+//! process that leaves the group is still seen as long as its parent lives.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -11,20 +11,20 @@ use super::sys;
 /// A program's processes at one moment.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Seen {
-    /// The number of processes that live.
+    /// Number of live processes.
     pub(super) n_processes: usize,
-    /// The sum of their resident bytes.
+    /// Sum of their resident sizes, in bytes.
     pub(super) resident: u64,
-    /// CPU time of all of them, and of those that have ended.
+    /// CPU time of the processes, including the children that they have waited for.
     pub(super) cpu: Duration,
     /// Whether a thread runs, is ready to run, or waits for a disk.
     pub(super) is_active: bool,
-    /// Whether the threads have waited for a processor for more than a tenth of the time for which
-    /// they ran.
+    /// Whether the threads have waited for a processor for more than a tenth of their running time;
+    /// `None` if the system does not say.
     pub(super) is_delayed: Option<bool>,
 }
 
-/// Looks at the processes of the program that leads `group`.
+/// Inspects the processes of the program that leads `group`.
 pub(super) fn look(group: u32) -> Seen {
     let mut seen = Seen::default();
     let (mut run, mut wait, mut n_schedules) = (0, 0, 0);
@@ -48,8 +48,7 @@ pub(super) fn others(group: u32) -> u32 {
     members(group).iter().filter(|member| member.is_alive && member.pid != group).count() as u32
 }
 
-/// Returns the largest resident size that a process has had, in bytes, or 0 where that cannot be
-/// read.
+/// Returns the largest resident size that a process has had, in bytes, or 0 if that cannot be read.
 pub(super) fn high_water(pid: u32) -> u64 {
     let status = std::fs::read_to_string(format!("/proc/{pid}/status")).unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
@@ -79,7 +78,7 @@ fn members(group: u32) -> Vec<Stat> {
     family(processes.filter_map(|entry| stat(&entry.path())).collect(), group)
 }
 
-/// Returns those of `all` that are in the group, lead it, or descend from such.
+/// Returns the processes of `all` that are in the group, lead it, or descend from one of these.
 fn family(all: Vec<Stat>, group: u32) -> Vec<Stat> {
     let (mut members, mut others): (Vec<Stat>, Vec<Stat>) =
         all.into_iter().partition(|process| process.group == group || process.pid == group);
@@ -94,10 +93,10 @@ fn family(all: Vec<Stat>, group: u32) -> Vec<Stat> {
     }
 }
 
-/// Most threads of a process that are looked at.
+/// Largest number of threads of a process that are inspected.
 const MAX_THREADS: usize = 256;
 
-/// Returns the folders of a process's threads.
+/// Returns the /proc folders of a process's threads.
 fn threads(pid: u32, n_threads: u64) -> Vec<PathBuf> {
     let process = PathBuf::from(format!("/proc/{pid}"));
     if n_threads <= 1 {
@@ -111,7 +110,7 @@ fn stat(process: &Path) -> Option<Stat> {
     parse(&std::fs::read_to_string(process.join("stat")).ok()?)
 }
 
-/// Reads the line of `stat`; the name in parentheses may hold anything.
+/// Parses the line of `stat`. The name in parentheses may contain any characters.
 fn parse(line: &str) -> Option<Stat> {
     let (pid, rest) = (line.split_once(' ')?.0, line.rsplit_once(')')?.1);
     let fields: Vec<&str> = rest.split_whitespace().collect();
@@ -164,15 +163,15 @@ mod tests {
     }
 
     #[test]
-    fn who_leaves_the_group_is_still_of_the_family() {
+    fn a_process_that_leaves_the_group_is_still_seen() {
         let line = |pid: u32, parent: u32, group: u32| {
             parse(&format!(
                 "{pid} (x) S {parent} {group} 1 0 -1 0 0 0 0 0 0 0 0 0 20 0 1 0 99 8192 2 0"
             ))
             .unwrap()
         };
-        // 40 leads the group 40, and has moved to 7; 41 is in it; 42 has left it; 43 is a child of
-        // that; 50 is a stranger.
+        // 40 leads group 40 and has moved to group 7; 41 is in group 40; 42 has left it; 43 is a
+        // child of 42; 50 is unrelated.
         let all = [(43, 42, 42), (40, 7, 7), (41, 1, 40), (42, 40, 42), (50, 7, 7), (7, 1, 7)];
         let found = family(
             all.iter().map(|(pid, parent, group)| line(*pid, *parent, *group)).collect(),

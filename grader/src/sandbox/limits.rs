@@ -11,14 +11,14 @@ const DESCRIPTORS: u64 = 256;
 /// Open files that are enough for any honest program. With fewer, a failure may be the machine's.
 const FEWEST_DESCRIPTORS: u64 = 64;
 
-/// What a program may use.
+/// The limits of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// CPU time of all processes of the program together.
+    /// CPU time, summed over all processes of the program.
     pub cpu: Duration,
     /// Time during which no process of the program runs, is ready to run, or waits for a disk.
     pub idle: Duration,
-    /// Wall time. It ends only what the other two do not.
+    /// Wall time. Only programs that neither of the other two limits stops run into it.
     pub wall: Duration,
     /// Resident bytes of the whole group; the address space is bounded to four times as much.
     pub memory: u64,
@@ -26,15 +26,17 @@ pub struct Limits {
     pub file_size: u64,
     /// Bytes of all files that the program leaves in its work folder.
     pub folder_size: u64,
-    /// Bytes on standard output, and the same on standard error.
+    /// Bytes on standard output, and as many on standard error.
     pub output: u64,
     /// Processes of the group, threads not counted.
     pub processes: u32,
 }
 
 impl Limits {
-    /// Returns these limits with other times: `cpu` of CPU time, half of that idle but at least 1
-    /// s, and six times that and 10 s of wall time.
+    /// Returns these limits with `cpu` of CPU time, and idle and wall time derived from it.
+    ///
+    /// The idle time is half of `cpu`, but at least 1 s. The wall time is 10 s more than six times
+    /// `cpu`.
     pub fn with_time(self, cpu: Duration) -> Self {
         Self {
             cpu,
@@ -48,13 +50,14 @@ impl Limits {
     /// whole seconds.
     ///
     /// Programs that run side by side share caches and the units of a core, so the same work takes
-    /// more CPU time there: up to twice as much, as measured. Between [`Limits::cpu`] and this,
-    /// only a run without others decides.
+    /// more CPU time there: up to twice as much, as measured. Between [`Limits::cpu`] and this
+    /// time, only a run without others decides.
     pub fn cpu_at_most(&self) -> Duration {
         Duration::from_secs((self.cpu * 2).as_secs_f64().ceil().max(1.0) as u64)
     }
 
-    /// Returns the system's limits for a program. None exceeds what this process may pass on.
+    /// Returns the system's limits for a program. None exceeds the hard limit of this process,
+    /// which `hard` returns.
     ///
     /// The limit of CPU time is a second line of defence. The system compares it with a clock that
     /// runs up to a tenth fast on a busy machine, so the grader stops programs itself.
@@ -94,7 +97,7 @@ pub enum Resource {
     Descriptors,
 }
 
-/// How much of a resource a program is given.
+/// The amount of a resource that a program is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Granted {
     /// The resource.
@@ -149,7 +152,7 @@ impl fmt::Display for Granted {
     }
 }
 
-/// Returns the hard limit of this process, or `None` where there is none.
+/// Returns the hard limit of this process, or `None` if there is none.
 fn hard_limit(resource: Resource) -> Option<u64> {
     let system = match resource {
         Resource::AddressSpace => System::As,
@@ -175,7 +178,8 @@ mod tests {
         processes: 4,
     };
 
-    /// With `hard` as the hard limit of `resource`, programs get (soft, hard) of it.
+    /// Checks the soft and hard limit of programs if `hard` is the hard limit of this process on
+    /// `resource`.
     fn check(resource: Resource, hard: Option<u64>, soft_and_hard: (u64, u64), is_enough: bool) {
         let all = LIMITS.within(|other| hard.filter(|_| other == resource));
         let granted = all.iter().find(|granted| granted.resource == resource).unwrap();

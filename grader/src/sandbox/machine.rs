@@ -1,7 +1,7 @@
 //! Decides whether a failure may be the machine's, by what the machine had left.
 //!
-//! [`blame`] is the only place that decides this. [`Machine::look`] looks, and [`Machine::cause`]
-//! decides.
+//! [`blame`] is the only place that decides this: [`Machine::look`] measures, and
+//! [`Machine::cause`] decides.
 
 use std::fs::File;
 use std::io;
@@ -34,20 +34,19 @@ struct Machine {
     fits: Result<(), String>,
     can_open: Result<(), String>,
     can_start: Result<(), String>,
-    /// Bytes of memory that are available; `None` where the system does not say.
+    /// Bytes of memory that are available; `None` if the system does not say.
     memory: Option<u64>,
-    /// Processes that the system killed for want of memory during the run.
+    /// Number of processes that the system killed during the run because memory ran out.
     n_killed: u64,
     /// The limits of this process that leave a program less than it should have.
     lowered: Vec<Granted>,
 }
 
-/// Looks at the machine after a run that did not give what it should, and blames the machine where
-/// it fell short.
+/// Inspects the machine after a run that failed, and blames the machine if it lacked something.
 ///
-/// The work folder must still be there. The outcome is [`Outcome::Machine`] where the failure says
-/// nothing about the program, [`Outcome::TooMuchOutput`] where the program itself filled the disk,
-/// and otherwise stays as it is.
+/// The work folder must still exist. The outcome is [`Outcome::Machine`] if the failure says
+/// nothing about the program, [`Outcome::TooMuchOutput`] if the program itself filled the disk, and
+/// otherwise stays as it is.
 pub fn blame(call: &Call, finished: Finished) -> Finished {
     if matches!(finished.outcome, Outcome::Machine(_) | Outcome::Interrupted) {
         return finished;
@@ -83,7 +82,7 @@ impl Machine {
         }
     }
 
-    /// Returns the cause of a failure, or `None` where the machine had enough.
+    /// Returns the cause of a failure, or `None` if the machine had enough of everything.
     fn cause(&self, finished: &Finished, limits: &Limits, needed: u64) -> Option<Cause> {
         self.limit(finished, limits)
             .or_else(|| self.no_room(needed, limits))
@@ -136,21 +135,22 @@ impl Machine {
         Some(Cause::Machine(shortage))
     }
 
-    /// Returns whether the program asked for memory that it may have, but that was not left.
+    /// Returns whether the program ran out of memory below its own limit, because less than that
+    /// limit was left.
     fn lacks_memory(&self, left: u64, finished: &Finished, limits: &Limits) -> bool {
         let is_within = finished.peak_bytes <= limits.memory;
         finished.outcome == Outcome::OutOfMemory && is_within && left < limits.memory
     }
 }
 
-/// Opens some more files, and closes them again.
+/// Checks that [`SPARE`] more files can be opened, and closes them again.
 fn can_open() -> io::Result<()> {
     let open = |_| File::open("/dev/null");
     (0..SPARE).map(open).collect::<io::Result<Vec<_>>>().map(drop)
 }
 
-/// Starts some more threads, and ends them again. The system counts threads as processes, and they
-/// cost less.
+/// Checks that [`SPARE`] more threads can be started, and ends them again. The system counts
+/// threads as processes, and threads cost less.
 fn can_start() -> io::Result<()> {
     std::thread::scope(|scope| {
         let start = |_| {
@@ -163,8 +163,8 @@ fn can_start() -> io::Result<()> {
     })
 }
 
-/// Returns the bytes of memory that programs can still take, swap included, or `None` where the
-/// system does not say.
+/// Returns the bytes of memory that programs can still take, swap included, or `None` if the system
+/// does not say.
 pub fn memory_left() -> Option<u64> {
     let text = std::fs::read_to_string("/proc/meminfo").ok()?;
     let kib = |name: &str| {
@@ -174,8 +174,8 @@ pub fn memory_left() -> Option<u64> {
     Some((kib("MemAvailable:")? + kib("SwapFree:").unwrap_or(0)) << 10)
 }
 
-/// Returns the number of processes that the system has killed for want of memory since it started,
-/// or 0 where it does not say.
+/// Returns the number of processes that the system has killed since it started because memory ran
+/// out, or 0 if it does not say.
 pub(super) fn n_killed() -> u64 {
     let text = std::fs::read_to_string("/proc/vmstat").unwrap_or_default();
     let line = text.lines().find_map(|line| line.strip_prefix("oom_kill "));

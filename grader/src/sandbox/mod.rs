@@ -1,9 +1,10 @@
-//! Runs one program under limits and tells how it ended. Knows nothing of cases, images or scores.
+//! Runs one program under limits and reports how it ended. The sandbox knows nothing of cases,
+//! images or scores.
 //!
-//! What is in force is named by [`LEVEL`]: time and resource limits, an own process group that is
-//! killed on any end, an environment built from nothing, a work folder of its own, bounded streams.
-//! Whoever may write files can still read those of the user who grades: keep answers elsewhere, or
-//! grade as another user.
+//! [`LEVEL`] names the protection that is in force: time and resource limits, a process group of
+//! its own that is killed at any end, an environment built from nothing, a work folder of its own,
+//! bounded streams. A program that may write files can still read those of the user who grades:
+//! keep answers elsewhere, or grade as another user.
 
 mod call;
 mod finish;
@@ -41,7 +42,7 @@ use watch::Watch;
 /// The layers of protection that are in force, for the record.
 pub const LEVEL: &str = "timeouts+rlimits+own process group";
 
-/// Runs `call` to its end, natural or not. Afterwards no process of its group is left.
+/// Runs `call` until it ends or is stopped. Afterwards no process of its group is left.
 ///
 /// A failure counts only after [`blame`] has looked at the machine.
 pub fn run(call: &Call, turn: Turn) -> Finished {
@@ -77,12 +78,12 @@ pub fn run(call: &Call, turn: Turn) -> Finished {
     finish::finish(call, reaped, stopped, pump, &watch, start.elapsed(), left_behind)
 }
 
-/// Returns whether this system shows what processes do, so that idle time is known.
+/// Returns whether this system shows the processes of a program, so that idle time is known.
 pub fn sees_processes() -> bool {
     group::high_water(std::process::id()) > 0
 }
 
-/// Feeds and watches the group until its leader ends (`None`) or a limit is passed.
+/// Feeds and watches the group until its leader ends, or returns an outcome if a limit is exceeded.
 fn attend(pump: &mut Pump, watch: &mut Watch, group: u32, deadline: Instant) -> Option<Outcome> {
     let mut pause = Duration::from_millis(1);
     loop {

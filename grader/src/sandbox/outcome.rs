@@ -1,4 +1,4 @@
-//! How a program ended.
+//! The result of a run of a program.
 
 use std::fmt;
 use std::io;
@@ -10,21 +10,21 @@ use super::shortage::Shortage;
 /// The ways in which a run ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// By itself, with this code.
+    /// The program ended by itself, with this code.
     Exited(i32),
-    /// By this signal, which we did not send.
+    /// The program was ended by this signal, which the grader did not send.
     Signalled(i32),
-    /// It was killed because its time was over, or it took more CPU time than it may.
+    /// The program was killed because its time was over, or used more CPU time than it may.
     TimedOut(Clock),
-    /// It asked for more memory than it may have.
+    /// The program requested more memory than it may have.
     OutOfMemory,
-    /// It was killed for what it wrote.
+    /// The program wrote more than it may.
     TooMuchOutput(Stream),
-    /// It was killed for starting too many processes.
+    /// The program was killed because it started too many processes.
     TooManyProcesses,
-    /// The machine fell short, so the run says nothing about the program.
+    /// The machine lacked something, so the run says nothing about the program.
     Machine(Shortage),
-    /// It never ran, since what is there is no program; says why.
+    /// The program never ran, since the file is no program; the text says why.
     NoProgram(String),
     /// The user stopped the grader.
     Interrupted,
@@ -37,11 +37,11 @@ pub enum Clock {
     Cpu,
     /// Time in which the program did nothing.
     Idle,
-    /// The clock on the wall.
+    /// Wall time.
     Wall,
 }
 
-/// Where a program may write too much.
+/// A place to which a program may write too much.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stream {
     /// Standard output.
@@ -50,7 +50,7 @@ pub enum Stream {
     Stderr,
     /// A file.
     File,
-    /// All files together.
+    /// All files in the folder.
     Files,
 }
 
@@ -65,17 +65,17 @@ impl fmt::Display for Stream {
     }
 }
 
-/// Bytes of standard error that are shown at most.
+/// Largest number of bytes of standard error that are shown.
 const SHOWN: usize = 4096;
 
-/// All that is known of a run.
+/// The end of a run, with its output and what it used.
 #[derive(Clone, Debug)]
 pub struct Finished {
-    /// How it ended.
+    /// The outcome.
     pub outcome: Outcome,
-    /// What it wrote, cut at the limit.
+    /// The content of standard output, cut at the limit.
     pub stdout: Vec<u8>,
-    /// What it wrote there, cut at the limit.
+    /// The content of standard error, cut at the limit.
     pub stderr: Vec<u8>,
     /// Wall time.
     pub wall: Duration,
@@ -83,15 +83,15 @@ pub struct Finished {
     pub cpu: Duration,
     /// Time in which no process of the program did anything.
     pub idle: Duration,
-    /// Largest resident bytes; for a run too short to be looked at an upper bound.
+    /// Largest resident size, in bytes; an upper bound if the run was too short to be measured.
     pub peak_bytes: u64,
-    /// Processes that it left running; they were killed.
+    /// Number of processes that the program left running, which were killed.
     pub left_behind: u32,
     /// Whether other programs may have slowed this one down.
     pub is_disturbed: bool,
-    /// The least room that was seen on the file system of the work folder.
+    /// The least room on the file system of the work folder that was seen during the run.
     pub least: Room,
-    /// Processes that the system killed for want of memory meanwhile.
+    /// Number of processes that the system killed during the run because memory ran out.
     pub n_killed: u64,
 }
 
@@ -117,8 +117,8 @@ impl Finished {
         }
     }
 
-    /// The same without what is not shown of its streams: some are kept for each question of a
-    /// stage.
+    /// Returns the run without those parts of its streams that are not shown. One such run is kept
+    /// for each question of a stage.
     pub fn without_streams(mut self) -> Self {
         self.stdout = vec![];
         let kept = self.stderr.len().min(SHOWN + 1); // one more, so that the cut is still seen
@@ -127,8 +127,8 @@ impl Finished {
         self
     }
 
-    /// The end of standard error as text that is safe to show, at most some 4 KiB; `None` where
-    /// nothing was written.
+    /// Returns the end of standard error as text that is safe to show, about 4 KiB at most, or
+    /// `None` if nothing was written.
     pub fn stderr_text(&self) -> Option<String> {
         let end = self.stderr.len().saturating_sub(SHOWN);
         let text = crate::plain::shown(String::from_utf8_lossy(&self.stderr[end..]).trim());
@@ -137,10 +137,11 @@ impl Finished {
     }
 }
 
-/// Returns whose fault it is that a program was not started.
+/// Returns the outcome of a program that could not be started, which depends on who is to blame.
 ///
-/// It is the program's where the program is missing, was not made for this machine, or names an
-/// interpreter that is not there, and where its command holds what no command can.
+/// The program is to blame if it is missing, was not built for this machine, names an interpreter
+/// that does not exist, or has a command that the system does not accept. Otherwise the machine is
+/// to blame.
 fn cannot_start(why: &io::Error) -> Outcome {
     use io::ErrorKind::{
         ArgumentListTooLong, InvalidInput, IsADirectory, NotADirectory, NotFound, PermissionDenied,

@@ -15,10 +15,10 @@ use crate::leftovers;
 
 static STARTING: RwLock<()> = RwLock::new(());
 
-/// Writes an executable file to `path`, and removes whatever is there before.
+/// Removes whatever is at `path`, and writes an executable file there.
 ///
 /// # Errors
-/// What the file system says.
+/// Fails if the file system does.
 pub fn place_program(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let _none_starts = STARTING.write().unwrap_or_else(PoisonError::into_inner);
     match leftovers::remove(path) {

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use super::{Outcome, Stream, sys};
 
-/// The streams and what went through them.
+/// The streams, and the data that went through them.
 pub(super) struct Pump {
     stdin: Option<ChildStdin>,
     unsent: std::io::Cursor<Vec<u8>>,
@@ -30,7 +30,8 @@ impl Pump {
         Ok(Self { stdin: input, unsent, out, err, limit, stdout: vec![], stderr: vec![] })
     }
 
-    /// Waits at most `pause` for a stream and serves all; an outcome where one was flooded.
+    /// Waits at most `pause` until a stream is ready, then writes and reads all of them. Returns an
+    /// outcome if the program wrote too much.
     pub(super) fn turn(&mut self, pause: Duration) -> Option<Outcome> {
         let readers: Vec<_> =
             self.out.iter().map(AsFd::as_fd).chain(self.err.iter().map(AsFd::as_fd)).collect();
@@ -45,7 +46,8 @@ impl Pump {
         self.read();
     }
 
-    /// Writes what the program takes now. It may close its input early: then the rest is dropped.
+    /// Writes as much input as the program accepts now. If the program has closed its input, the
+    /// rest is dropped.
     fn feed(&mut self) {
         let Some(stdin) = &mut self.stdin else { return };
         loop {
@@ -75,8 +77,8 @@ impl Pump {
     }
 }
 
-/// Moves what can be read now behind `kept`, to its end or `limit`; says whether there is more than
-/// that.
+/// Appends what can be read now to `kept`, up to `limit` bytes in all. Returns whether there is
+/// more than that.
 fn take(stream: &mut Option<impl Read>, limit: u64, kept: &mut Vec<u8>) -> bool {
     let Some(reader) = stream else { return false };
     let limit = usize::try_from(limit).unwrap_or(usize::MAX);

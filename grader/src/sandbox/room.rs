@@ -10,10 +10,11 @@ use std::path::Path;
 use rustix::fs::{FallocateFlags, fallocate, statvfs};
 use rustix::io::Errno;
 
-/// Most names in a work folder that are counted, which is more than any honest program makes.
+/// Largest number of names in a work folder that are counted, which is more than any honest program
+/// creates.
 const MAX_NAMES: u64 = 100_000;
 
-/// Bytes and files.
+/// An amount of disk space: bytes and files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Room {
     /// Bytes on the file system, in whole blocks.
@@ -26,7 +27,7 @@ impl Room {
     /// More than any file system has.
     pub(super) const ALL: Self = Self { bytes: u64::MAX, files: u64::MAX };
 
-    /// Returns the lesser of both, bytes and files apart.
+    /// Returns the lesser number of bytes, and the lesser number of files.
     pub(super) fn min(self, other: Self) -> Self {
         Self { bytes: self.bytes.min(other.bytes), files: self.files.min(other.files) }
     }
@@ -37,8 +38,8 @@ impl Room {
     }
 }
 
-/// Returns what is left on the file system of `folder`, or [`Room::ALL`] where the system does not
-/// say.
+/// Returns the room that is left on the file system of `folder`, or [`Room::ALL`] if the system
+/// does not say.
 pub(super) fn left(folder: &Path) -> Room {
     let Ok(about) = statvfs(folder) else { return Room::ALL };
     // The system keeps some blocks for root.
@@ -49,8 +50,8 @@ pub(super) fn left(folder: &Path) -> Room {
     Room { bytes: blocks.saturating_mul(about.f_frsize), files }
 }
 
-/// Returns what lies in `folder`, without what is behind links. At most [`MAX_NAMES`] names are
-/// counted.
+/// Returns the room that the content of `folder` takes. Links are not followed, and at most
+/// [`MAX_NAMES`] names are counted.
 pub(super) fn taken(folder: &Path) -> Room {
     let mut taken = Room { bytes: 0, files: 0 };
     let mut folders = vec![folder.to_owned()];
@@ -70,10 +71,10 @@ pub(super) fn taken(folder: &Path) -> Room {
     taken
 }
 
-/// Makes a file of `bytes` in `folder`, and removes it again.
+/// Checks that a file of `bytes` fits into `folder`, by making one and removing it again.
 ///
 /// # Errors
-/// What keeps it from being made: a full disk, a quota, a limit of this process.
+/// Fails if the file cannot be made: because of a full disk, a quota, or a limit of this process.
 pub(super) fn fits(folder: &Path, bytes: u64) -> io::Result<()> {
     let file = tempfile::tempfile_in(folder)?;
     match fallocate(file.as_fd(), FallocateFlags::empty(), 0, bytes.max(1)) {

@@ -1,13 +1,13 @@
-//! What the machine may lack, in words that say what to do about it.
+//! The shortages of the machine, with messages that name the remedy.
 
 use std::path::PathBuf;
 
 use super::limits::Granted;
 
-/// Open files and processes that must be left.
+/// Number of files, and of processes, that the machine must still be able to open and start.
 pub(super) const SPARE: usize = 8;
 
-/// A lack of the machine. A run that ends for it says nothing about the program.
+/// A shortage of the machine. A run that ends because of it says nothing about the program.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Shortage {
     /// There is no room for files.
@@ -17,11 +17,11 @@ pub enum Shortage {
         .place.display()
     )]
     Room {
-        /// Where the room is needed.
+        /// The folder in which the room is needed.
         place: PathBuf,
         /// Bytes that the step needs.
         needed: u64,
-        /// What the system says, or what was left.
+        /// The error of the system, or the room that was left.
         why: String,
     },
     /// No more files can be opened.
@@ -58,10 +58,11 @@ pub enum Shortage {
     /// The program was not started.
     #[error("the machine could not start it: {0}")]
     NotStarted(String),
-    /// Others kept the program from computing, although it ran alone.
+    /// Other processes kept the program from computing, although no other program of the grader
+    /// ran.
     #[error(
         "the machine is too busy: in {wall} s it gave the program {cpu} s of CPU time; run again \
-         when less goes on"
+         when it is less busy"
     )]
     Busy {
         /// Seconds by the clock.

@@ -10,18 +10,19 @@ use std::time::Duration;
 
 use super::{Granted, Resource};
 
-/// How a reaped process ended.
+/// The end of a process that has been reaped.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reaped {
     /// Exit code, or the signal that ended it.
     pub(super) end: Result<i32, i32>,
-    /// User and system time of it and of what it waited for.
+    /// User and system time of the process and of the children that it waited for.
     pub(super) cpu: Duration,
     /// Largest resident bytes; at least those of the grader when it forked.
     pub(super) max_resident: u64,
 }
 
-/// Makes the child lead a group of its own, die with us, and live under resource limits.
+/// Makes the child lead a process group of its own, die with the grader, and run under resource
+/// limits.
 pub(super) fn limit(command: &mut Command, granted: &[Granted]) {
     let mut all = vec![(libc::RLIMIT_CORE, 0, 0)];
     all.extend(
@@ -52,7 +53,7 @@ type LimitNumber = libc::__rlimit_resource_t;
 #[cfg(not(all(target_os = "linux", target_env = "gnu")))]
 type LimitNumber = libc::c_int;
 
-/// What the system calls the limit on a resource.
+/// Returns the system's number of the limit on a resource.
 fn number(resource: Resource) -> LimitNumber {
     match resource {
         Resource::AddressSpace => libc::RLIMIT_AS,
@@ -62,8 +63,8 @@ fn number(resource: Resource) -> LimitNumber {
     }
 }
 
-/// Whether the process has ended; it stays a zombie, so that its number and its group's are not
-/// given away.
+/// Returns whether the process has ended. It stays a zombie, so that its number and that of its
+/// group are not reused.
 pub(super) fn has_ended(pid: u32) -> bool {
     // SAFETY: siginfo_t is plain data, for which zeros are valid.
     let mut info: libc::siginfo_t = unsafe { std::mem::zeroed() };
@@ -74,7 +75,7 @@ pub(super) fn has_ended(pid: u32) -> bool {
     answer != 0 || unsafe { info.si_pid() } != 0
 }
 
-/// Waits for the process, whose group has been killed.
+/// Waits for the process, whose group has been killed, and releases its number.
 pub(super) fn reap(pid: u32) -> io::Result<Reaped> {
     let mut status = 0;
     // SAFETY: rusage is plain data, for which zeros are valid.
@@ -104,8 +105,8 @@ fn duration(time: libc::timeval) -> Duration {
     seconds + Duration::from_micros(u64::try_from(time.tv_usec).unwrap_or(0))
 }
 
-/// Kills every process of the group, and its leader wherever that is: it may have moved to another
-/// group, ours for one.
+/// Kills every process of the group, and its leader, which may have moved to another group, such as
+/// that of the grader.
 pub(super) fn kill_group(group: u32) {
     let leader = group.cast_signed();
     // SAFETY: signals to a child that is not reaped yet, so that its number is still its own, and
@@ -116,15 +117,15 @@ pub(super) fn kill_group(group: u32) {
     }
 }
 
-/// Bytes of a page of memory.
+/// Returns the size of a page of memory, in bytes.
 pub(super) fn page_bytes() -> u64 {
-    // SAFETY: asks for a constant of the system.
+    // SAFETY: the call reads a constant of the system.
     u64::try_from(unsafe { libc::sysconf(libc::_SC_PAGESIZE) }).unwrap_or(4096)
 }
 
-/// Units of CPU time in a second, as /proc counts it.
+/// Returns the number of units in a second in which /proc counts CPU time.
 pub(super) fn ticks_per_second() -> u64 {
-    // SAFETY: asks for a constant of the system.
+    // SAFETY: the call reads a constant of the system.
     u64::try_from(unsafe { libc::sysconf(libc::_SC_CLK_TCK) })
         .ok()
         .filter(|ticks| *ticks > 0)
@@ -159,7 +160,7 @@ pub(super) fn wait_for(
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
-/// Whether the user has asked to stop (see [`catch_signals`]).
+/// Returns whether the user has interrupted the grader. Always `false` before [`catch_signals`].
 pub fn interrupted() -> bool {
     INTERRUPTED.load(Ordering::Relaxed)
 }
@@ -172,11 +173,10 @@ extern "C" fn remember_interrupt(signal: libc::c_int) {
 
 extern "C" fn go_on(_: libc::c_int) {}
 
-/// From now on Ctrl-C and SIGTERM end the running programs and no others are started; a second one
-/// ends the grader.
+/// Installs the signal handlers. After that, Ctrl-C and SIGTERM end the running programs, and no
+/// others are started; a second one ends the grader.
 ///
-/// A file that grows beyond `ulimit -f` is an error of the write from now on, and does not end the
-/// grader.
+/// A write beyond `ulimit -f` then returns an error, and does not end the grader.
 pub fn catch_signals() {
     let handlers: [(extern "C" fn(libc::c_int), &[libc::c_int]); 2] =
         [(remember_interrupt, &[libc::SIGINT, libc::SIGTERM]), (go_on, &[libc::SIGXFSZ])];

@@ -15,7 +15,7 @@ pub(super) const SMALL: Limits = Limits {
     processes: 40,
 };
 
-/// A line of shell that starts in `folder`.
+/// Returns the call of a line of shell that starts in `folder`.
 pub(super) fn line(script: &str, folder: &Path, limits: Limits) -> Call {
     Call {
         program: "/bin/sh".into(),
@@ -36,7 +36,7 @@ fn shell(script: &str, stdin: &[u8], limits: Limits) -> (Finished, Folder) {
     (finished, folder)
 }
 
-/// The script ends as told.
+/// Checks how the script ends.
 fn check(script: &str, limits: Limits, expected: &Outcome) {
     let (finished, _folder) = shell(script, b"", limits);
     assert_eq!(&finished.outcome, expected, "{script}\n{:?}", finished.stderr_text());
@@ -65,7 +65,7 @@ fn cpu_time_counts_for_all_processes_together() {
     let cpu = Limits { cpu: Duration::from_secs(2), ..SMALL };
     let loops = "for i in 1 2 3 4; do (while :; do :; done) & done; wait";
     check(loops, cpu, &Outcome::TimedOut(Clock::Cpu));
-    // Neither the one that computes nor the one that waits for it is idle.
+    // Neither the process that computes nor the one that waits for it is idle.
     let idle = Limits { idle: Duration::from_millis(300), ..SMALL };
     let count = "(i=0; while [ $i -lt 300000 ]; do i=$((i+1)); done); exit 5";
     check(count, idle, &Outcome::Exited(5));
@@ -78,7 +78,7 @@ fn many_small_files_are_too_much_for_the_folder() {
 }
 
 #[test]
-fn floods_are_cut_and_told_apart() {
+fn floods_are_cut_and_distinguished() {
     check("yes", SMALL, &Outcome::TooMuchOutput(Stream::Stdout));
     check("yes >&2", SMALL, &Outcome::TooMuchOutput(Stream::Stderr));
     check("exec dd if=/dev/zero of=big bs=65536", SMALL, &Outcome::TooMuchOutput(Stream::File));

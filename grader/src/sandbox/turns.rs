@@ -19,12 +19,12 @@ static N_BEGUN: AtomicUsize = AtomicUsize::new(0);
 /// The right to run a program. It is given back when this is dropped.
 pub(super) struct Taken {
     _guard: Guard,
-    /// Programs that had begun when this one did, itself included.
+    /// Number of programs that had begun when this one did, itself included.
     n_begun: usize,
-    had_company: bool,
+    had_overlap: bool,
 }
 
-/// The lock behind a turn. Nobody reads it, since its life is the turn.
+/// The lock behind a turn. It is never read: the turn lasts as long as it is held.
 enum Guard {
     Shared { _lock: RwLockReadGuard<'static, ()> },
     Alone { _lock: RwLockWriteGuard<'static, ()> },
@@ -42,16 +42,16 @@ impl Taken {
             }
         };
         let n_begun = N_BEGUN.fetch_add(1, Ordering::Relaxed) + 1;
-        let had_company = N_RUNNING.fetch_add(1, Ordering::Relaxed) > 0;
-        Self { _guard: guard, n_begun, had_company }
+        let had_overlap = N_RUNNING.fetch_add(1, Ordering::Relaxed) > 0;
+        Self { _guard: guard, n_begun, had_overlap }
     }
 
-    /// Returns whether another program of this grader has run meanwhile.
-    pub(super) fn has_company(&self) -> bool {
-        self.had_company || N_BEGUN.load(Ordering::Relaxed) != self.n_begun
+    /// Returns whether another program of this grader has run during the turn.
+    pub(super) fn has_overlap(&self) -> bool {
+        self.had_overlap || N_BEGUN.load(Ordering::Relaxed) != self.n_begun
     }
 
-    /// Returns whether no other program of this grader can run meanwhile.
+    /// Returns whether no other program of this grader can run during the turn.
     pub(super) fn is_alone(&self) -> bool {
         matches!(self._guard, Guard::Alone { .. })
     }
@@ -75,7 +75,7 @@ mod tests {
                     for turn in [Turn::Shared, Turn::Alone].repeat(20) {
                         let taken = Taken::wait(turn);
                         std::thread::yield_now();
-                        assert!(turn == Turn::Shared || !taken.has_company());
+                        assert!(turn == Turn::Shared || !taken.has_overlap());
                         assert_eq!(taken.is_alone(), turn == Turn::Alone);
                     }
                 });
@@ -83,6 +83,6 @@ mod tests {
         });
         let one = Taken::wait(Turn::Shared);
         let other = Taken::wait(Turn::Shared);
-        assert!(one.has_company() && other.has_company(), "either of two that overlap has company");
+        assert!(one.has_overlap() && other.has_overlap(), "either of two that overlap has company");
     }
 }

@@ -21,13 +21,13 @@ pub(super) struct Watch<'a> {
     /// The room on the file system of the work folder when the program began.
     room: Room,
     n_killed: u64,
-    /// Largest resident bytes seen; 0 where nobody looked.
+    /// Largest resident size seen, in bytes; 0 if none was measured.
     pub(super) peak: u64,
     /// CPU time of all processes.
     pub(super) cpu: Duration,
     /// Time in which no process ran, was ready to run, or waited for a disk.
     pub(super) idle: Duration,
-    /// Whether processes often had to wait for a processor; `None` where the system does not say.
+    /// Whether threads often had to wait for a processor; `None` if the system does not say.
     is_delayed: Option<bool>,
     /// Whether the CPU time was used up while nothing slowed the program down.
     is_sure: bool,
@@ -56,7 +56,8 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// Looks, if it is time to, and returns an outcome where the program is beyond a limit.
+    /// Inspects the program if it is time to, and returns an outcome if the program exceeds a
+    /// limit.
     pub(super) fn look(&mut self) -> Option<Outcome> {
         let now = Instant::now();
         if now < self.next {
@@ -77,7 +78,7 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// Takes in what the processes did since the last look, and returns their number.
+    /// Records what the processes did since the last look, and returns their number.
     fn look_at_group(&mut self, now: Instant, since: Duration) -> usize {
         self.last_group = now;
         self.least = self.least.min(room::left(&self.call.folder));
@@ -85,7 +86,8 @@ impl<'a> Watch<'a> {
         self.peak = self.peak.max(seen.resident);
         let computed = seen.cpu.saturating_sub(self.cpu);
         if seen.n_processes > 0 && !seen.is_active && computed < since / 2 {
-            // Where looks come late, the grader itself waited, and knows less.
+            // If a look comes late, the grader itself had to wait, and not all of that time is
+            // known to be idle.
             self.idle += since.min(GROUP_EVERY * 2);
         }
         self.cpu = self.cpu.max(seen.cpu);
@@ -113,10 +115,11 @@ impl<'a> Watch<'a> {
 
     /// Returns whether other programs may have slowed this one down.
     pub(super) fn is_disturbed(&self) -> bool {
-        !self.is_sure && (self.turn.has_company() || self.is_delayed.unwrap_or(false))
+        !self.is_sure && (self.turn.has_overlap() || self.is_delayed.unwrap_or(false))
     }
 
-    /// Returns the number of processes that the system has killed meanwhile for want of memory.
+    /// Returns the number of processes that the system has killed during the run because memory ran
+    /// out.
     pub(super) fn n_killed(&self) -> u64 {
         machine::n_killed().saturating_sub(self.n_killed)
     }

@@ -1,17 +1,18 @@
-//! Parts of a hand-in that are left aside: one odd file costs itself, never the rest.
+//! Parts of a hand-in that are left aside. An unusable file is left out by itself; the rest of the
+//! hand-in still counts.
 
 use std::io;
 
 use super::limits::{Excess, PATH_BYTES};
 use crate::plain;
 
-/// Files that are named when they are left aside. The rest is counted.
+/// Largest number of files that are named when they are left aside. The rest are counted.
 const MAX_NAMED: usize = 20;
 
 /// A file, folder or entry of an archive that is not taken.
 #[derive(Debug)]
 pub struct Aside {
-    /// The path below the top of the hand-in, with `/` between names. An unsafe path stands as it
+    /// The path below the top of the hand-in, with `/` between names. An unsafe path is kept as it
     /// was written.
     pub path: String,
     /// The reason why it is not taken.
@@ -48,24 +49,24 @@ pub enum Why {
     /// A name of more than 255 bytes, or a path of more than [`PATH_BYTES`].
     #[error("has a name that is too long")]
     TooLong,
-    /// Too many folders in one another.
-    #[error("lies {found} names deep; {limit} are read")]
+    /// The folders are nested too deeply.
+    #[error("lies {found} names deep; at most {limit} are read")]
     TooDeep {
         /// Names in the path.
         found: usize,
         /// Names in the longest path that is read.
         limit: usize,
     },
-    /// The same path came before.
+    /// An earlier entry has the same path.
     #[error("comes twice")]
     Twice,
     /// More bytes than a file may have.
     #[error("{0}")]
     TooLarge(Excess),
-    /// The entry asks for a password.
+    /// The entry needs a password.
     #[error("is encrypted; pack it without a password")]
     Encrypted,
-    /// The entry is packed by a method that is not read.
+    /// The entry is packed by a method that the grader cannot read.
     #[error("is packed by a method that cannot be read (only Deflate can)")]
     Method,
     /// The system does not let the grader read it.
@@ -74,7 +75,8 @@ pub enum Why {
 }
 
 impl Aside {
-    /// Leaves aside what has the path `name`. Only the beginning of an unsafe path is kept.
+    /// Returns the part with the path `name`. Only the first [`PATH_BYTES`] bytes of an unsafe path
+    /// are kept.
     pub(super) fn new(name: &[u8], why: Why) -> Self {
         let path = match names(name, usize::MAX) {
             Ok(names) => names.join("/"),
@@ -83,25 +85,25 @@ impl Aside {
         Self { path, why }
     }
 
-    /// Says whether the path is one within the hand-in, which a file that counts could have.
+    /// Returns whether the path lies within the hand-in, so that a file that counts could have it.
     pub fn is_within(&self) -> bool {
         names(self.path.as_bytes(), usize::MAX).is_ok()
     }
 
-    /// Says whether `path` is what was left aside, or lies below it.
+    /// Returns whether `path` is this part, or lies below it.
     pub fn covers(&self, path: &str) -> bool {
         path.strip_prefix(&*self.path).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
     }
 }
 
 impl std::fmt::Display for Aside {
-    /// Writes the path, made harmless to show, and why.
+    /// Writes the path, made harmless to show, and the reason.
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
         write!(f, "{}: {}", plain::name(self.path.as_bytes()), self.why)
     }
 }
 
-/// Returns the first lines in order, and a line with the number of the rest.
+/// Returns the first [`MAX_NAMED`] lines in order, and a line with the number of the rest.
 pub(super) fn abridged(mut lines: Vec<String>) -> Vec<String> {
     lines.sort();
     if lines.len() > MAX_NAMED {
@@ -169,7 +171,7 @@ mod tests {
         check("./a//b/", Ok(&["a", "b"]));
         check("", Ok(&[]));
         check("a/b/c", Ok(&["a", "b", "c"]));
-        check("a/b/c/d", Err("lies 4 names deep; 3 are read"));
+        check("a/b/c/d", Err("lies 4 names deep; at most 3 are read"));
         check("/a", Err("absolute"));
         check("a/../b", Err("leaves the folder"));
         check("a:b", Err("colon"));

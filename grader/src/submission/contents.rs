@@ -1,4 +1,4 @@
-//! What is read of a hand-in: the submission, with all that a build of its kind takes.
+//! The content of a hand-in: the submission, with everything that a build of its kind needs.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use crate::sandbox::Folder;
 pub struct Submission {
     /// The kind, which says how it is to be built.
     pub kind: Kind,
-    /// blake3 over the names and contents of the files that count.
+    /// The blake3 hash of the names and contents of the files that count.
     pub digest: String,
     /// Remarks on what was left aside, and on where the submission lies, if not at the top.
     pub ignored: Vec<String>,

@@ -1,4 +1,4 @@
-//! Why there is nothing to grade, and who is to blame for that.
+//! The reasons why there is nothing to grade, and who is to blame for them.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use crate::blame::{self, Blame};
 use crate::plain;
 use crate::sandbox::FolderError;
 
-/// Why there is nothing to grade.
+/// The reason why there is nothing to grade.
 #[derive(Debug, thiserror::Error)]
 pub enum SubmissionError {
     /// The path leads nowhere, or the user may not read it. The caller of the grader is to blame.
@@ -48,7 +48,7 @@ impl SubmissionError {
         }
     }
 
-    /// Returns the error of a file of the hand-in that counts, and is called `name` in messages.
+    /// Returns the error of a file of the hand-in that counts. Messages call it `name`.
     pub(super) fn of_file(path: &Path, name: &str, why: ReadError) -> Self {
         match why {
             ReadError::Io(source) => Self::of_path(path, source),
@@ -56,7 +56,7 @@ impl SubmissionError {
         }
     }
 
-    /// Returns the error of a file that counts, in the hand-in at `top`, and was left aside.
+    /// Returns the error of a file that counts but was left aside, in the hand-in at `top`.
     pub(super) fn of_aside(top: &Path, aside: Aside) -> Self {
         match aside.why {
             Why::Unreadable(why) => Self::of_path(&top.join(&aside.path), why),

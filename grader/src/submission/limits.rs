@@ -1,4 +1,4 @@
-//! How much of a submission is read. Messages and documents name these numbers.
+//! The limits on what is read of a submission. Messages and documents name these numbers.
 
 use std::fmt;
 
@@ -57,7 +57,8 @@ pub const SKIPPED: [&str; 6] =
 const KIB: u64 = 1 << 10;
 const MIB: u64 = 1 << 20;
 
-/// Says whether a file is one that a system made beside the files of a person, such as `.DS_Store`.
+/// Returns whether a file is one that an operating system creates beside the files of a person,
+/// such as `.DS_Store`.
 pub(super) fn is_of_system(name: &str) -> bool {
     matches!(name, ".DS_Store" | "Thumbs.db" | "desktop.ini") || name.starts_with("._")
 }
@@ -72,15 +73,15 @@ pub struct Excess {
 }
 
 impl fmt::Display for Excess {
-    /// Writes `has 20 MiB; 16 MiB are read`.
+    /// Writes, for example, `has 20 MiB; at most 16 MiB are read`.
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let limit = size(self.limit);
         match self.found {
-            None => write!(f, "has more than {limit}; {limit} are read"),
+            None => write!(f, "has more than {limit}; at most {limit} are read"),
             Some(found) if size(found) == limit => {
-                write!(f, "has {found} bytes; {} bytes are read", self.limit)
+                write!(f, "has {found} bytes; at most {} bytes are read", self.limit)
             }
-            Some(found) => write!(f, "has {}; {limit} are read", size(found)),
+            Some(found) => write!(f, "has {}; at most {limit} are read", size(found)),
         }
     }
 }
@@ -121,8 +122,11 @@ mod tests {
     #[test]
     fn an_excess_names_both_numbers() {
         let excess = |found| Excess { found, limit: 16 * MIB }.to_string();
-        assert_eq!(excess(Some(20 * MIB)), "has 20 MiB; 16 MiB are read");
-        assert_eq!(excess(Some(16 * MIB + 1)), "has 16777217 bytes; 16777216 bytes are read");
-        assert_eq!(excess(None), "has more than 16 MiB; 16 MiB are read");
+        assert_eq!(excess(Some(20 * MIB)), "has 20 MiB; at most 16 MiB are read");
+        assert_eq!(
+            excess(Some(16 * MIB + 1)),
+            "has 16777217 bytes; at most 16777216 bytes are read"
+        );
+        assert_eq!(excess(None), "has more than 16 MiB; at most 16 MiB are read");
     }
 }

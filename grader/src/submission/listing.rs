@@ -1,4 +1,4 @@
-//! Lists a folder of strangers: follows no link, and counts everything.
+//! Lists an untrusted folder: follows no link, and counts everything.
 
 use std::fs::DirEntry;
 use std::io;
@@ -18,10 +18,11 @@ pub(super) struct Listing {
     pub(super) aside: Vec<Aside>,
 }
 
-/// Lists `folder` without what tools and systems leave there.
+/// Lists `folder`, without the files that tools and operating systems leave there.
 ///
 /// # Errors
-/// The folder cannot be read, the machine fails, or there is more than can be listed.
+/// Fails if the folder cannot be read, the machine fails, or there are more entries than `limits`
+/// permit.
 pub(super) fn list(folder: &Path, limits: &Limits) -> Result<Listing, SubmissionError> {
     let mut walk = Walk { top: folder, limits, n_entries: 0, listing: Listing::default() };
     walk.folder("", 0)?;

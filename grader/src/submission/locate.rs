@@ -13,7 +13,7 @@ use crate::plain;
 /// The file that makes a folder a submission that says how it is built and run.
 pub(super) const MANIFEST: &str = "submission.toml";
 
-/// How a submission lies in its folder. If several apply to one folder, the first counts.
+/// The layout of a submission in its folder. If several apply to one folder, the first counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Layout {
     /// There is a `submission.toml`.
@@ -24,7 +24,7 @@ pub(super) enum Layout {
     Flat,
 }
 
-/// The result of a search.
+/// The result of a successful search.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Located {
     /// A submission in the folder of that path, which is empty for the top.
@@ -33,10 +33,10 @@ pub(super) enum Located {
     Archive(String),
 }
 
-/// Finds the only submission among the files. What lies below a submission belongs to it.
+/// Finds the only submission among the files. Everything below a submission belongs to it.
 ///
 /// # Errors
-/// Says, for the student, that there is none or that there are several.
+/// Returns a message for the student if there is none, or if there are several.
 pub(super) fn locate(listing: &Listing, template: &Template) -> Result<Located, String> {
     let mut found: BTreeMap<String, Layout> = BTreeMap::new();
     let mut too_deep = None;
@@ -73,7 +73,7 @@ pub(super) fn locate(listing: &Listing, template: &Template) -> Result<Located, 
     }
 }
 
-/// Returns the folder that `path` marks as a submission, and as which.
+/// Returns the folder that `path` marks as a submission, and its layout; `None` if it marks none.
 fn sign<'a>(path: &'a str, is_link: bool, template: &Template) -> Option<(&'a str, Layout)> {
     let (folder, name) = split(path);
     let (above, last) = split(folder);
@@ -100,7 +100,7 @@ fn is_below(path: &str, folder: &str) -> bool {
     folder.is_empty() || path.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'))
 }
 
-/// Returns the only archive, or the error for several, or `None`.
+/// Returns the only archive, the error for several, or `None` if there is none.
 fn archive(listing: &Listing) -> Option<Result<Located, String>> {
     let is_archive = |path: &&String| {
         depth(split(path).0) <= NESTED
@@ -134,7 +134,7 @@ fn few<'a>(paths: impl Iterator<Item = &'a String>) -> String {
     shown.join(", ")
 }
 
-/// Says what was expected, what is there, and what was left aside.
+/// Returns a message that says what was expected, what is there, and what was left aside.
 fn nothing(listing: &Listing, template: &Template) -> String {
     let sources: Vec<&String> = listing.files.iter().filter(|path| path.ends_with(".rs")).collect();
     let mut text = match (sources.is_empty(), listing.files.is_empty()) {
@@ -149,8 +149,8 @@ fn nothing(listing: &Listing, template: &Template) -> String {
         }
         (true, false) => format!(
             "there is neither a folder `src` with files of the template nor a `{}` in it, nor in \
-                folders up to {NESTED} \
-             deep; it holds {}: hand in the folder of the template, with its `src`",
+             folders up to {NESTED} deep; it holds {}: hand in the folder of the template, with \
+             its `src`",
             MANIFEST,
             few(listing.files.iter()),
         ),
@@ -180,7 +180,7 @@ mod tests {
         Template { pristine: BTreeMap::new(), student: student.into(), dependencies: vec![] }
     }
 
-    /// Locates among files; a name that ends in `@` is a link.
+    /// Checks the search among files. A name that ends in `@` is a link.
     fn check(paths: &[&str], expected: Result<(&str, Layout), &str>) {
         let mut listing = Listing::default();
         for path in paths {

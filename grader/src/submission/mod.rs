@@ -1,4 +1,4 @@
-//! Reads with care what is handed in, a folder or an archive, before it is built.
+//! Reads a hand-in, a folder or an archive, as untrusted data before it is built.
 
 pub mod archive;
 mod aside;
@@ -33,7 +33,7 @@ use nature::Nature;
 
 /// Reads the submission at `path`, a folder or an archive.
 ///
-/// The submission may lie some folders deep, or in the only archive in there.
+/// The submission may lie some folders deep, or in the only archive of the hand-in.
 ///
 /// # Errors
 /// See [`SubmissionError`].
@@ -50,7 +50,7 @@ pub fn read(path: &Path, template: &Template) -> Result<Submission, SubmissionEr
     }
     let Located::Submission(folder, layout) = place.locate(template)? else {
         return Err(SubmissionError::Refused(
-            "there is nothing but an archive within an archive in it".to_owned(),
+            "it holds nothing but an archive within an archive".to_owned(),
         ));
     };
     remarks.extend(taken_from(&folder, layout));
@@ -88,7 +88,7 @@ fn outside(kind: &str, name: &str) -> String {
     )
 }
 
-/// A folder with what lies in it.
+/// A folder, and the files that lie in it.
 struct Place {
     top: PathBuf,
     listing: Listing,
@@ -107,8 +107,8 @@ impl Place {
         Ok(Self { unpacked: Some(unpacked), ..place })
     }
 
-    /// Finds the submission. Where there is none, it may lie in a folder that cannot be read, which
-    /// is then the error.
+    /// Finds the submission. If there is none, it may lie in a folder that cannot be read, which is
+    /// then the error.
     fn locate(&mut self, template: &Template) -> Result<Located, SubmissionError> {
         locate::locate(&self.listing, template).map_err(|why| {
             let aside = &mut self.listing.aside;
@@ -120,7 +120,8 @@ impl Place {
     }
 }
 
-/// Unpacks the archive at `path`; returns where, and what was left aside.
+/// Unpacks the archive at `path`. Returns the folder with its files, and the parts that were left
+/// aside.
 fn unpack(path: &Path) -> Result<(Folder, Vec<Aside>), SubmissionError> {
     let name = path.file_name().unwrap_or_default().as_encoded_bytes();
     let failed = |why| match why {
@@ -146,11 +147,11 @@ fn unpack(path: &Path) -> Result<(Folder, Vec<Aside>), SubmissionError> {
     Ok((into, aside))
 }
 
-/// Says whether a regular file beside other hand-ins is one of them: an archive of any kind, a
+/// Returns whether a regular file beside other hand-ins is one of them: an archive of any kind, a
 /// source or a document.
 ///
-/// Lists and notes of those who collect the hand-ins are none. A file without an ending in its name
-/// is judged by its first bytes.
+/// Lists and notes of the people who collect the hand-ins are none. A file without an ending in its
+/// name is judged by its first bytes.
 pub fn looks_handed_in(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().as_encoded_bytes();
     let by_bytes =

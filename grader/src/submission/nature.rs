@@ -1,15 +1,15 @@
-//! Tells what a file is by its first bytes, or by its name where the bytes say nothing.
+//! Identifies a file by its first bytes, or by its name if the bytes say nothing.
 
 use super::archive::Format;
 
-/// The sort of a file that was handed in.
+/// The kind of a file that was handed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Nature {
     /// An archive that is read.
     Archive(Format),
-    /// An archive that is not read; completes "it is ...".
+    /// An archive that is not read. The text completes "it is ...".
     Packed(&'static str),
-    /// Somebody's work, but no submission; completes "it is ...".
+    /// A student's work, but no submission. The text completes "it is ...".
     Work(&'static str),
 }
 
@@ -18,7 +18,7 @@ use Nature::{Archive, Packed, Work};
 /// The bytes at the beginning of a file that [`of`] looks at.
 pub(super) const START_BYTES: u64 = 512;
 
-/// Byte strings by which a file is known, where they stand, and what it is.
+/// The byte strings that identify a file: their offset, the bytes, and the kind of the file.
 const BYTES: [(usize, &[u8], Nature); 18] = [
     (0, b"PK\x03\x04", Archive(Format::Zip)),
     (0, b"PK\x05\x06", Archive(Format::Zip)), // an empty one
@@ -44,7 +44,8 @@ const BYTES: [(usize, &[u8], Nature); 18] = [
     ),
 ];
 
-/// Endings of names in lower case, longer ones before those that they end in, and what the file is.
+/// The endings of names in lower case, longer ones before those that they end in, and the kind of
+/// the file.
 const ENDINGS: [(&str, Nature); 41] = [
     (".zip", Archive(Format::Zip)),
     (".tar.gz", Archive(Format::TarGz)),
@@ -89,11 +90,11 @@ const ENDINGS: [(&str, Nature); 41] = [
     (".odt", Work("an Office document")),
 ];
 
-/// Returns what a file is, by its name and its first [`START_BYTES`]; `None` where neither says
+/// Returns the kind of a file by its name and its first [`START_BYTES`], or `None` if neither says
 /// anything.
 ///
-/// The bytes decide, since names lie. Documents that are zip archives inside are what their names
-/// say.
+/// The bytes decide, since names may be wrong. A document that is a zip archive inside is what its
+/// name says.
 pub(super) fn of(name: &[u8], start: &[u8]) -> Option<Nature> {
     match (by_bytes(start), by_name(name)) {
         (Some(Archive(Format::Zip)), Some(Work(what))) => Some(Work(what)),
@@ -101,7 +102,7 @@ pub(super) fn of(name: &[u8], start: &[u8]) -> Option<Nature> {
     }
 }
 
-/// Returns what a file is by its first bytes.
+/// Returns the kind of a file by its first bytes.
 pub(super) fn by_bytes(start: &[u8]) -> Option<Nature> {
     let start_at = |at: usize| start.get(at..).unwrap_or_default();
     BYTES
@@ -110,12 +111,12 @@ pub(super) fn by_bytes(start: &[u8]) -> Option<Nature> {
         .map(|(_, _, nature)| *nature)
 }
 
-/// Returns what a file is by the ending of its name.
+/// Returns the kind of a file by the ending of its name.
 pub(super) fn by_name(name: &[u8]) -> Option<Nature> {
     ending(name).map(|(_, nature)| nature)
 }
 
-/// Returns the name of an archive without its ending, read or not; any other name as it is.
+/// Returns the name of an archive of any kind without its ending, and any other name as it is.
 pub fn without_ending(name: &[u8]) -> &[u8] {
     match ending(name) {
         Some((ending, Archive(_) | Packed(_))) => &name[..name.len() - ending.len()],

@@ -1,4 +1,4 @@
-//! A submission in any language, which says in `submission.toml` how it is built and run.
+//! Reads a submission in any language, which says in `submission.toml` how it is built and run.
 //!
 //! ```toml
 //! [build]                                   # may be left out
@@ -39,7 +39,8 @@ struct Step {
 /// Reads the manifest in `folder` of the hand-in at `top`, and all files below.
 ///
 /// # Errors
-/// The manifest cannot be used, a file cannot be read or is too large, or the machine fails.
+/// Fails if the manifest cannot be used, a file cannot be read or is too large, or the machine
+/// fails.
 pub(super) fn read(
     top: &Path,
     folder: &str,
@@ -75,7 +76,7 @@ pub(super) fn read(
 /// Returns the build command, if there is one, and the run command.
 ///
 /// # Errors
-/// Says what is wrong with the manifest.
+/// Returns what is wrong with the manifest.
 fn parse(text: &str) -> Result<(Option<Vec<String>>, Vec<String>), String> {
     let manifest: Manifest = toml::from_str(text).map_err(|why| narrow(&why.to_string()))?;
     let words = |step: Step, name: &str| match step.command.first() {
@@ -106,7 +107,9 @@ fn digest(folder: &Path, files: &[String]) -> Result<String, SubmissionError> {
             .map_err(|why| SubmissionError::of_file(&path, file, why))?;
         room = room.checked_sub(bytes.len() as u64).ok_or_else(|| {
             let most = size(LIMITS.all_bytes);
-            SubmissionError::Refused(format!("its files have more than {most}; {most} are read"))
+            SubmissionError::Refused(format!(
+                "its files have more than {most}; at most {most} are read"
+            ))
         })?;
         all.push((file, bytes));
     }

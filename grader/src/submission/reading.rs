@@ -1,4 +1,4 @@
-//! Reads files of strangers: follows no link, waits for no pipe, and reads no more than a limit.
+//! Reads untrusted files: follows no link, waits for no pipe, and reads no more than a limit.
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, Read};
@@ -7,16 +7,16 @@ use std::path::Path;
 
 use super::limits::Excess;
 
-/// Why a file was not read; completes "the file ...".
+/// The reason why a file was not read. Its text completes "the file ...".
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError {
-    /// A link stands in its place.
+    /// The path leads to a link.
     #[error("is a link; put the file itself there")]
     Link,
-    /// A folder, pipe, socket or device stands in its place.
+    /// The path leads to a folder, pipe, socket or device.
     #[error("is no regular file")]
     NotRegular,
-    /// The file is larger than what is read.
+    /// The file is larger than the limit.
     #[error("{0}")]
     TooLarge(Excess),
     /// The file is not text.
@@ -25,7 +25,7 @@ pub enum ReadError {
         /// The line with the first byte that is wrong, counted from 1.
         line: usize,
     },
-    /// The system refuses it. [`crate::blame::of`] says whose fault that is.
+    /// The system reports an error. [`crate::blame::of`] says who is to blame.
     #[error("cannot be read: {0}")]
     Io(#[from] io::Error),
 }
@@ -33,7 +33,7 @@ pub enum ReadError {
 /// Opens a regular file without following a link at the end of `path` or waiting for a pipe.
 ///
 /// # Errors
-/// The error names what stands there instead, or repeats what the system says.
+/// Fails if `path` leads to anything else, or if the system reports an error.
 pub fn open_regular(path: &Path) -> Result<File, ReadError> {
     open(path, libc::O_NOFOLLOW)
 }
@@ -128,9 +128,12 @@ mod tests {
         let path = home.path().join("file");
         fs::write(&path, "12345").unwrap();
         assert_eq!(read_bytes(&path, 5).unwrap(), b"12345");
-        assert_eq!(read_bytes(&path, 4).unwrap_err().to_string(), "has 5 bytes; 4 bytes are read");
+        assert_eq!(
+            read_bytes(&path, 4).unwrap_err().to_string(),
+            "has 5 bytes; at most 4 bytes are read"
+        );
         let hidden = read_bytes(Path::new("/proc/self/status"), 4).unwrap_err();
-        assert_eq!(hidden.to_string(), "has more than 4 bytes; 4 bytes are read");
+        assert_eq!(hidden.to_string(), "has more than 4 bytes; at most 4 bytes are read");
         fs::write(&path, b"a\nb\xef").unwrap();
         let why = read_text(&path, 5).unwrap_err().to_string();
         assert!(why.contains("not UTF-8 text (line 2)"), "{why}");

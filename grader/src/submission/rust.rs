@@ -1,4 +1,4 @@
-//! A submission written in the template: only the student's files are taken; the grader adds the
+//! Reads a submission in the template: only the student's files are taken, and the grader adds the
 //! rest.
 
 use std::collections::BTreeSet;
@@ -15,14 +15,14 @@ use super::template::Template;
 use crate::blame::{self, Blame};
 use crate::plain;
 
-/// Files that no build looks at, and that nobody needs to hear of.
+/// The files that no build uses and no remark mentions.
 const SILENT: [&str; 3] = ["README.md", "Cargo.lock", ".gitignore"];
 
 /// Takes the files that the student writes from `folder` of the hand-in at `top`, and reports the
 /// rest.
 ///
 /// # Errors
-/// One of the student's files cannot be used, or the machine fails.
+/// Fails if one of the student's files cannot be used, or if the machine fails.
 pub(super) fn read(
     top: &Path,
     folder: &str,
@@ -83,7 +83,7 @@ struct Place<'a> {
 /// A file that does not count.
 struct Other {
     says: String,
-    /// Whether a build could look at it.
+    /// Whether a build could use the file.
     is_code: bool,
 }
 
@@ -113,7 +113,8 @@ impl Place<'_> {
         })
     }
 
-    /// Returns a remark on the file at `path`, or `None` if it counts or is as it was handed out.
+    /// Returns a remark on the file at `path`, or `None` if it counts, is as it was handed out, or
+    /// is of no interest.
     fn other(
         &self,
         top: &Path,
@@ -136,7 +137,7 @@ impl Place<'_> {
     }
 }
 
-/// Says whether the file holds that text. A file that cannot be read does not.
+/// Returns whether the file holds exactly `text`. A file that cannot be read does not.
 fn is_text(path: &Path, text: &str) -> Result<bool, SubmissionError> {
     match read_bytes(path, SOURCE_BYTES) {
         Err(ReadError::Io(why)) if blame::of(&why) == Blame::Machine => {

@@ -1,14 +1,15 @@
 //! The template as it is handed out: which files the student writes, and the text of all files.
 //!
 //! The text is part of the grader. A student edits the template's folder, and an edit there must
-//! not decide how it is graded.
+//! not change how a submission is graded.
 
 use std::collections::BTreeMap;
 
 /// The assignment as it is handed out.
 #[derive(Clone, Debug)]
 pub struct Template {
-    /// Text of the files that are given, by path below the folder; a submission's own are not used.
+    /// Text of the given files, by path below the folder. A submission's versions of them are not
+    /// used.
     pub pristine: BTreeMap<String, String>,
     /// Text of the files that the student writes, by path below the folder, as they are handed out.
     pub student: BTreeMap<String, String>,

@@ -42,7 +42,7 @@ fn sources(submission: &Submission) -> &BTreeMap<String, String> {
     }
 }
 
-/// Reads the files with a template and returns what is left aside, or why it is refused.
+/// Checks what is left aside of the files, or why they are refused.
 fn check(files: &[(&str, &[u8])], expected: Result<&[&str], &str>) {
     check_folder(submission(files).path(), expected);
 }
@@ -153,7 +153,7 @@ fn what_is_none_is_refused_in_plain_words() {
     check(&[("src/sphere.rs", b"ok\nna\xefve")], Err("src/sphere.rs: is not UTF-8 text (line 2)"));
     check(
         &[("src/sphere.rs", &[b' '; (1 << 20) + 512 * 1024])],
-        Err("src/sphere.rs: has 1.5 MiB; 1 MiB are read"),
+        Err("src/sphere.rs: has 1.5 MiB; at most 1 MiB are read"),
     );
     check(&[("submission.toml", b"[run]\ncommand = []")], Err("the command of [run] is empty"));
     check(&[("submission.toml", b"[run]\ncommand = ['']")], Err("[run] begins with an empty word"));
@@ -165,10 +165,13 @@ fn what_is_none_is_refused_in_plain_words() {
     check(&[("submission.toml", b"[build]\ncommand = ['make']")], Err("missing field `run`"));
     check(
         &[("submission.toml", &[b'#'; 65 << 10])],
-        Err("submission.toml: has 65 KiB; 64 KiB are read"),
+        Err("submission.toml: has 65 KiB; at most 64 KiB are read"),
     );
     let run: (&str, &[u8]) = ("submission.toml", b"[run]\ncommand = ['x']");
-    check(&[run, ("mesh.obj", &[b'#'; 17 << 20])], Err("mesh.obj: has 17 MiB; 16 MiB are read"));
+    check(
+        &[run, ("mesh.obj", &[b'#'; 17 << 20])],
+        Err("mesh.obj: has 17 MiB; at most 16 MiB are read"),
+    );
 }
 
 #[test]
@@ -205,7 +208,7 @@ fn everything_that_can_lie_in_a_folder_is_survived() {
         "caf\u{fffd} .rs: has a name that is not UTF-8",
         "pipe: is neither a file nor a folder",
         "socket: is neither a file nor a folder",
-        "1/2/3/4/5/6/7/8/9/10/11/12/13: lies 13 names deep; 12 are read",
+        "1/2/3/4/5/6/7/8/9/10/11/12/13: lies 13 names deep; at most 12 are read",
     ] {
         assert!(found.contains(words), "no {words:?} in\n{found}");
     }
@@ -225,7 +228,7 @@ fn a_file_that_the_user_may_not_read_is_nobodys_submission() {
         Err(SubmissionError::Unreadable { path, .. }) => assert!(!may_read && path == closed),
         Err(why) => panic!("{why}"),
     }
-    // The same without a user who may not: a listing as such a user gets it.
+    // The same case for root, who may read everything: a listing as another user gets it.
     let denied = || Why::Unreadable(io::Error::from_raw_os_error(libc::EACCES));
     let listing = || Listing { files: vec![], aside: vec![Aside::new(b"src", denied())] };
     let mut place = Place { top: folder.path().to_owned(), listing: listing(), unpacked: None };

@@ -1,4 +1,4 @@
-//! A class of small programs in the shell, and an exam of black pictures.
+//! A class of shell scripts, and an exam of black pictures.
 #![allow(dead_code)] // Each test file uses a part of this.
 
 use std::fs;
@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use crate::shared::add_dark_case;
 
-/// Programs in the shell that write a PFM picture of 4 × 3 pixels.
+/// A script that writes a black PFM picture of 4 × 3 pixels.
 pub(crate) const BLACK: &str = "{ printf 'PF\\n4 3\\n-1.0\\n'; head -c 144 /dev/zero; } > \"$3\"";
 pub(crate) const WHITE: &str = "{ printf 'PF\\n4 3\\n-1.0\\n'; for n in 1 2 3 4 5 6 7 8 9 10 11 \
     12; do printf '\\000\\000\\200\\077\\000\\000\\200\\077\\000\\000\\200\\077'; done; } > \"$3\"";
@@ -21,7 +21,7 @@ pub(crate) struct Class {
 }
 
 impl Class {
-    /// Submissions by name, each a script, and an exam of one picture.
+    /// Returns a class of submissions, each with its name and script, and an exam of one picture.
     pub(crate) fn new(submissions: &[(&str, &str)]) -> Self {
         let class = Self { place: tempfile::tempdir().unwrap() };
         class.add_case("dark");
@@ -50,19 +50,20 @@ impl Class {
         self.command(":", &["--jobs", jobs]).spawn().unwrap()
     }
 
-    /// Exit code, what was printed, and the lines of progress.
+    /// Runs the batch. Returns the exit code, standard output and standard error.
     pub(crate) fn run(&self, jobs: &str) -> (i32, String, String) {
         self.run_under(":", &["--jobs", jobs])
     }
 
-    /// The same, after a line of shell that changes what the grader is given.
+    /// Runs the batch after a line of shell that changes the environment of the grader. Returns the
+    /// same as [`Class::run`].
     pub(crate) fn run_under(&self, line: &str, more: &[&str]) -> (i32, String, String) {
         let Output { status, stdout, stderr } = self.command(line, more).output().unwrap();
         let text = |bytes| String::from_utf8(bytes).unwrap();
         (status.code().unwrap(), text(stdout), text(stderr))
     }
 
-    /// The command that grades the class, with `more` arguments, after a line of shell.
+    /// Returns the command that grades the class, with `more` arguments, after a line of shell.
     pub(crate) fn command(&self, line: &str, more: &[&str]) -> Command {
         let mut command = Command::new("sh");
         command
@@ -94,7 +95,7 @@ impl Class {
     }
 }
 
-/// Waits for what must come; a minute without it is a failure.
+/// Waits until `is_there` holds. A minute without that is a failure.
 pub(crate) fn wait_for(is_there: impl Fn() -> bool) {
     let start = Instant::now();
     while !is_there() {

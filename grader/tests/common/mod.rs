@@ -1,21 +1,20 @@
-//! What the tests of the command line share: a folder with submissions, and a way to call the
-//! program.
+//! Shared by the tests of the command line: a folder with submissions, and calls of the program.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-/// The exam of three flat colours, at which any program can be right.
+/// Returns the exam of three flat colours, which small programs can get right.
 pub(crate) fn exam() -> PathBuf {
     repository().join("tests/exam")
 }
 
-/// The root of the repository.
+/// Returns the root of the repository.
 pub(crate) fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// A call of the program in `folder`, with all streams connected to us.
+/// Returns a call of the program in `folder`, without input and with both output streams captured.
 pub(crate) fn grader(folder: &Path, args: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_grader"));
     command.current_dir(folder).args(args).env_remove("CLICOLOR_FORCE").env("NO_COLOR", "1");
@@ -23,7 +22,7 @@ pub(crate) fn grader(folder: &Path, args: &[&str]) -> Command {
     command
 }
 
-/// Everything that a call printed, both streams under one another.
+/// Returns everything that a call printed, standard output first.
 pub(crate) fn printed(output: &Output) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr)
 }

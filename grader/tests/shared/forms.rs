@@ -1,10 +1,10 @@
-//! Writes pictures in every form that can be compared.
+//! Writes pictures in every format that can be compared.
 #![allow(dead_code)] // Each test file uses a part of this.
 
 use cases::film::exr::{self, Depth, Part, rgb};
 use cases::film::{Image, Kind, encode};
 
-/// A `Form` is a kind of file that holds a picture.
+/// The format of a picture file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Form {
     Png,
@@ -15,7 +15,7 @@ pub(crate) enum Form {
 }
 
 impl Form {
-    /// Returns the file of a picture.
+    /// Returns the content of the file of a picture.
     pub(crate) fn bytes(self, image: &Image) -> Vec<u8> {
         let exr = |depth| {
             let part = Part { name: "colour".to_owned(), planes: rgb("", image, depth).into() };

@@ -34,7 +34,8 @@ pub(crate) fn add_dark_case(stages: &Path, name: &str) {
     expect(stages, name);
 }
 
-/// Writes the answers to the case `name` as it is now: a black picture, and no list of mistakes.
+/// Writes the answers to the case `name` as it is now: a black picture, and an empty list of
+/// mistakes.
 pub(crate) fn expect(stages: &Path, name: &str) {
     let course = Course::default();
     let case = load_case(&stages.join("01_ray_casting").join(name).with_extension("toml"), &course)

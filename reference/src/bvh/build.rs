@@ -1,39 +1,41 @@
-//! Building: ranges of things are split in place, along the axis and at the bin where the
-//! surface-area heuristic finds it cheapest.
+//! Builds trees: ranges of primitives are split in place, along the axis and at the bin where the
+//! surface-area heuristic is cheapest.
 //!
-//! Sums and bounds do not depend on the order in which threads come, so the tree does not either.
+//! Sums and bounds do not depend on the order in which threads finish, so the tree does not either.
 
 use arrayvec::ArrayVec;
 use rayon::prelude::*;
 
-use super::item::{Around, Item, Span};
+use super::item::{Item, RangeBounds, Span};
 use super::node::{Child, DEEPEST, Node, WIDTH};
 use super::slab::Space;
-use crate::bounds::Bounds;
-use crate::real::Real;
+use crate::numbers::bounds::Bounds;
+use crate::numbers::real::Real;
 
-/// At most this many things a leaf, where each is asked alone.
+/// The greatest number of primitives in a leaf where they are tested one by one.
 const FEW: usize = 2;
-/// Most places at which a split is tried.
+/// The greatest number of bins along an axis; a split is tried between every two neighbours.
 const BINS: usize = 16;
-/// Deeper than this, ranges are split in halves: 2^28 things are then one each well above
+/// Beyond this depth, ranges are split in halves: 2^28 primitives are then separated well before
 /// [`DEEPEST`].
 const DEEP: usize = DEEPEST - 30;
-/// Ranges longer than this are worked at by several threads.
+/// Ranges longer than this are divided among several threads.
 const FORK: usize = 8192;
-/// As many things with one box make a crowd.
-const CROWD: usize = 5;
+/// The least number of primitives with one box that form a crowd.
+const MIN_EQUAL_BOXES: usize = 5;
 
-/// The nodes of a tree over things, and the order in which the leaves hold the things.
+/// The nodes of a tree, and the order in which its leaves hold the primitives.
 pub(super) struct Built {
     pub nodes: Vec<Node>,
-    /// The number of each thing, leaf by leaf.
+    /// The number of each primitive, leaf by leaf.
     pub order: Vec<u32>,
-    /// The numbers of all things that share their box with [`CROWD`] − 1 others or more.
+    /// The numbers of all primitives that share their box with [`MIN_EQUAL_BOXES`] − 1 others or
+    /// more.
     pub crowd: Vec<u32>,
 }
 
-/// Builds the tree over things with these bounds; a leaf tests `at_once` things in the time of one.
+/// Builds the tree over primitives with these bounds; a leaf tests `at_once` primitives in the time
+/// of one.
 pub(super) fn build<T: Real>(bounds: &[Bounds<T>], space: &Space, at_once: usize) -> Built {
     if bounds.is_empty() {
         return Built { nodes: Vec::new(), order: Vec::new(), crowd: Vec::new() };
@@ -43,31 +45,37 @@ pub(super) fn build<T: Real>(bounds: &[Bounds<T>], space: &Space, at_once: usize
         Item { lo, hi, number: number as u32 }
     };
     let mut items: Vec<Item> = bounds.par_iter().enumerate().with_min_len(FORK).map(item).collect();
-    let around = Around::of(&items);
+    let around = RangeBounds::of(&items);
     let mut nodes = Vec::with_capacity(items.len() / 4 + 1);
     grow(&mut items, 0, around, Bottom { most: at_once.max(FEW), at_once, depth: 0 }, &mut nodes);
     // No split by bins divides equal boxes, and other splits keep them side by side.
-    let crowds = items.chunk_by(Item::has_box_of).filter(|run| run.len() >= CROWD);
+    let crowds = items.chunk_by(Item::has_box_of).filter(|run| run.len() >= MIN_EQUAL_BOXES);
     let crowd = crowds.flatten().map(|item| item.number).collect();
     Built { nodes, order: items.iter().map(|item| item.number).collect(), crowd }
 }
 
-/// Where a tree ends.
+/// The limits within which a tree is divided further.
 #[derive(Clone, Copy)]
 struct Bottom {
-    /// At most this many things a leaf.
+    /// The greatest number of primitives in a leaf.
     most: usize,
-    /// As many things are asked at once as one.
+    /// The number of primitives that are tested in the time of one.
     at_once: usize,
-    /// How deep the splits have come.
+    /// The depth that the splits have reached.
     depth: usize,
 }
 
-/// A part of a range of things: how many, and what is around them.
-type Part = (usize, Around);
+/// A part of a range of primitives: their count and their bounds.
+type Part = (usize, RangeBounds);
 
-/// Appends the node over `items`, which are those from `first` on, and all below it.
-fn grow(items: &mut [Item], first: usize, around: Around, bottom: Bottom, nodes: &mut Vec<Node>) {
+/// Appends the node over `items`, which are numbered from `first` on, and all nodes below it.
+fn grow(
+    items: &mut [Item],
+    first: usize,
+    around: RangeBounds,
+    bottom: Bottom,
+    nodes: &mut Vec<Node>,
+) {
     let (parts, bottom) = divide(items, around, bottom);
     let at = nodes.len();
     nodes.push(Node::of([]));
@@ -77,7 +85,7 @@ fn grow(items: &mut [Item], first: usize, around: Around, bottom: Bottom, nodes:
         let mut begin = 0;
         for (count, around) in parts {
             let child = if is_leaf(count) {
-                Child::of_things(first + begin, count)
+                Child::of_primitives(first + begin, count)
             } else {
                 let child = Child::of_node(nodes.len());
                 grow(&mut items[begin..begin + count], first + begin, around, bottom, nodes);
@@ -94,10 +102,10 @@ fn grow(items: &mut [Item], first: usize, around: Around, bottom: Bottom, nodes:
             jobs.push((items, rest.1, around));
             rest = (after, rest.1 + count);
         }
-        let grow_part = |(items, first, around): (&mut [Item], usize, Around)| {
+        let grow_part = |(items, first, around): (&mut [Item], usize, RangeBounds)| {
             let mut nodes = Vec::new();
             if is_leaf(items.len()) {
-                return (Child::of_things(first, items.len()), around, nodes);
+                return (Child::of_primitives(first, items.len()), around, nodes);
             }
             nodes.reserve(items.len() / 4 + 1);
             grow(items, first, around, bottom, &mut nodes);
@@ -121,13 +129,17 @@ fn grow(items: &mut [Item], first: usize, around: Around, bottom: Bottom, nodes:
     );
 }
 
-/// Parts that the children of a node over `items` hold, in order, and how deep the splits have
-/// come: the part with the greatest box is split again, while there is room.
-fn divide(items: &mut [Item], around: Around, bottom: Bottom) -> (ArrayVec<Part, WIDTH>, Bottom) {
+/// Returns the parts that the children of a node over `items` hold, in order, and the depth that
+/// the splits have reached. While there is room, the part with the greatest box is split again.
+fn divide(
+    items: &mut [Item],
+    around: RangeBounds,
+    bottom: Bottom,
+) -> (ArrayVec<Part, WIDTH>, Bottom) {
     let Bottom { most, at_once, .. } = bottom;
     let mut parts = ArrayVec::<Part, WIDTH>::new();
     if items.len() <= WIDTH && at_once == 1 {
-        parts.extend(items.iter().map(|item| (1, Around::NOTHING.join(item))));
+        parts.extend(items.iter().map(|item| (1, RangeBounds::EMPTY.join(item))));
         return (parts, bottom);
     }
     parts.push((items.len(), around));
@@ -148,24 +160,28 @@ fn divide(items: &mut [Item], around: Around, bottom: Bottom) -> (ArrayVec<Part,
     (parts, Bottom { depth: bottom.depth + 1, ..bottom })
 }
 
-/// Splits a range of two things at least in two, each with something in it.
-fn split(items: &mut [Item], around: Around, bottom: Bottom) -> (Part, Part) {
+/// Splits a range of at least two primitives in two parts, neither of them empty.
+fn split(items: &mut [Item], around: RangeBounds, bottom: Bottom) -> (Part, Part) {
     if bottom.depth < DEEP
         && let Some(cut) = cheapest(items, &around, bottom.at_once)
     {
         let (count, left, right) = part(items, |item| cut.bin(item) <= cut.last);
         return ((count, left), (items.len() - count, right));
     }
-    // All middles are one, or the tree is deep. Boxes alike come together.
+    // All centres are equal, or the tree is deep. Sorting puts equal boxes side by side.
     items.sort_unstable_by(Item::by_corners);
     let count = items.len() / 2;
     let (left, right) = items.split_at(count);
-    ((count, Around::of(left)), (right.len(), Around::of(right)))
+    ((count, RangeBounds::of(left)), (right.len(), RangeBounds::of(right)))
 }
 
-/// Puts those that go left before the others; returns how many do, and what is around both parts.
-fn part(items: &mut [Item], goes_left: impl Fn(&Item) -> bool) -> (usize, Around, Around) {
-    let (mut left, mut right) = (Around::NOTHING, Around::NOTHING);
+/// Moves the primitives that go left before the others. Returns their count, and the bounds of both
+/// parts.
+fn part(
+    items: &mut [Item],
+    goes_left: impl Fn(&Item) -> bool,
+) -> (usize, RangeBounds, RangeBounds) {
+    let (mut left, mut right) = (RangeBounds::EMPTY, RangeBounds::EMPTY);
     let (mut begin, mut end) = (0, items.len());
     while begin < end {
         if goes_left(&items[begin]) {
@@ -180,7 +196,7 @@ fn part(items: &mut [Item], goes_left: impl Fn(&Item) -> bool) -> (usize, Around
     (begin, left, right)
 }
 
-/// A place to split: after bin `last` along an axis.
+/// A split behind bin `last` along an axis.
 struct Cut {
     axis: usize,
     last: usize,
@@ -194,7 +210,7 @@ impl Cut {
     }
 }
 
-/// Bins of equal width between the least and the greatest middle.
+/// Bins of equal width between the least and the greatest centre.
 #[derive(Clone, Copy)]
 struct Grid {
     n_bins: usize,
@@ -205,7 +221,7 @@ struct Grid {
 impl Grid {
     #[inline(always)]
     fn bin(&self, item: &Item, axis: usize) -> usize {
-        (((item.middle(axis) - self.least[axis]) * self.per_width[axis]) as usize)
+        (((item.twice_centre(axis) - self.least[axis]) * self.per_width[axis]) as usize)
             .min(self.n_bins - 1)
     }
 }
@@ -218,10 +234,10 @@ struct Bin {
 
 type Bins = [[Bin; BINS]; 3];
 
-/// The cheapest split with something on both sides; `None` where all middles are one.
-fn cheapest(items: &[Item], around: &Around, at_once: usize) -> Option<Cut> {
+/// Returns the cheapest split with primitives on both sides; `None` where all centres are equal.
+fn cheapest(items: &[Item], around: &RangeBounds, at_once: usize) -> Option<Cut> {
     let n_bins = (4 + items.len() / 4).min(BINS);
-    let Span { lo: least, hi: most } = around.middles;
+    let Span { lo: least, hi: most } = around.twice_centres;
     let per_width = [0, 1, 2, 3].map(|axis| {
         let width = most[axis] - least[axis];
         if width > 0.0 { n_bins as f32 * 0.9999 / width } else { 0.0 }
@@ -290,9 +306,10 @@ fn merge(mut one: Bins, other: Bins) -> Bins {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::vec3::Vec3;
+    use crate::numbers::vec3::Vec3;
 
-    /// More boxes than make threads share the bins; some lie one in the other, some in one place.
+    /// Returns more boxes than it takes for threads to share the bins. Some lie within others, some
+    /// in one place.
     fn boxes() -> Vec<Bounds<f64>> {
         let mut state = 1_u32;
         let mut next = || {
@@ -322,11 +339,12 @@ mod tests {
         order.sort_unstable();
         assert!(
             order.iter().enumerate().all(|(n, number)| n as u32 == *number),
-            "something is lost, or held twice"
+            "a primitive is lost, or held twice"
         );
     }
 
-    /// Boxes about one middle: so many equal ones, and one of every other size in between.
+    /// Returns boxes around one centre: `n_equal` equal ones, and one of another size behind each
+    /// of them.
     fn nested(n_equal: usize) -> Vec<Bounds<f64>> {
         let around = |size: f64| Bounds { min: Vec3::ONE * -size, max: Vec3::ONE * size };
         (0..n_equal).flat_map(|n| [around(1.0), around(2.0 + n as f64)]).collect()
@@ -334,7 +352,9 @@ mod tests {
 
     #[test]
     fn a_crowd_is_found_wherever_it_stands() {
-        for (n_equal, n_crowd) in [(CROWD - 1, 0), (CROWD, CROWD), (1000, 1000)] {
+        for (n_equal, n_crowd) in
+            [(MIN_EQUAL_BOXES - 1, 0), (MIN_EQUAL_BOXES, MIN_EQUAL_BOXES), (1000, 1000)]
+        {
             let bounds = nested(n_equal);
             let mut crowd = build(&bounds, &Space::of(&bounds), 4).crowd;
             crowd.sort_unstable();

@@ -1,8 +1,8 @@
-//! Things as a tree sees them while it is built: their boxes, and the boxes around several of them.
+//! Primitives as the build of a tree sees them: their boxes, and the boxes around several of them.
 
 use std::cmp::Ordering;
 
-/// The box around some things, corner by corner; the fourth number makes it a register.
+/// The box around some primitives, by its corners. The fourth number of each fills the register.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span {
     pub lo: [f32; 4],
@@ -26,7 +26,7 @@ impl Span {
     }
 }
 
-/// A thing: its box and its number.
+/// A primitive: its box and its number.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
 pub(super) struct Item {
@@ -42,23 +42,23 @@ impl Item {
         ([x, y, z, 0.0], [u, v, w, 0.0])
     }
 
-    /// Twice its middle.
+    /// Returns twice the centre along an axis.
     #[inline(always)]
-    pub(super) fn middle(&self, axis: usize) -> f32 {
+    pub(super) fn twice_centre(&self, axis: usize) -> f32 {
         self.lo[axis] + self.hi[axis]
     }
 
     #[inline(always)]
-    pub(super) fn middles(&self) -> [f32; 4] {
-        [self.middle(0), self.middle(1), self.middle(2), 0.0]
+    pub(super) fn twice_centres(&self) -> [f32; 4] {
+        [self.twice_centre(0), self.twice_centre(1), self.twice_centre(2), 0.0]
     }
 
     pub(super) fn has_box_of(&self, other: &Self) -> bool {
         (self.lo, self.hi) == (other.lo, other.hi)
     }
 
-    /// Compares two things in an order that puts equal boxes side by side, and an outer box before
-    /// an inner one.
+    /// Compares two primitives in an order that puts equal boxes side by side. An outer box comes
+    /// before an inner one unless both have one least corner.
     pub(super) fn by_corners(&self, other: &Self) -> Ordering {
         let corners = |item: &Self| item.lo.into_iter().chain(item.hi);
         let mut sides = corners(self).zip(corners(other)).map(|(one, other)| one.total_cmp(&other));
@@ -66,27 +66,27 @@ impl Item {
     }
 }
 
-/// What is known of a range of things.
+/// The bounds of a range of primitives.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Around {
-    /// The box around them.
+pub(super) struct RangeBounds {
+    /// The box around the primitives.
     pub all: Span,
-    /// The box around twice their middles.
-    pub middles: Span,
+    /// The box around twice their centres.
+    pub twice_centres: Span,
 }
 
-impl Around {
-    pub(super) const NOTHING: Self = Self { all: Span::EMPTY, middles: Span::EMPTY };
+impl RangeBounds {
+    pub(super) const EMPTY: Self = Self { all: Span::EMPTY, twice_centres: Span::EMPTY };
 
     #[inline(always)]
     pub(super) fn join(mut self, item: &Item) -> Self {
         let (lo, hi) = item.corners();
         self.all.join(lo, hi);
-        self.middles.join(item.middles(), item.middles());
+        self.twice_centres.join(item.twice_centres(), item.twice_centres());
         self
     }
 
     pub(super) fn of(items: &[Item]) -> Self {
-        items.iter().fold(Self::NOTHING, Self::join)
+        items.iter().fold(Self::EMPTY, Self::join)
     }
 }

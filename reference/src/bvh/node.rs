@@ -1,70 +1,70 @@
-//! A node of eight boxes, and the children still to visit.
+//! Nodes of eight boxes, and the children still to visit.
 
 use std::ops::Range;
 
 use arrayvec::ArrayVec;
 
-use super::lanes::{Eight, Test};
-use super::slab::Slab;
+use super::slab::TreeRay;
+use crate::lanes::{Eight, LaneTests};
 
-/// Children of a node.
+/// The number of children of a node.
 pub(super) const WIDTH: usize = 8;
-/// At most this many things a leaf.
-pub(super) const MOST_THINGS: usize = 8;
-/// Deeper than this no tree gets, see [`super::build`].
+/// The greatest number of primitives in a leaf.
+pub(super) const MAX_LEAF_PRIMITIVES: usize = 8;
+/// The depth that no tree exceeds, see [`super::build`].
 pub(super) const DEEPEST: usize = 64;
 
-/// A node: eight lanes of boxes, lanes without a child last, with planes that no ray meets.
+/// A node: eight boxes side by side. Lanes without a child come last; no ray enters their boxes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub(super) struct Node {
-    /// Least x of the eight, greatest x, least y and so on.
+    /// The least x of the eight boxes, the greatest x, the least y and so on.
     planes: [Eight; 6],
     children: [Child; WIDTH],
 }
 
-/// What a box holds: a node, or things that are numbered one after another.
+/// The content of a box: a node, or primitives with consecutive numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Child(u32);
 
 impl Child {
-    /// The first node.
+    /// The first node, which is the root.
     pub(super) const ROOT: Self = Self(0);
     const LEAF: u32 = 1 << 31;
     const COUNT: u32 = 28;
 
-    /// A node by its number.
+    /// Returns the child that is the node with this number.
     pub(super) fn of_node(node: usize) -> Self {
         assert!(
             node < 1 << 31,
-            "a node number of 31 bits: trees over 2^28 things have fewer nodes"
+            "a node number of 31 bits: trees over 2^28 primitives have fewer nodes"
         );
         Self(node as u32)
     }
 
-    /// `count` things from `first` on, 1 to [`MOST_THINGS`].
-    pub(super) fn of_things(first: usize, count: usize) -> Self {
+    /// Returns the leaf of `count` primitives from `first` on, 1 to [`MAX_LEAF_PRIMITIVES`].
+    pub(super) fn of_primitives(first: usize, count: usize) -> Self {
         assert!(
-            first < 1 << Self::COUNT && (1..=MOST_THINGS).contains(&count),
-            "things of a number of 28 bits"
+            first < 1 << Self::COUNT && (1..=MAX_LEAF_PRIMITIVES).contains(&count),
+            "1 to 8 primitives, the first with a number of 28 bits"
         );
         Self(Self::LEAF | (count as u32 - 1) << Self::COUNT | first as u32)
     }
 
-    /// The same where all nodes are numbered from `by` on.
+    /// Returns the child for a list of nodes that is numbered from `by` on.
     pub(super) fn moved(self, by: usize) -> Self {
         if self.0 & Self::LEAF == 0 { Self::of_node(self.0 as usize + by) } else { self }
     }
 
-    /// The things of a leaf; `None` for a node.
+    /// Returns the primitives of a leaf; `None` for a node.
     #[inline(always)]
-    pub(super) fn things(self) -> Option<Range<u32>> {
+    pub(super) fn primitives(self) -> Option<Range<u32>> {
         let first = self.0 & ((1 << Self::COUNT) - 1);
         let count = (self.0 >> Self::COUNT & 7) + 1;
         (self.0 & Self::LEAF != 0).then_some(first..first + count)
     }
 
-    /// Its number, if it is a node.
+    /// Returns the number of the node, if the child is one.
     #[inline(always)]
     pub(super) fn node(self) -> usize {
         self.0 as usize
@@ -72,7 +72,7 @@ impl Child {
 }
 
 impl Node {
-    /// The node of these boxes, eight at most.
+    /// Returns the node of these boxes, eight at most.
     pub(super) fn of(boxes: impl IntoIterator<Item = ([f32; 3], [f32; 3], Child)>) -> Self {
         let nowhere = [f32::INFINITY, -f32::INFINITY];
         let mut node = Self {
@@ -89,28 +89,33 @@ impl Node {
         node
     }
 
-    /// The same where all nodes are numbered from `by` on.
+    /// Returns the node for a list of nodes that is numbered from `by` on.
     pub(super) fn moved(mut self, by: usize) -> Self {
         self.children = self.children.map(|child| child.moved(by));
         self
     }
 
-    /// The nearest child that the ray enters before `reach`; the others that it enters are put
-    /// among the open ones, the nearest last.
+    /// Returns the nearest child that the ray enters before `reach`. Pushes the others that it
+    /// enters onto the open ones, the nearest last.
     #[inline(always)]
-    pub(super) fn enter<P: Test>(&self, ray: &Slab, reach: f32, open: &mut Open) -> Option<Child> {
+    pub(super) fn enter<P: LaneTests>(
+        &self,
+        ray: &TreeRay,
+        reach: f32,
+        open: &mut OpenChildren,
+    ) -> Option<Child> {
         let planes = ray.near.map(|near| [&self.planes[near], &self.planes[near ^ 1]]);
-        let (enter, entered) = P::boxes(planes, ray, reach);
+        let (enter, entered) = P::boxes(planes, &ray.lanes, reach);
         self.open(enter, entered, open)
     }
 
-    /// Least x of the eight boxes, greatest x, least y and so on.
+    /// Returns the least x of the eight boxes, the greatest x, the least y and so on.
     #[inline(always)]
     pub(super) fn planes(&self) -> &[Eight; 6] {
         &self.planes
     }
 
-    /// The children with these bits.
+    /// Returns the children whose bits are set.
     #[inline(always)]
     pub(super) fn children(&self, mut bits: u32) -> impl Iterator<Item = Child> {
         std::iter::from_fn(move || {
@@ -120,10 +125,15 @@ impl Node {
         })
     }
 
-    /// The nearest of the children with the bits `entered`, by where they are entered; the others
-    /// are put among the open ones, the nearest last.
+    /// Returns the nearest of the children with the bits `entered`, by the parameters at which they
+    /// are entered. Pushes the others onto the open ones, the nearest last.
     #[inline(always)]
-    pub(super) fn open(&self, enter: Eight, mut entered: u32, open: &mut Open) -> Option<Child> {
+    pub(super) fn open(
+        &self,
+        enter: Eight,
+        mut entered: u32,
+        open: &mut OpenChildren,
+    ) -> Option<Child> {
         let mut next = || {
             let lane = entered.trailing_zeros() as usize;
             entered &= entered.wrapping_sub(1);
@@ -140,31 +150,32 @@ impl Node {
     }
 }
 
-/// Has every leaf begin at a multiple of four: gives the things of the leaves new numbers, and
-/// their order by these.
+/// Gives the primitives of the leaves new numbers, so that every leaf begins at a multiple of four.
+/// Returns the order by these numbers.
 pub(super) fn in_fours(nodes: &mut [Node], order: &[u32]) -> Vec<u32> {
     let mut padded = Vec::with_capacity(order.len() + order.len() / 2);
     for child in nodes.iter_mut().flat_map(|node| &mut node.children) {
-        if let Some(things) = child.things() {
-            let things = things.start as usize..things.end as usize;
-            *child = Child::of_things(padded.len(), things.len());
-            padded.extend(&order[things.clone()]);
-            padded.resize(padded.len().next_multiple_of(4), order[things.end - 1]);
+        if let Some(primitives) = child.primitives() {
+            let primitives = primitives.start as usize..primitives.end as usize;
+            *child = Child::of_primitives(padded.len(), primitives.len());
+            padded.extend(&order[primitives.clone()]);
+            padded.resize(padded.len().next_multiple_of(4), order[primitives.end - 1]);
         }
     }
     padded
 }
 
-/// Children still to visit, each with the τ at which the ray enters it.
-pub(super) struct Open(ArrayVec<(Child, f32), { DEEPEST * (WIDTH - 1) + 1 }>);
+/// The children still to visit, each with the τ at which the ray enters it.
+pub(super) struct OpenChildren(ArrayVec<(Child, f32), { DEEPEST * (WIDTH - 1) + 1 }>);
 
-impl Open {
+impl OpenChildren {
     #[inline(always)]
     pub(super) fn new() -> Self {
         Self(ArrayVec::new())
     }
 
-    /// Puts a child among those from `begin` on, which come farthest first.
+    /// Inserts a child among those from `begin` on, which are ordered from the farthest to the
+    /// nearest.
     #[inline(always)]
     fn insert(&mut self, begin: usize, child: (Child, f32)) {
         let mut at = self.0.len();
@@ -176,7 +187,7 @@ impl Open {
         self.0[at] = child;
     }
 
-    /// Takes the child put last that is entered before `reach`.
+    /// Pops children until one is entered before `reach`, and returns it.
     #[inline(always)]
     pub(super) fn nearest(&mut self, reach: f32) -> Option<Child> {
         while let Some((child, enter)) = self.0.pop() {

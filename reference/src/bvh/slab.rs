@@ -1,68 +1,71 @@
-//! A tree's own space, and a ray brought into it.
+//! The space of a tree, and rays transformed into it.
 //!
-//! Boxes lie in single precision around the tree's middle, scaled by a power of two so that all of
-//! them lie within −1 ≤ x ≤ 1: neither the size of the things nor how far from the origin they lie
-//! matters to the tests.
+//! Boxes lie in single precision around the tree's centre, scaled by a power of two so that all of
+//! them lie within −1 ≤ x ≤ 1. Neither the size of the primitives nor their distance from the
+//! origin matters to the tests.
 //!
-//! **No box hides a hit.** With u = 2⁻²⁴, half a last place of 1, a hit lies at r(t) within its
-//! thing's box, but for what the test of the thing itself loses: the `pad` of a [`Slab`], by which
-//! every box grows. What is left is what the test of the box loses. The ray is moved to where it
-//! enters the root, by f64, to which the pad belongs too, and by its direction as it is; from there
-//! its coordinates stay below 1.3, its direction's greatest component lies between 1 and 2, and so
-//! all of its way within the root is τ < 2.6. Then a coordinate on the ray at τ is off by
-//! - u for its start and u for the pad in it, rounded to f32;
-//! - u/8 where a component of its direction below 2⁻³⁰ is taken for that, so that nothing is
+//! **No box hides a hit.** Let u = 2⁻²⁴, half a unit in the last place of 1. A hit at r(t) lies
+//! within the box of its primitive, except for what the test of the primitive itself loses: the
+//! `pad` of a [`TreeRay`], by which every box grows. What remains is the error of the box test. The
+//! ray's start is moved to where the ray enters the root. This is computed in f64, the pad
+//! included, and along the direction as it is. From there the coordinates stay below 1.3, the
+//! greatest component of the direction lies between 1 and 2, and so the whole way within the root
+//! is τ < 2.6. A coordinate on the ray at τ is then off by
+//!
+//! - u for the start and u for the pad in it, rounded to f32;
+//! - u/8 where a component of the direction below 2⁻³⁰ is replaced by 2⁻³⁰, so that nothing is
 //!   divided by 0;
 //! - 7.5u for the three roundings of (plane − start) · inverse, where planes are less than 2.5
 //!   away;
-//! - u for the plane itself, rounded to f32:
+//! - u for the plane itself, rounded to f32.
 //!
-//! less than 11u in all. Boxes grow by [`PAD`] = 32u, so that τ of their entry comes out at least
-//! 10u too small, more than the 4u that are lost in the limit's τ, and that of their exit too
-//! great. (After Ize, Robust BVH ray traversal, 2013, with one bound for all boxes instead of one a
-//! box.)
+//! This is less than 11u in all. Boxes grow by [`PAD`] = 32u, so that the τ of their entry is
+//! computed at least 10u too small, more than the 4u that are lost in the limit's τ, and the τ of
+//! their exit too great. (After Ize, Robust BVH ray traversal, 2013, with one bound for all boxes
+//! instead of one per box.)
 
 use std::ops::Range;
 
-use crate::bounds::Bounds;
-use crate::ray::Ray;
-use crate::real::{Real, exponent, scaled};
-use crate::vec3::Vec3;
+use crate::lanes::BoxRay;
+use crate::numbers::bounds::Bounds;
+use crate::numbers::real::{Real, exponent, scaled};
+use crate::numbers::vec3::Vec3;
+use crate::rays::ray::Ray;
 
-/// By how much boxes grow: 32 roundings of 1.
+/// The distance by which boxes grow: 32 roundings of 1.
 pub(super) const PAD: f64 = 32.0 / 16_777_216.0;
-/// Boxes that would have to grow by more than this share of the tree are all entered.
+/// If boxes would have to grow by more than this share of the tree, a ray enters all of them.
 pub(super) const BLIND: f64 = 0.125;
-/// More than this of 1/direction is taken for this where the ray enters the tree, so that nothing
-/// is infinite.
+/// The bound of 1/direction where the ray enters the tree: greater magnitudes are replaced by it,
+/// so that nothing is infinite.
 const FINITE: f64 = 1e300;
-/// More than this of 1/direction is taken for this within the tree.
+/// The bound of 1/direction within the tree: greater magnitudes are replaced by it.
 const MOST: f64 = 1_073_741_824.0;
-/// Rays whose direction is shorter or longer enter every box: with others all that is worked out of
-/// it is a number.
+/// The range of the greatest component of a direction, by magnitude. Outside it a ray enters every
+/// box; within it, everything computed from the direction is a number.
 const SIZES: Range<f64> = 1e-290..1e290;
 /// The bits that hold the exponent.
 const EXPONENT: u64 = 0x7ff << 52;
-/// Those of a power of two and of its inverse, added.
+/// The sum of the exponent bits of a power of two and of its inverse.
 const ONES: u64 = 2046 << 52;
 
-/// Three coordinates, and one more that makes them a register.
+/// Three coordinates, and a fourth that fills the register.
 type Four = [f64; 4];
 
-/// Where a tree lies.
+/// The space of a tree, and the error of the tests of its primitives.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Space {
     middle: Four,
     scale: f64,
-    /// The greatest coordinate of its things.
+    /// The greatest magnitude of a coordinate of the primitives.
     farthest: f64,
-    /// What the test of a thing loses, in this space, for every unit of the greatest coordinate in
-    /// play.
+    /// The error of a primitive's test, in this space, per unit of the greatest coordinate
+    /// involved.
     loss: f64,
 }
 
 impl Space {
-    /// The space of a tree over these things.
+    /// Returns the space of a tree over primitives with these bounds.
     pub(super) fn of<T: Real>(bounds: &[Bounds<T>]) -> Self {
         let all = bounds.iter().fold(Bounds::empty(), |all, one| all.join(*one));
         let (min, max) = (all.min.f64(), all.max.f64());
@@ -78,13 +81,14 @@ impl Space {
         }
     }
 
-    /// The same over things whose tests lose `loss` times as much, as they would in world space.
+    /// Returns the space for primitives whose tests lose `loss` times as much as they would in
+    /// world space.
     pub(super) fn with_loss(self, loss: f64) -> Self {
         Self { loss: self.loss * loss, ..self }
     }
 
-    /// A point within it, and what the tests of things that are asked from there lose, see
-    /// [`Slab::new`].
+    /// Returns a point in this space, and what the tests of primitives lose for rays from there,
+    /// see [`TreeRay::new`].
     #[inline(always)]
     pub(super) fn point<T: Real>(&self, point: Vec3<T>) -> (Four, f64) {
         let point = four(point);
@@ -92,13 +96,14 @@ impl Space {
         (each(|axis| (point[axis] - self.middle[axis]) * self.scale), pad)
     }
 
-    /// How long a unit is within it.
+    /// Returns the length of a unit in this space.
     #[inline(always)]
     pub(super) fn scale(&self) -> f64 {
         self.scale
     }
 
-    /// A box within it, grown by [`PAD`]; all of the space where the box has no numbers.
+    /// Returns a box in this space, grown by [`PAD`]. An empty box, or one whose coordinates are
+    /// not finite, becomes all of the space.
     #[inline]
     pub(super) fn place<T: Real>(&self, bounds: &Bounds<T>) -> ([f32; 3], [f32; 3]) {
         let [min, max] = [four(bounds.min), four(bounds.max)];
@@ -112,29 +117,26 @@ impl Space {
     }
 }
 
-/// A ray in a tree's space: a start within it and a direction, for τ ≥ 0. Only the first three
-/// numbers of each count.
+/// A ray in the space of a tree: a start within it and a direction, for τ ≥ 0. Only the first three
+/// numbers of each array count.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Slab {
-    /// For each axis the number of the plane that is met first, that of x from below being 0, from
-    /// above 1, then y and z.
+pub(crate) struct TreeRay {
+    /// For each axis, the number of the plane that the ray crosses first. The planes are numbered
+    /// from 0: the least x, the greatest x, then those of y and z.
     pub(super) near: [usize; 3],
-    /// The start, moved by the pad away from the plane that is met first.
-    pub(super) from_near: [f32; 4],
-    /// The same for the plane that is met last.
-    pub(super) from_far: [f32; 4],
-    /// 1/direction, finite.
-    pub(super) inverse: [f32; 4],
+    /// The start, moved by the pad, and 1/direction.
+    pub(super) lanes: BoxRay,
     /// τ = t · rate − base.
     rate: f64,
     base: f64,
 }
 
-impl Slab {
-    /// The ray in that space; `None` where it misses all of it.
+impl TreeRay {
+    /// Returns the ray in that space; `None` where it misses all of it.
     ///
-    /// A test loses up to 256 last places of the greatest coordinate in play. Where that is much of
-    /// the tree, or where numbers leave their range, the ray enters every box.
+    /// The test of a primitive loses up to 256 units in the last place of the greatest coordinate
+    /// involved. Where that is much of the tree, or where numbers leave their range, the ray enters
+    /// every box.
     #[inline(always)]
     pub(super) fn new<T: Real>(ray: &Ray<T>, space: &Space) -> Option<Self> {
         let (origin, direction) = (four(ray.origin), four(ray.direction));
@@ -168,28 +170,30 @@ impl Slab {
         let near_of = |axis: usize| 2 * axis + usize::from(direction[axis].is_sign_negative());
         Some(Self {
             near: [near_of(0), near_of(1), near_of(2)],
-            from_near: single(each(|axis| start[axis] + side[axis])),
-            from_far: single(each(|axis| start[axis] - side[axis])),
-            inverse: single(each(|axis| less(inverse[axis].abs(), MOST).copysign(inverse[axis]))),
+            lanes: BoxRay {
+                from_near: single(each(|axis| start[axis] + side[axis])),
+                from_far: single(each(|axis| start[axis] - side[axis])),
+                inverse: single(each(|axis| {
+                    less(inverse[axis].abs(), MOST).copysign(inverse[axis])
+                })),
+            },
             rate,
             base,
         })
     }
 
-    /// Enters every box.
+    /// Returns a ray that enters every box.
     #[cold]
     fn blind() -> Self {
         Self {
             near: [0, 2, 4],
-            from_near: [8.0; 4],
-            from_far: [-8.0; 4],
-            inverse: [1.0; 4],
+            lanes: BoxRay { from_near: [8.0; 4], from_far: [-8.0; 4], inverse: [1.0; 4] },
             rate: 0.0,
             base: -64.0,
         }
     }
 
-    /// The τ of a limit of t.
+    /// Returns the τ of a limit of t.
     #[inline(always)]
     pub(super) fn reach<T: Real>(&self, limit: T) -> f32 {
         (limit.f64() * self.rate - self.base).min(1e30) as f32
@@ -211,19 +215,19 @@ fn single(v: Four) -> [f32; 4] {
     [v[0] as f32, v[1] as f32, v[2] as f32, v[3] as f32]
 }
 
-/// The greatest of the first three, whatever their signs.
+/// Returns the greatest magnitude of the first three numbers.
 #[inline(always)]
 fn greatest(v: Four) -> f64 {
     more(more(v[0].abs(), v[1].abs()), v[2].abs())
 }
 
-/// The greater; where one is NaN, the second.
+/// Returns the greater of both; if one is NaN, the second.
 #[inline(always)]
 fn more(p: f64, q: f64) -> f64 {
     if p > q { p } else { q }
 }
 
-/// The lesser; where one is NaN, the second.
+/// Returns the lesser of both; if one is NaN, the second.
 #[inline(always)]
 fn less(p: f64, q: f64) -> f64 {
     if p < q { p } else { q }

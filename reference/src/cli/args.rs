@@ -1,4 +1,4 @@
-//! What can be typed.
+//! The command-line arguments of `reference`.
 
 use std::path::PathBuf;
 
@@ -12,13 +12,13 @@ use super::values::{CourseArg, STAGES, size, threshold};
 #[derive(Debug, Parser)]
 #[command(name = "reference", version, after_help = AFTER, propagate_version = true)]
 pub(super) struct Args {
-    /// Errors alone
+    /// Print only errors
     #[arg(short, long, global = true, conflicts_with = "verbose")]
     pub quiet: bool,
-    /// Also what is done on the way
+    /// Print each step
     #[arg(short, long, global = true)]
     pub verbose: bool,
-    /// When to colour; `auto` heeds NO_COLOR
+    /// When to colour the output; `auto` heeds NO_COLOR
     #[arg(long, global = true, value_name = "WHEN", default_value = "auto")]
     pub color: Colour,
     #[command(subcommand)]
@@ -27,7 +27,7 @@ pub(super) struct Args {
 
 const AFTER: &str = "\
 A SCENE is a scene or case in TOML, a resolved scene in JSON, the id of a case such as
-`02_shadows/two_lamps`, which is sought in ./cases/stages, or `-`: a scene on standard input.
+`02_shadows/two_lamps`, which is looked up in ./cases/stages, or `-`: a scene on standard input.
 
 Examples:
   reference render 02_shadows/two_lamps -o two_lamps.png
@@ -41,9 +41,9 @@ Exit codes:
   1    done, but a stored answer differs, a check's answer on paper is wrong,
        or a case cannot be varied within its bounds
   2    usage, input that cannot be read, or a name that cannot be written
-  3    the machine failed: the disk is full, say
-  130  interrupted; `cost` reports what it measured until then, `expect` and `vary`
-       leave every file as it was";
+  3    the machine failed, such as a full disk
+  130  interrupted; `cost` reports the rounds that it finished, `expect` and `vary`
+       change no file";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
@@ -66,7 +66,7 @@ Exit codes: 0 done, 2 no such shell")]
         /// The shell
         shell: clap_complete::Shell,
     },
-    /// Prints a man page, or writes those of all commands into a folder
+    /// Prints a man page, or writes the man pages of all commands into a folder
     #[command(after_help = "\
 Examples:
   reference man render | man -l -                the page of a command
@@ -80,19 +80,20 @@ Exit codes: 0 done, 2 no such command or folder, or a folder that cannot be writ
     },
 }
 
-/// Answers the questions of the unit checks: JSON, a question a line in, an answer a line out
+/// Answers the questions of the unit checks: one JSON question per line in, one JSON answer per
+/// line out
 #[derive(Debug, Parser)]
 #[command(after_help = "\
 Example:
   echo '{\"id\":1,\"fn\":\"reflect\",\"direction\":[0,-1,0],\"normal\":[0,1,0]}' | reference probe
 
-Exit codes: 0 every question is answered, 2 a question or course that cannot be understood")]
+Exit codes: 0 every question is answered, 2 a question or course that cannot be read")]
 pub(super) struct ProbeArgs {
     #[command(flatten)]
     pub course: CourseArg,
 }
 
-/// Prints what a course decides where courses differ, as a page for its students
+/// Prints the choices of a course where courses differ, as a page for its students
 #[derive(Debug, Parser)]
 #[command(after_help = "\
 Examples:
@@ -101,7 +102,7 @@ Examples:
 
 Exit codes: 0 printed, 2 a course that cannot be read")]
 pub(super) struct CourseArgs {
-    /// What the course decides
+    /// The choices of the course
     #[arg(long, value_name = "FILE", default_value = "cases/course.toml")]
     pub course: PathBuf,
 }
@@ -111,7 +112,7 @@ pub(super) struct CourseArgs {
 #[command(after_help = "\
 Examples:
   reference render 02_shadows/two_lamps -o two_lamps.png
-  reference render scene.json out.pfm                      as a submission is called
+  reference render scene.json out.pfm                      like the call of a submission
   reference render scene.toml -o big.exr --size 1280x960 --samples 4 --stats
   reference render scene.toml -o fast.png --max-depth 50 --threshold 1/256 --stats
   reference render scene.toml -o - --effects shadows,reflection > out.png
@@ -119,42 +120,42 @@ Examples:
   reference render - -o out.png < scene.toml               a scene on standard input
 
 Exit codes: 0 rendered, 2 usage, a scene that cannot be read or a name that cannot be written, 3
-the disk is full, say")]
+the machine failed, such as a full disk")]
 pub(super) struct RenderArgs {
     /// Scene, case, id of a case, or - for a scene on standard input
     pub scene: String,
-    /// Where the picture goes, as with -o
+    /// File of the picture, as with -o
     #[arg(value_name = "OUT", conflicts_with = "output")]
     pub out: Option<PathBuf>,
-    /// Where the picture goes: .png, .pfm or .exr (linear float); `-` and a pipe get a PNG
+    /// File of the picture: .png, .pfm or .exr (linear float); `-` and a pipe get a PNG
     #[arg(short, long, value_name = "OUT", required_unless_present = "out")]
     pub output: Option<PathBuf>,
-    /// Bits a channel of a PNG
+    /// Bits per channel of a PNG
     #[arg(long, value_name = "BITS", default_value = "8")]
     pub bits: Bits,
-    /// Pixels, such as 640x480, in the place of the scene's
+    /// Pixels, such as 640x480, instead of the scene's
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<(u32, u32)>,
-    /// Depth at which rays spawn no more, in the place of the scene's
+    /// Depth at which rays spawn no more, instead of the scene's
     #[arg(long, value_name = "N")]
     pub max_depth: Option<u32>,
-    /// Weight below which rays spawn no more, such as 0.001 or 1/256, in the place of the scene's;
-    /// 0 for never
+    /// Weight below which rays spawn no more, such as 0.001 or 1/256, instead of the scene's; 0 for
+    /// never
     #[arg(long, value_name = "WEIGHT", value_parser = threshold)]
     pub threshold: Option<f64>,
-    /// Light, such as 0.001 or 1/512: a lamp that cannot bring as much to a point casts no shadow
-    /// ray from there and adds nothing; 0 for never
+    /// Light, such as 0.001 or 1/512; the direct light of a source that cannot add as much to a
+    /// point is skipped there, with its shadow ray; 0 for never
     #[arg(long, value_name = "LIGHT", default_value = "0", value_parser = threshold)]
     pub light_cutoff: f64,
-    /// Numbers to compute with
+    /// Floating-point numbers to compute with
     #[arg(long, default_value = "f64")]
     pub precision: Precision,
     /// Effects to simulate: `auto` (those the scene lists), `all`, `none`, or names such as
-    /// `shadows,reflection`. What is not named is left out: without `transforms` objects stay in
-    /// their own space, without `attenuation` lights are as strong at any distance
+    /// `shadows,reflection`. Effects that are not named are left out: without `transforms` objects
+    /// stay in their own space, without `attenuation` lights are as strong at any distance
     #[arg(long, value_name = "EFFECTS", default_value = "auto")]
     pub effects: String,
-    /// N x N rays a pixel, on a regular grid; the pixel is their mean
+    /// N for N x N rays per pixel, on a regular grid; the colour of the pixel is their mean
     #[arg(
         long,
         value_name = "N",
@@ -162,19 +163,19 @@ pub(super) struct RenderArgs {
         value_parser = clap::value_parser!(u32).range(1..=256)
     )]
     pub samples: u32,
-    /// Threads; the picture is the same with any number [default: one a core]
+    /// Number of threads; the picture is the same with any number [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Says how many rays of each kind were cast, what work they made, which effects were simulated
-    /// and why, how much it can matter what was left out for depth, threshold or light cutoff, and
-    /// the time of each step; on the error stream where the picture goes to the output
+    /// Print statistics: rays by kind, the work that they caused, the simulated effects with their
+    /// reasons, the most by which depth, threshold and light cutoff can darken a pixel, and the
+    /// time of each step; to the error stream if the picture goes to the output stream
     #[arg(long, value_name = "FORM", num_args = 0..=1, default_missing_value = "text")]
-    pub stats: Option<Form>,
+    pub stats: Option<ObjectShape>,
     #[command(flatten)]
     pub course: CourseArg,
 }
 
-/// Says which effects a scene calls for under its course, and why
+/// Prints the effects that a scene calls for under its course, and why
 #[derive(Debug, Parser)]
 #[command(after_help = "\
 Examples:
@@ -185,7 +186,7 @@ Exit codes: 0 printed, 2 a scene that cannot be read")]
 pub(super) struct EffectsArgs {
     /// Scene, case, id of a case, or - for a scene on standard input
     pub scene: String,
-    /// As JSON
+    /// Print JSON
     #[arg(long)]
     pub json: bool,
     #[command(flatten)]
@@ -198,7 +199,7 @@ pub(super) struct EffectsArgs {
 Example:
   reference explain 04_refraction/crystal_ball 80 60
 
-Exit codes: 0 printed, 2 a scene that cannot be read, or a pixel outside of its picture")]
+Exit codes: 0 printed, 2 a scene that cannot be read, or a pixel outside its picture")]
 pub(super) struct ExplainArgs {
     /// Scene, case, id of a case, or - for a scene on standard input
     pub scene: String,
@@ -206,7 +207,7 @@ pub(super) struct ExplainArgs {
     pub x: u32,
     /// Row of the picture from the top, from 0
     pub y: u32,
-    /// As JSON
+    /// Print JSON
     #[arg(long)]
     pub json: bool,
     #[command(flatten)]
@@ -215,8 +216,8 @@ pub(super) struct ExplainArgs {
 
 /// Writes the answers that submissions are judged by, beside the cases: all of them, or none
 ///
-/// An answer carries a digest of what it was made from: the scene, its meshes, what the course
-/// decides, the version of the rules. The grader refuses answers that belong to something else.
+/// An answer carries a digest of what it was made from: the scene, its meshes, the choices of the
+/// course, the version of the rules. The grader refuses an answer whose digest differs.
 #[derive(Debug, Parser)]
 #[command(after_help = "\
 Examples:
@@ -224,40 +225,40 @@ Examples:
   reference expect 02_shadows                 one stage
   reference expect 02_shadows/two_lamps       one case
   reference expect --course phong.toml        course.toml, answers and docs/course.md of a course
-  reference expect --check                    writes nothing, fails where anything differs
+  reference expect --check                    writes nothing, fails if anything differs
 
-Exit codes: 0 all is as the rules give it, 1 a stored answer differs or an answer on paper is
-wrong, 2 no such case, one that cannot be read, or a name that cannot be written, 3 the disk is
-full, say, 130 interrupted")]
+Exit codes: 0 every answer is written or correct, 1 a stored answer differs or an answer on paper
+is wrong, 2 no such case, a case that cannot be read, or a name that cannot be written, 3 the
+machine failed, such as a full disk, 130 interrupted")]
 pub(super) struct ExpectArgs {
     #[command(flatten)]
     pub course: CourseArg,
     /// Ids of cases or stages, case files, stage folders, or folders of stages
     #[arg(value_name = "CASE|STAGE|DIR")]
     pub what: Vec<PathBuf>,
-    /// Compare with what is stored, byte for byte, and write nothing
+    /// Compare with the stored files, byte for byte, and write nothing
     #[arg(long)]
     pub check: bool,
 }
 
-/// Makes a hidden set with its answers: the same cases with their numbers moved within the bounds
+/// Makes a hidden set with its answers: the same cases with their numbers changed within the bounds
 /// of each case's `[vary]`
 #[derive(Debug, Parser)]
 #[command(after_help = "\
-The same seed gives the same files on every machine. A draw counts only where the case stays
-valid, still shows what its stage adds and every rule it names, and is fair to right programs;
-else it is drawn again. A case without `[vary]` is copied as it is, with a warning. The set
-appears whole or not at all.
+The same seed gives the same files on every machine. A draw is accepted only if the case stays
+valid, still shows what its stage adds and every rule that it names, and is fair to correct
+programs; otherwise it is drawn again. A case without `[vary]` is copied unchanged, with a
+warning. The set is written as a whole or not at all.
 
 Examples:
   reference vary --seed 2026                      varies ./cases/stages into ./varied-2026
   reference vary --seed 2026 --out hidden
-  grader grade tests/solution --cases hidden      a right program earns all of it
-  reference vary --check --seeds 100              writes nothing, says how well the bounds hold
+  grader grade tests/solution --cases hidden      a correct program earns all points
+  reference vary --check --seeds 100              writes nothing, shows how well the bounds hold
 
-What --check prints of each case: the share of seeds whose first draw does, the draws it took at
-most, the share of pixels that show what the stage adds (in the first stage, anything but
-background) and the least of it, and the largest share of contested pixels.
+For each case, --check prints the share of seeds whose first draw is accepted, the largest number
+of draws, the share of pixels that show what the stage adds (in the first stage, that differ from
+the background), the least such share of all draws, and the largest share of contested pixels.
 
 Exit codes: 0 done, 1 a case that cannot be varied within its bounds, 2 usage or a case that
 cannot be read, 3 a folder that cannot be written")]
@@ -265,17 +266,17 @@ pub(super) struct VaryArgs {
     /// Folder of stages
     #[arg(default_value = STAGES)]
     pub stages: PathBuf,
-    /// Which set; with --check the first one
+    /// Seed of the set; with --check of the first set
     #[arg(long, value_name = "N", required_unless_present = "check")]
     pub seed: Option<u64>,
     /// Folder to write, which must not exist or be empty [default: varied-N]
     #[arg(short, long, value_name = "DIR", conflicts_with = "check")]
     pub out: Option<PathBuf>,
-    /// Draws sets and writes nothing: a table of how often the first draw does, and how much it
-    /// shows at least
+    /// Draw sets and write no files; print how often the first draw is accepted, and how much the
+    /// draws show at least
     #[arg(long)]
     pub check: bool,
-    /// Sets that --check draws
+    /// Number of sets that --check draws
     #[arg(
         long,
         value_name = "COUNT",
@@ -284,8 +285,8 @@ pub(super) struct VaryArgs {
         value_parser = clap::value_parser!(u64).range(1..=1_000_000)
     )]
     pub seeds: u64,
-    /// Of these sets, how many are also rendered in all legal ways, for the share of contested
-    /// pixels: that takes ten times as long
+    /// Number of these sets whose share of contested pixels is measured, by rendering all legal
+    /// variations: that takes ten times as long
     #[arg(long, value_name = "COUNT", default_value = "2", requires = "check")]
     pub contested: u64,
 }
@@ -299,7 +300,7 @@ Examples:
 
 Exit codes: 0 printed, 2 no such schema")]
 pub(super) struct SchemaArgs {
-    /// What to describe
+    /// Format to describe
     #[arg(default_value = "case")]
     pub kind: SchemaKind,
     /// The format of scene files as a page for people
@@ -311,13 +312,13 @@ pub(super) struct SchemaArgs {
 pub(super) enum SchemaKind {
     /// A case: a TOML file in the folder of a stage
     Case,
-    /// A scene in TOML, outside of any stage
+    /// A scene in TOML that belongs to no stage
     SceneFile,
     /// The `stage.toml` of a stage
     Stage,
-    /// What a course decides, `course.toml`
+    /// The choices of a course, `course.toml`
     Course,
-    /// A resolved scene in JSON, as submissions get it
+    /// A resolved scene in JSON, as submissions receive it
     Scene,
     /// The lines of the probe protocol
     Probe,
@@ -345,7 +346,7 @@ pub(super) enum Bits {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Form {
+pub(super) enum ObjectShape {
     Text,
     Json,
 }

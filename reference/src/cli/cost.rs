@@ -1,4 +1,4 @@
-//! `reference cost`: what it measures, and the files that it writes.
+//! The command `reference cost`: selects what is measured, and writes the files.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use super::{cost_page, cost_store};
 use crate::cost::forms::Forms;
 use crate::cost::plot::{self, Place};
 
-/// Carries out the command.
+/// Runs the command.
 pub(super) fn run(args: &CostArgs, talk: Talk) -> Result<(), Stop> {
     let outputs = outputs(args)?;
     args.page.as_deref().map_or(Ok(()), page_fits)?;
@@ -35,7 +35,7 @@ pub(super) fn run(args: &CostArgs, talk: Talk) -> Result<(), Stop> {
     }
 }
 
-/// A form of a report.
+/// A file format of a report.
 #[derive(Clone, Copy, Debug)]
 enum Output {
     Json,
@@ -57,7 +57,7 @@ impl Output {
     }
 }
 
-/// What is asked for, and where it goes; two on one stream would be neither.
+/// Returns the requested formats and their paths. At most one of them may go to the output stream.
 fn outputs(args: &CostArgs) -> Result<Vec<(Output, &Path)>, Stop> {
     let all = [
         (Output::Json, &args.json),
@@ -65,19 +65,19 @@ fn outputs(args: &CostArgs) -> Result<Vec<(Output, &Path)>, Stop> {
         (Output::Svg, &args.svg),
         (Output::Html, &args.html),
     ];
-    let asked: Vec<(Output, &Path)> =
+    let requested: Vec<(Output, &Path)> =
         all.into_iter().filter_map(|(what, path)| Some((what, path.as_deref()?))).collect();
-    if asked.iter().filter(|(_, path)| is_stdout(path)).count() > 1 {
+    if requested.iter().filter(|(_, path)| is_stdout(path)).count() > 1 {
         return Err(Stop::Usage(
             "only one of --json, --csv, --svg and --html can go to the output stream".to_owned(),
         ));
     }
-    // A measurement takes minutes: a name that cannot be written is an error before.
-    asked.iter().try_for_each(|(_, path)| files::check(path))?;
-    Ok(asked)
+    // A measurement takes minutes: a name that cannot be written is reported before it.
+    requested.iter().try_for_each(|(_, path)| files::check(path))?;
+    Ok(requested)
 }
 
-/// The page has pictures beside it, so that it cannot be a stream.
+/// Checks that the page is no stream, since its pictures are written beside it.
 fn page_fits(path: &Path) -> Result<(), Stop> {
     if is_stream(path) {
         let text = format!("{}: the page has pictures beside it: name a file", path.display());

@@ -1,4 +1,4 @@
-//! What can be typed after `reference cost`.
+//! The arguments of `reference cost`.
 
 use std::path::PathBuf;
 
@@ -8,22 +8,22 @@ use super::values::{CourseArg, size, threshold};
 use crate::cost::functions::Candidate;
 use crate::cost::setting::Formula;
 use crate::cost::sweep::{Axes, finer};
+use crate::expect::variations::Precision;
 use crate::rules::Robustness;
-use crate::variations::Precision;
 
 /// Measures what accuracy costs: time against error over precision, formulas, samples, depth,
 /// threshold and effects
 #[derive(Debug, Parser)]
 #[command(after_help = "\
-Measured are precision × formula × samples in full around the scene's own depth and threshold,
-then at one ray a pixel precision × formula at the greatest depth, each depth and each threshold
-alone, then the scene without each of its effects. Nothing that the scene does not call for is
-swept. Errors are differences from the most accurate picture: f64, robust, twice the most samples
-a side, the greatest depth, no threshold; and from the most accurate one with as many rays a
-pixel. Formulas: `plain` is what most tracers have (textbook quadratic, Möller–Trumbore,
-RAY_EPSILON), `stable` does not cancel, `robust` is the reference's own. Each round takes every
-setting once. Ctrl-C ends the measurement after the picture at hand; the rounds done by then are
-reported.
+The command measures all combinations of precision, formula and samples at the scene's own depth
+and threshold; then, at one ray per pixel, precision × formula at the greatest depth, each depth
+and each threshold alone; then the scene without each of its effects, and with all effects. Depth
+and threshold vary only if the scene calls for reflection or refraction. Errors are differences
+from the most accurate picture (f64, robust, twice the most samples per side, the greatest depth,
+no threshold) and from the most accurate picture with the same number of rays per pixel. Formulas:
+`plain` is what most tracers use (textbook quadratic, Möller–Trumbore, RAY_EPSILON), `stable` does
+not cancel, `robust` is the reference's own. Each round renders every setting once. Ctrl-C ends
+the measurement after the current picture; the finished rounds are reported.
 
 Examples:
   reference cost 04_refraction/crystal_ball
@@ -36,16 +36,16 @@ Examples:
   reference cost --store
 
 Exit codes: 0 done, 2 usage, a file that cannot be read or a name that cannot be written, 3 the
-disk is full, say, 130 interrupted")]
+machine failed, such as a full disk, 130 interrupted")]
 pub(super) struct CostArgs {
     /// Scene, case, id of a case, or - for a scene on standard input
     #[arg(required_unless_present_any = ["functions", "page", "store"])]
     pub scene: Option<String>,
-    /// One function at a time instead: nanoseconds against errors and wrong decisions, over
+    /// Measure one function at a time instead: nanoseconds against errors and wrong decisions, over
     /// families of hard questions
     #[arg(long, conflicts_with = "scene")]
     pub functions: bool,
-    /// Questions a family for --functions and --page
+    /// Number of questions per family for --functions and --page
     #[arg(
         long,
         value_name = "N",
@@ -53,25 +53,25 @@ pub(super) struct CostArgs {
         value_parser = clap::value_parser!(u64).range(1..=1_000_000_000)
     )]
     pub draws: u64,
-    /// Writes the page of the documentation, docs/accuracy.md, and its pictures beside it; some
-    /// minutes
+    /// Write the page of the documentation, docs/accuracy.md, and its pictures beside it; this
+    /// takes some minutes
     #[arg(
         long,
         value_name = "FILE",
         conflicts_with_all = ["scene", "functions", "store", "json", "csv", "svg", "html"]
     )]
     pub page: Option<PathBuf>,
-    /// Measures all cases of ./cases/stages briefly and stores it as fronts.json beside them, for
-    /// students' reports
+    /// Measure all cases of ./cases/stages briefly and store the points as fronts.json beside them,
+    /// for students' reports
     #[arg(long, conflicts_with_all = ["scene", "functions", "json", "csv", "svg", "html"])]
     pub store: bool,
-    /// Scalars to measure [default: f32,f64]
+    /// Precisions to measure [default: f32,f64]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = precision)]
     pub precisions: Option<Vec<Precision>>,
     /// Formulas to measure; with --functions `robust` or others [default: plain,stable,robust]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = formula)]
     pub formulas: Option<Vec<Formula>>,
-    /// N for N x N rays a pixel [default: 1,2,4]
+    /// N for N x N rays per pixel [default: 1,2,4]
     #[arg(
         long,
         conflicts_with = "functions",
@@ -80,7 +80,8 @@ pub(super) struct CostArgs {
         value_parser = clap::value_parser!(u32).range(1..=64)
     )]
     pub samples: Option<Vec<u32>>,
-    /// Rays a side of a pixel of the truth [default: twice the most of --samples]
+    /// N for N x N rays per pixel of the most accurate picture [default: twice the most of
+    /// --samples]
     #[arg(
         long,
         conflicts_with = "functions",
@@ -101,13 +102,13 @@ pub(super) struct CostArgs {
         value_parser = threshold
     )]
     pub thresholds: Option<Vec<f64>>,
-    /// Every setting with every other
+    /// Measure every combination of settings
     #[arg(long, conflicts_with = "functions")]
     pub full: bool,
-    /// Leave out what effects cost
+    /// Do not measure the cost of effects
     #[arg(long, conflicts_with = "functions")]
     pub no_effects: bool,
-    /// Times that each setting is timed
+    /// Number of times that each setting is timed
     #[arg(
         long,
         value_name = "N",
@@ -115,8 +116,8 @@ pub(super) struct CostArgs {
         value_parser = clap::value_parser!(u16).range(1..=1000)
     )]
     pub rounds: u16,
-    /// Threads; of one, processor time is measured, which other programs hardly disturb; of more,
-    /// the wall clock
+    /// Number of threads; one is measured by processor time, which other programs hardly disturb,
+    /// more by the wall clock
     #[arg(
         long,
         value_name = "N",
@@ -124,19 +125,19 @@ pub(super) struct CostArgs {
         value_parser = clap::value_parser!(u16).range(1..=1024)
     )]
     pub threads: u16,
-    /// Pixels, such as 640x480, in the place of the scene's
+    /// Pixels, such as 640x480, instead of the scene's
     #[arg(long, conflicts_with = "functions", value_name = "WxH", value_parser = size)]
     pub size: Option<(u32, u32)>,
-    /// All figures as JSON; `-` is the output stream, in the place of the table
+    /// All figures as JSON; `-` is the output stream, instead of the table
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
     /// The table as CSV; `-` as above
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
-    /// Error against time as a picture; `-` as above
+    /// Error against time as an SVG picture; `-` as above
     #[arg(long, value_name = "FILE")]
     pub svg: Option<PathBuf>,
-    /// Tables and pictures as a page that needs nothing else; `-` as above
+    /// Tables and pictures as one self-contained HTML page; `-` as above
     #[arg(long, value_name = "FILE")]
     pub html: Option<PathBuf>,
     #[command(flatten)]
@@ -144,9 +145,9 @@ pub(super) struct CostArgs {
 }
 
 impl CostArgs {
-    /// Whether a function's formula is among those typed: `robust` is the reference's own, `plain`
-    /// and `stable` are all others.
-    pub(super) fn asks_for(&self, candidate: &Candidate) -> bool {
+    /// Returns whether the formula and precision of `candidate` are selected. `robust` selects the
+    /// reference's own formulas, `plain` and `stable` select all others.
+    pub(super) fn wants(&self, candidate: &Candidate) -> bool {
         let is_own = candidate.rules.style.robustness == Robustness::Certified;
         let has_formula = |formulas: &Vec<Formula>| {
             formulas.iter().any(|formula| (*formula == Formula::Robust) == is_own)
@@ -156,7 +157,7 @@ impl CostArgs {
             && self.precisions.as_ref().is_none_or(has_precision)
     }
 
-    /// The axes of a scene, narrowed to what was typed.
+    /// Returns the axes of a scene, narrowed by the arguments.
     pub(super) fn narrowed(&self, axes: Axes) -> Axes {
         let samples = self.samples.clone().unwrap_or(axes.samples);
         Axes {

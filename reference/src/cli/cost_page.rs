@@ -1,4 +1,4 @@
-//! `reference cost --page`: docs/accuracy.md and its pictures.
+//! The command `reference cost --page`: writes docs/accuracy.md and its pictures.
 
 use std::path::Path;
 
@@ -13,8 +13,8 @@ use crate::cost::document::{self, Document, SCENES, SIZED};
 use crate::cost::plot::{self, Place};
 use crate::rules::Rules;
 
-/// Measures what the page shows, and writes it. An interrupt leaves what was there: half a page
-/// would mix two measurements.
+/// Measures what the page shows, and writes it. An interrupt leaves the old page: half a page would
+/// mix two measurements.
 pub(super) fn run(args: &CostArgs, path: &Path, session: &Session) -> Result<(), Stop> {
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
     let stem = stem.ok_or_else(|| Stop::Usage(format!("`{}` names no file", path.display())))?;

@@ -1,4 +1,4 @@
-//! Measurements as `reference cost` makes them: under a clock, a bar and Ctrl-C.
+//! Runs the measurements of `reference cost` with a clock, a bar and Ctrl-C.
 
 use std::path::Path;
 use std::time::Instant;
@@ -44,7 +44,7 @@ pub(super) fn of_scene(named: &str, args: &CostArgs, session: &Session) -> Resul
 /// Measures one function at a time.
 pub(super) fn of_functions(args: &CostArgs, session: &Session) -> Result<FunctionsReport, Stop> {
     let (mut candidates, n_rounds) = (functions::candidates(), usize::from(args.rounds));
-    candidates.retain(|candidate| args.asks_for(candidate));
+    candidates.retain(|candidate| args.wants(candidate));
     let mut run = session.run(Bar::steps(functions::work(&candidates, n_rounds), session.talk));
     let measured =
         functions::measure(&candidates, args.draws, n_rounds, &mut run).ok_or_else(nothing)?;
@@ -55,7 +55,7 @@ fn nothing() -> Stop {
     Stop::Interrupted("interrupted before the first round was done: nothing to report".to_owned())
 }
 
-/// Writes a file whole, or to a stream, and says so where that is wanted.
+/// Writes a file as a whole, or to a stream. A verbose command reports the file.
 pub(super) fn put(path: &Path, bytes: &[u8], talk: Talk) -> Result<(), Stop> {
     files::write(path, bytes)?;
     if talk >= Talk::Verbose && !is_stream(path) {
@@ -67,9 +67,10 @@ pub(super) fn put(path: &Path, bytes: &[u8], talk: Talk) -> Result<(), Stop> {
 /// The clock of a measurement.
 #[derive(Clone, Copy, Debug)]
 enum Clock {
-    /// The time of this program on its processor: what others take there does not count.
+    /// The processor time of this process, which excludes other programs.
     Processor,
-    /// The time since that moment: of several threads the processor's time would be the sum.
+    /// The time since that moment. With several threads it replaces processor time, which would be
+    /// their sum.
     Wall(Instant),
 }
 
@@ -92,7 +93,7 @@ impl Clock {
     }
 }
 
-/// One or more measurements that the user may stop.
+/// One or more measurements, which the user may interrupt.
 pub(super) struct Session {
     clock: Clock,
     interrupt: Interrupt,
@@ -101,7 +102,7 @@ pub(super) struct Session {
 }
 
 impl Session {
-    /// Prepares measurements with that many threads, which Ctrl-C ends from now on.
+    /// Prepares measurements with this number of threads. From now on Ctrl-C ends them.
     pub(super) fn start(threads: u16, talk: Talk) -> Result<Self, Stop> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build();
         let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
@@ -132,7 +133,7 @@ impl Session {
             .ok_or_else(nothing)
     }
 
-    /// Returns the processor, the threads and the clock of the measurements.
+    /// Returns the processor, the number of threads and the clock of the measurements.
     pub(super) fn machine(&self) -> Machine {
         Machine {
             processor: processor(),
@@ -142,7 +143,8 @@ impl Session {
         }
     }
 
-    /// Ends a command after that many of the rounds, early where the user has interrupted it.
+    /// Ends a command after `rounds` of the `wanted` rounds. Returns [`Stop::Interrupted`] if the
+    /// user has interrupted it.
     pub(super) fn end(&self, rounds: usize, wanted: u16) -> Result<(), Stop> {
         if self.interrupt.is_set() {
             return Err(Stop::Interrupted(format!(
@@ -173,7 +175,7 @@ impl Outside for Run<'_> {
     }
 }
 
-/// Returns the processor's model, where the system says it.
+/// Returns the model of the processor, or `unknown processor` if the system does not report it.
 fn processor() -> String {
     let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let line = text.lines().find(|line| line.starts_with("model name"));

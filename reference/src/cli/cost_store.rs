@@ -1,5 +1,5 @@
-//! `reference cost --store`: what accuracy costs in each public case, for students to compare
-//! themselves with.
+//! The command `reference cost --store`: measures what accuracy costs in each public case, for
+//! students to compare themselves with.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -18,13 +18,13 @@ use super::output::Talk;
 use super::stop::Stop;
 use super::values::STAGES;
 use crate::cost::bench::Bench;
-use crate::cost::front::Times;
 use crate::cost::setting::{Formula, Setting};
 use crate::cost::sweep::{About, Sweep};
+use crate::cost::times::Times;
+use crate::expect::variations::Precision;
 use crate::rules::Rules;
-use crate::variations::Precision;
 
-/// Measures every case and stores the points. An interrupt leaves what was stored.
+/// Measures every case and stores the points. An interrupt leaves the stored file unchanged.
 pub(super) fn run(args: &CostArgs, session: &Session) -> Result<(), Stop> {
     let stages = Path::new(STAGES);
     let path = fronts_path(stages);
@@ -55,8 +55,8 @@ pub(super) fn run(args: &CostArgs, session: &Session) -> Result<(), Stop> {
     Ok(())
 }
 
-/// Both precisions by all formulas, then the scene's own setting at each lesser depth; one ray a
-/// pixel, as pictures are judged.
+/// Measures both precisions with all formulas, then the scene's own setting at each lesser depth.
+/// There is one ray per pixel, as in judged pictures.
 fn of_case(
     scene: &Scene,
     rules: &Rules,

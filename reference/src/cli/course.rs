@@ -1,4 +1,4 @@
-//! `reference course`, and the files of a course that stand beside its answers.
+//! The command `reference course`, and the files of a course that are stored with its answers.
 
 use std::path::{Path, PathBuf};
 
@@ -10,19 +10,19 @@ use super::stop::Stop;
 use super::values::CourseArg;
 use crate::expect::Expected;
 
-/// Where the page for students lies, seen from the folder that holds the folder of `course.toml`.
+/// The path of the page for students, relative to the parent of the folder of `course.toml`.
 const PAGE: &str = "docs/course.md";
 
-/// Carries out the command.
+/// Runs the command.
 pub(super) fn run(args: &CourseArgs) -> Result<(), Stop> {
     print(course::markdown(&course::load(&args.course)?).as_bytes())
 }
 
-/// Returns what else changes with the answers of the folder `stages`: its `course.toml`, where
-/// another file is given, and the page for students, where there is one.
+/// Returns the files that change with the answers of the folder `stages`: `course.toml` if another
+/// file is given, and the page for students if there is one.
 ///
-/// The page belongs to the `course.toml` beside the folder. A set that has its own file changes no
-/// page, and a file that other sets use as well is left as it is.
+/// The page belongs to the `course.toml` beside the folder. A set with its own file changes no
+/// page, and a file that other sets use as well is left unchanged.
 pub(super) fn files(
     stages: &Path,
     given: &CourseArg,
@@ -43,8 +43,8 @@ pub(super) fn files(
     Ok(files)
 }
 
-/// Returns whether a folder of stages other than `stages` uses the file at `course`, which lies
-/// beside it.
+/// Returns whether a folder of stages other than `stages` uses the file `course`, which is beside
+/// it.
 fn is_shared(course: &Path, stages: &Path) -> bool {
     let folders = |path: &Path| {
         std::fs::read_dir(path).into_iter().flatten().flatten().map(|entry| entry.path())
@@ -57,7 +57,7 @@ fn is_shared(course: &Path, stages: &Path) -> bool {
         .any(|folder| !is_this(&folder))
 }
 
-/// Returns the page for students that belongs to the file at `home`, if there is one.
+/// Returns the page for students that belongs to the file `home`, or `None` if there is none.
 fn page(home: &Path) -> Option<PathBuf> {
     let page = home.parent()?.join("..").join(PAGE);
     page.is_file().then_some(page)

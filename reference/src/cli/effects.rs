@@ -1,4 +1,4 @@
-//! `reference effects`.
+//! The command `reference effects`.
 
 use cases::effects;
 use serde::Serialize;
@@ -16,7 +16,7 @@ struct Row {
     because: String,
 }
 
-/// Carries out the command.
+/// Runs the command.
 pub(super) fn run(args: &EffectsArgs) -> Result<(), Stop> {
     let Found { scene, course, .. } = find::found(&args.scene, &args.course)?;
     let row = |reason: effects::Reason| Row {

@@ -1,4 +1,4 @@
-//! `reference expect`.
+//! The command `reference expect`.
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -18,7 +18,8 @@ use super::stop::Stop;
 use super::values::{CourseArg, STAGES};
 use crate::expect::{self, Answers, CaseAnswer, ExpectError, Expected, Progress, Set};
 
-/// What the arguments name: for each folder of stages the ids of its wanted parts; none for all.
+/// The targets of a command: for each folder of stages the ids of the selected cases and stages,
+/// none for all.
 type Targets = BTreeMap<PathBuf, Vec<String>>;
 
 const PART_OF_A_COURSE: &str = "\
@@ -26,7 +27,7 @@ const PART_OF_A_COURSE: &str = "\
 course
 help: leave CASE and STAGE out, or change the course.toml of the folder";
 
-/// Carries out the command. Everything is computed before the first file is written.
+/// Runs the command. Everything is computed before the first file is written.
 pub(super) fn run(args: &ExpectArgs, talk: Talk) -> Result<(), Stop> {
     let interrupt = Interrupt::catch()?;
     let mut files = vec![];
@@ -66,7 +67,7 @@ pub(super) fn run(args: &ExpectArgs, talk: Talk) -> Result<(), Stop> {
     if args.check { compare(&files, talk) } else { write(&files, talk) }
 }
 
-/// Returns what the words on the command line name.
+/// Returns the targets that the arguments name.
 fn targets(named: &[PathBuf]) -> Result<Targets, Stop> {
     let everything = [PathBuf::from(STAGES)];
     let mut targets = Targets::new();
@@ -81,12 +82,12 @@ fn targets(named: &[PathBuf]) -> Result<Targets, Stop> {
     Ok(targets)
 }
 
-/// Returns the folder of stages that `named` lies in, and the id of a case or a stage unless it is
-/// that folder itself.
+/// Returns the folder of stages that contains `named`, and the id of the case or stage. The id is
+/// `None` if `named` is the folder itself.
 fn target(named: &Path) -> Result<(PathBuf, Option<String>), Stop> {
     let below = Path::new(STAGES).join(named);
     let as_case = PathBuf::from(format!("{}.toml", below.display()));
-    // `.` has no name of its own.
+    // The path `.` has no file name.
     let whole = named.file_name().is_none().then(|| named.canonicalize().ok()).flatten();
     for path in [whole.as_deref().unwrap_or(named), &below, &as_case] {
         let text = |name: Option<&OsStr>| name.unwrap_or_default().to_string_lossy().into_owned();
@@ -122,7 +123,7 @@ fn load(stages: &Path, course: &CourseArg) -> Result<Set, Stop> {
     Ok(Set::new(stage::load_all(stages, &course)?, &course))
 }
 
-/// Makes the answers to the parts of a set that `is_wanted` selects, under a bar.
+/// Returns the answers to the parts of a set that `is_wanted` selects, and shows a bar meanwhile.
 pub(super) fn answers(
     stages: &Path,
     set: &Set,
@@ -155,7 +156,7 @@ impl Progress for Shown<'_> {
 }
 
 impl Stop {
-    /// How a command ends that could not make answers.
+    /// Returns how a command ends that could not make answers.
     pub(super) fn of(why: &ExpectError) -> Self {
         match why {
             ExpectError::Checks(_) => Self::NotPassed(format!("{why}\nnothing was written")),
@@ -165,7 +166,7 @@ impl Stop {
     }
 }
 
-/// Returns a line on the answer to a case, for those who write cases.
+/// Returns a line on the answer to a case, for authors of cases.
 fn figures(case: &CaseAnswer) -> String {
     let CaseAnswer { id, answer, wrong, files } = case;
     let Limits { cluster, count, legal_cluster, legal_count, unearned, .. } = answer.limits;

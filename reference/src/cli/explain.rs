@@ -1,4 +1,4 @@
-//! `reference explain`.
+//! The command `reference explain`.
 
 use cases::ray_tree;
 
@@ -7,11 +7,11 @@ use super::find::{self, Found};
 use super::output::{print, print_json};
 use super::stop::Stop;
 use crate::rules::Rules;
-use crate::trace::Kernel;
+use crate::trace::kernel::Kernel;
 use crate::watch::Recorder;
 use crate::world::World;
 
-/// Carries out the command.
+/// Runs the command.
 pub(super) fn run(args: &ExplainArgs) -> Result<(), Stop> {
     let Found { scene, course, .. } = find::found(&args.scene, &args.course)?;
     let (width, height) = (scene.render.width, scene.render.height);

@@ -1,4 +1,4 @@
-//! What a SCENE on the command line names.
+//! Finds the scene that a SCENE argument names.
 
 use std::fmt::Display;
 use std::io::Read;
@@ -12,17 +12,19 @@ use cases::{Effects, Scene, stage};
 use super::stop::Stop;
 use super::values::{CourseArg, STAGES};
 
-/// A name that stands for standard input.
+/// The name of standard input.
 const STANDARD_INPUT: &str = "-";
 
-/// A scene with what its surroundings say of it.
+/// A scene with its allowed effects and its course.
 pub(super) struct Found {
     pub(super) scene: Scene,
-    /// The effects that may be simulated: those that the stage allows or that programs of the
-    /// course always simulate; those that a resolved scene lists; all of them for a scene of no
-    /// stage.
+    /// The effects that may be simulated.
+    ///
+    /// For a case, they are the effects that the stage allows or that programs of the course always
+    /// simulate. For a resolved scene, they are the effects that it lists. For a scene of no stage,
+    /// they are all effects.
     pub(super) allowed: Effects,
-    /// The course given on the command line, else that of the case, else the lecture.
+    /// The course given on the command line, else the course of the case, else the lecture.
     pub(super) course: Course,
 }
 
@@ -49,13 +51,14 @@ pub(super) fn found(named: &str, arg: &CourseArg) -> Result<Found, Stop> {
     Ok(Found { scene, allowed, course })
 }
 
-/// Returns the course that is given on the command line.
+/// Returns the course that is given on the command line, or `None` if there is none.
 pub(super) fn given(arg: &CourseArg) -> Result<Option<Course>, Stop> {
     Ok(arg.course.as_deref().map(course::load).transpose()?)
 }
 
-/// The scene on standard input, in JSON where it begins with a brace, else in TOML; and whether it
-/// is JSON. Mesh files are sought from the current folder.
+/// Returns the scene on standard input and whether it is a resolved scene in JSON. A text that
+/// begins with a brace is JSON, any other is TOML. Paths of meshes are relative to the current
+/// folder.
 fn standard_input(course: &Course) -> Result<(Scene, bool), Stop> {
     let name = "standard input";
     let mut bytes = Vec::new();
@@ -97,7 +100,9 @@ pub(super) fn hint(named: &str) -> String {
     let known = case_ids();
     match did_you_mean(named, known.iter().map(String::as_str)) {
         Some(meant) => format!("\nhelp: did you mean `{meant}`?"),
-        None if known.is_empty() => String::from("\nhelp: run this where the folder `cases` lies"),
+        None if known.is_empty() => {
+            String::from("\nhelp: run this in the folder that contains `cases`")
+        }
         None => String::new(),
     }
 }

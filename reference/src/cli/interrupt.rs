@@ -1,5 +1,5 @@
-//! Ctrl-C and SIGTERM during long work: the first one asks the work to end, a second one ends the
-//! program.
+//! Catches Ctrl-C and SIGTERM during long work. The first signal requests that the work ends, a
+//! second one ends the program.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -8,7 +8,7 @@ use signal_hook::consts::{SIGINT, SIGTERM};
 
 use super::stop::Stop;
 
-/// Remembers whether the user has interrupted the program.
+/// Whether the user has interrupted the program.
 #[derive(Clone, Debug)]
 pub(super) struct Interrupt(Arc<AtomicBool>);
 
@@ -24,7 +24,7 @@ impl Interrupt {
         Ok(Self(is_set))
     }
 
-    /// Whether the work is to end.
+    /// Returns whether the work shall end.
     pub(super) fn is_set(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }

@@ -1,4 +1,4 @@
-//! The command line: what was typed, what it means, and how it ended.
+//! The command line: arguments, commands and exit codes.
 
 mod args;
 mod cost;
@@ -33,7 +33,7 @@ use args::{Args, Colour, Command};
 use output::Talk;
 use stop::Stop;
 
-/// Carries out the command line; returns the exit code, of those that `--help` lists.
+/// Runs the command of the command line. Returns one of the exit codes that `--help` lists.
 pub fn run() -> ExitCode {
     let args: Args = match pages::shell::arguments() {
         Ok(args) => args,

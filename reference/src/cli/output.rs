@@ -1,26 +1,26 @@
-//! What commands print on the output stream, and how much they say on the error stream.
+//! Prints to the output stream, and defines how much is printed to the error stream.
 
 use pages::say;
 
 use super::stop::Stop;
 
-/// How much a command says on the error stream.
+/// The amount of messages on the error stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Talk {
-    /// Errors alone.
+    /// Only errors.
     Quiet,
-    /// What was written.
+    /// Errors, warnings, progress and the files that were written.
     Normal,
-    /// Also what was done on the way.
+    /// Each step as well.
     Verbose,
 }
 
-/// Writes bytes to the output stream as they are; a reader that has gone away is no error.
+/// Writes bytes to the output stream unchanged. A reader that has gone away is no error.
 pub(super) fn print(bytes: &[u8]) -> Result<(), Stop> {
     say::raw(bytes).map_err(|why| unprintable(&why))
 }
 
-/// Prints text for people to the output stream; a reader that has gone away is no error.
+/// Prints text for people to the output stream. A reader that has gone away is no error.
 pub(super) fn print_text(text: &str) -> Result<(), Stop> {
     say::out(text).map_err(|why| unprintable(&why))
 }

@@ -1,5 +1,5 @@
-//! `reference probe`: the protocol of the unit checks, so that the reference can be graded like a
-//! submission.
+//! The command `reference probe`: the protocol of the unit checks, so that the reference can be
+//! graded like a submission.
 
 use std::io::BufRead;
 
@@ -9,10 +9,10 @@ use super::args::ProbeArgs;
 use super::find;
 use super::output::print;
 use super::stop::Stop;
-use crate::answers::answer;
 use crate::rules::Rules;
+use crate::trace::answers::answer;
 
-/// Answers a line for every line, in order.
+/// Answers each line of standard input with a line, in order.
 pub(super) fn run(args: &ProbeArgs) -> Result<(), Stop> {
     let rules = Rules::of(&find::given(&args.course)?.unwrap_or_default());
     for line in std::io::stdin().lock().lines() {

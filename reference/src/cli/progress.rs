@@ -1,4 +1,4 @@
-//! Progress of what takes long, on standard error: a bar on a terminal, a line now and then
+//! Shows the progress of long work on standard error: a bar on a terminal, a line now and then
 //! elsewhere.
 
 use indicatif::{ProgressBar, ProgressDrawTarget};
@@ -7,17 +7,17 @@ use pages::say;
 
 use super::output::Talk;
 
-/// Fewer rays than this are done before a bar could be read.
+/// Number of rays below which a picture is done before a bar could be read.
 const LONG: u64 = 500_000;
 
-/// A bar that goes away when dropped.
+/// A progress bar, which disappears when dropped.
 pub(super) struct Bar {
     bar: ProgressBar,
     lines: Option<Lines>,
 }
 
 impl Bar {
-    /// For a picture of `n_pixels`, each worth `rays_each` eye rays.
+    /// Starts a bar for a picture of `n_pixels` with `rays_each` eye rays per pixel.
     pub(super) fn rendering(n_pixels: u64, rays_each: u64, talk: Talk) -> Self {
         Self::new(
             n_pixels,
@@ -26,17 +26,18 @@ impl Bar {
         )
     }
 
-    /// For `n` cases.
+    /// Starts a bar for `n` cases.
     pub(super) fn cases(n: u64, talk: Talk) -> Self {
         Self::new(n, "cases", talk > Talk::Quiet)
     }
 
-    /// For the pictures of a measurement, `n` of one ray a pixel.
+    /// Starts a bar for a measurement whose pictures have `n` pictures' worth of rays, at one ray
+    /// per pixel.
     pub(super) fn pictures(n: u64, talk: Talk) -> Self {
         Self::new(n, "pictures", talk > Talk::Quiet)
     }
 
-    /// For the steps of a measurement.
+    /// Starts a bar for `n` steps.
     pub(super) fn steps(n: u64, talk: Talk) -> Self {
         Self::new(n, "steps", talk > Talk::Quiet)
     }
@@ -50,7 +51,7 @@ impl Bar {
         Self { bar, lines: is_log.then(|| Lines::new(n, unit)) }
     }
 
-    /// `n` more are done.
+    /// Advances the bar by `n`.
     pub(super) fn add(&self, n: u64) {
         self.bar.inc(n);
         if let Some(line) = self.lines.as_ref().and_then(|lines| lines.add(n)) {

@@ -1,4 +1,4 @@
-//! `reference render`.
+//! The command `reference render`.
 
 use std::path::Path;
 use std::time::Instant;
@@ -16,37 +16,37 @@ use super::output::Talk;
 use super::progress::Bar;
 use super::stats::{Report, Row};
 use super::stop::Stop;
-use crate::cutoff::Limits;
-use crate::real::Real;
-use crate::render::{self, Options, Stats};
+use crate::numbers::real::Real;
 use crate::rules::Rules;
-use crate::work::Amounts;
+use crate::trace::cutoff::Limits;
+use crate::trace::render::{self, Options, Stats};
+use crate::watch::work::Amounts;
 use crate::world::World;
 
-/// Carries out the command.
+/// Runs the command.
 pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     let out = args
         .output
         .as_ref()
         .or(args.out.as_ref())
         .ok_or_else(|| Stop::Usage("OUT is missing".to_owned()))?;
-    let form = Form::of(out, args.bits)?;
+    let form = ObjectShape::of(out, args.bits)?;
     files::check(out)?;
     let mut clock = Clock(Instant::now());
     let Found { mut scene, allowed, course } = find::found(&args.scene, &args.course)?;
     let rules = Rules::of(&course);
     adjust(&mut scene, args, allowed, &course);
-    scene.effects = asked_for(&scene, &args.effects)?;
+    scene.effects = selected(&scene, &args.effects)?;
     if let Some(threshold) = args.threshold {
         cut(&mut scene, threshold, allowed.has(Effect::AdaptiveDepth) || args.effects != "auto")?;
     }
     let reasons = effects::reasons(&scene, &course);
     if args.effects != "auto" {
-        let asked = scene.effects;
-        effects::simulate_only(&mut scene, asked);
+        let requested = scene.effects;
+        effects::simulate_only(&mut scene, requested);
     }
     let load_s = clock.lap();
-    // This thread is one of them, so that a picture by one thread starts none.
+    // This thread is one of the pool, so that `--threads 1` starts no other.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads.map_or(0, usize::from));
     let pool = pool.use_current_thread().build();
     let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
@@ -83,7 +83,8 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     report.say(stats_form, files::is_stdout(out))
 }
 
-/// A greater depth may call for effects that the file's own does not.
+/// Changes the size and the depth of a scene. A greater depth may call for effects that the depth
+/// of the file does not.
 fn adjust(scene: &mut Scene, args: &RenderArgs, allowed: Effects, course: &Course) {
     if let Some((width, height)) = args.size {
         (scene.render.width, scene.render.height) = (width, height);
@@ -96,13 +97,13 @@ fn adjust(scene: &mut Scene, args: &RenderArgs, allowed: Effects, course: &Cours
     }
 }
 
-/// Paths end at that weight, at none for 0.
+/// Sets the weight at which paths end; 0 switches adaptive depth off.
 fn cut(scene: &mut Scene, threshold: f64, may_adapt: bool) -> Result<(), Stop> {
     scene.render.threshold = threshold;
     if threshold > 0.0 && !may_adapt {
         return Err(Stop::Usage(
             "the case's stage does not allow adaptive_depth\n\
-                help: say with --effects what to simulate, such as --effects all"
+                help: name the effects with --effects, such as --effects all"
                 .to_owned(),
         ));
     }
@@ -115,15 +116,16 @@ fn cut(scene: &mut Scene, threshold: f64, may_adapt: bool) -> Result<(), Stop> {
     Ok(())
 }
 
-/// What the rays and the light can matter that were left out, in linear light. [rule 13]
+/// Returns the most by which the rays and light that were left out darken a pixel, in linear light.
+/// It is `None` if there is no bound. [rule 13]
 fn left_out(scene: &Scene, rules: &Rules, stats: &Stats) -> Option<f64> {
     let of_rays = Limits::of(scene, rules, scene.effects).of_weight(stats.left_out.into());
     let most = (of_rays + DVec3::from(stats.faint_light)).max_element();
     most.is_finite().then_some(most)
 }
 
-/// The effects that `--effects` asks for.
-fn asked_for(scene: &Scene, asked: &str) -> Result<Effects, Stop> {
+/// Returns the effects that `--effects` requests.
+fn selected(scene: &Scene, requested: &str) -> Result<Effects, Stop> {
     let effect = |name: &str| {
         Effect::from_name(name.trim()).ok_or_else(|| {
             let known: Vec<_> = Effect::ALL.iter().map(|effect| effect.name()).collect();
@@ -133,7 +135,7 @@ fn asked_for(scene: &Scene, asked: &str) -> Result<Effects, Stop> {
             ))
         })
     };
-    match asked {
+    match requested {
         "auto" => Ok(scene.effects),
         "all" => Ok(Effects::all()),
         "none" => Ok(Effects::NONE),
@@ -141,10 +143,10 @@ fn asked_for(scene: &Scene, asked: &str) -> Result<Effects, Stop> {
     }
 }
 
-/// A picture, what it cost, and the work where it was counted.
+/// A picture, its figures, and the work if it was counted.
 type Picture = (Image, Stats, Option<Amounts>);
 
-/// What is asked for besides the scene.
+/// The settings of a render besides the scene.
 #[derive(Clone, Copy, Debug)]
 struct Fineness {
     samples: u32,
@@ -153,7 +155,7 @@ struct Fineness {
     counts: bool,
 }
 
-/// The picture, and the seconds it took to make the world ready.
+/// Returns the picture, and the seconds that it took to build the world.
 fn picture<T: Real>(
     scene: &Scene,
     rules: &Rules,
@@ -178,7 +180,7 @@ fn picture<T: Real>(
     (picture, prepare_s)
 }
 
-/// Seconds since the last lap.
+/// A clock that measures laps.
 struct Clock(Instant);
 
 impl Clock {
@@ -189,15 +191,15 @@ impl Clock {
     }
 }
 
-/// The form of a picture's file.
+/// The file format of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Form {
+enum ObjectShape {
     Film(film::Kind),
     Exr,
 }
 
-impl Form {
-    /// By the ending of the name; a stream has none, and gets a PNG.
+impl ObjectShape {
+    /// Returns the format by the extension of the name. A stream has no extension, and gets a PNG.
     fn of(out: &Path, bits: Bits) -> Result<Self, Stop> {
         let deep = |kind| {
             if kind == film::Kind::Png && bits == Bits::Sixteen {
@@ -227,6 +229,6 @@ impl Form {
                 film::exr::encode((image.width(), image.height()), &[part], "")
             }
         };
-        bytes.map_err(|why| Stop::Machine(format!("cannot make the picture's file: {why}")))
+        bytes.map_err(|why| Stop::Machine(format!("cannot encode the picture: {why}")))
     }
 }

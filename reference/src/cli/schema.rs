@@ -1,4 +1,4 @@
-//! `reference schema`.
+//! The command `reference schema`.
 
 use cases::schema;
 
@@ -6,7 +6,7 @@ use super::args::{SchemaArgs, SchemaKind};
 use super::output::{print, print_json};
 use super::stop::Stop;
 
-/// Carries out the command.
+/// Runs the command.
 pub(super) fn run(args: &SchemaArgs) -> Result<(), Stop> {
     if args.markdown {
         return print(schema::scene_format_markdown().as_bytes());

@@ -1,4 +1,4 @@
-//! `reference completions` and `reference man`, made from the arguments.
+//! The commands `reference completions` and `reference man`, generated from the arguments.
 
 use std::path::Path;
 
@@ -11,12 +11,12 @@ use super::args::Args;
 use super::output::print;
 use super::stop::Stop;
 
-/// `reference completions SHELL`.
+/// Runs `reference completions SHELL`.
 pub(super) fn completions(shell: Shell) -> Result<(), Stop> {
     print(&shell::completions(Args::command(), shell))
 }
 
-/// `reference man [COMMAND|DIR]`.
+/// Runs `reference man [COMMAND|DIR]`.
 pub(super) fn man(what: Option<&Path>) -> Result<(), Stop> {
     match shell::man(Args::command(), what).map_err(Stop::Usage)? {
         Man::Page(page) => print(&page),

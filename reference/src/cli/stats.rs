@@ -1,20 +1,22 @@
-//! What `reference render --stats` says: what was simulated and why, and what it took.
+//! The output of `reference render --stats`: the simulated effects with their reasons, the rays and
+//! work, and the times.
 
 use std::fmt::Write;
 
 use cases::Effects;
 use cases::effects::Reason;
+use pages::figures::figure;
 use serde::Serialize;
 
-use super::args::Form;
+use super::args::ObjectShape;
 use super::output::print;
 use super::stop::Stop;
-use crate::cost::figures::{figure, levels};
+use crate::cost::figures::levels;
+use crate::watch::work::{Amounts, Work};
 use crate::watch::{Counts, made_by};
-use crate::work::{Amounts, Work};
 
-/// The figures of a picture; times in seconds of wall clock, those of `render` with the counting in
-/// them.
+/// The figures of a picture. Times are in seconds of wall clock; `render_s` includes the time of
+/// counting.
 #[derive(Debug, Serialize)]
 pub(super) struct Report {
     pub(super) width: u32,
@@ -26,8 +28,8 @@ pub(super) struct Report {
     pub(super) rays: Counts,
     pub(super) work: Amounts,
     pub(super) by_effect: Vec<Row>,
-    /// Greatest amount of linear light by which what was left out for depth, threshold or light
-    /// cutoff darkens a pixel; none where nothing bounds it.
+    /// Greatest amount of linear light by which a pixel is darker because of depth, threshold and
+    /// light cutoff; `None` if it is unbounded.
     pub(super) left_out_at_most: Option<f64>,
     pub(super) load_s: f64,
     pub(super) prepare_s: f64,
@@ -35,21 +37,21 @@ pub(super) struct Report {
     pub(super) write_s: f64,
 }
 
-/// What became of an effect.
+/// An effect, with the reason for which it was simulated or not.
 #[derive(Debug, Serialize)]
 pub(super) struct Row {
     effect: &'static str,
     called_for: bool,
     simulated: bool,
     because: String,
-    /// How many rays or pieces of work it has made.
+    /// The number of rays or units of work that the effect caused.
     made: u64,
-    /// What those are.
+    /// The name of these rays or units of work.
     of: &'static str,
 }
 
 impl Row {
-    /// A row for every effect there is, of which `simulated` were.
+    /// Returns a row for every effect, of which `simulated` were simulated.
     pub(super) fn all(
         reasons: Vec<Reason>,
         simulated: Effects,
@@ -84,14 +86,15 @@ impl Row {
 }
 
 impl Report {
-    /// Prints it, to the error stream where the picture went to the other one.
-    pub(super) fn say(&self, form: Form, to_errors: bool) -> Result<(), Stop> {
+    /// Prints the report to the output stream, or to the error stream if the picture went to the
+    /// output stream.
+    pub(super) fn say(&self, form: ObjectShape, to_errors: bool) -> Result<(), Stop> {
         let text = match form {
-            Form::Json => {
+            ObjectShape::Json => {
                 serde_json::to_string_pretty(self).map_err(|why| Stop::Machine(why.to_string()))?
                     + "\n"
             }
-            Form::Text => self.text(),
+            ObjectShape::Text => self.text(),
         };
         if to_errors {
             pages::say::err(&text);
@@ -110,7 +113,7 @@ impl Report {
                     figure(levels(most))
                 )
             }
-            None => "rays that nothing bounds: some material has kr + kt of 1 or more".to_owned(),
+            None => "light without a bound: some material has kr + kt of 1 or more".to_owned(),
         };
         let amounts = |works: &[Work]| {
             let done = works.iter().filter(|work| self.work.of(**work) > 0);
@@ -119,7 +122,7 @@ impl Report {
             if all.is_empty() { "nothing".to_owned() } else { all.join(", ") }
         };
         let mut text = format!(
-            "picture    {}x{}, {} a pixel, {}, {} threads\n\
+            "picture    {}x{}, {} per pixel, {}, {} threads\n\
                 rays       {eye} eye, {shadow} shadow, {reflected} reflected, {refracted} \
                 refracted\n",
             self.width,
@@ -134,8 +137,8 @@ impl Report {
         text.extend(self.by_effect.iter().map(Row::line));
         let _ = writeln!(
             text,
-            "left out   {left_out}\nseconds    load {:.4}, prepare {:.4}, render {:.4} (counting \
-                in it), write {:.4}",
+            "left out   {left_out}\nseconds    load {:.4}, prepare {:.4}, render {:.4} (with \
+                counting), write {:.4}",
             self.load_s, self.prepare_s, self.render_s, self.write_s,
         );
         text

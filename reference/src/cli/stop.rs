@@ -3,18 +3,18 @@
 use cases::files::WriteError;
 use cases::problem::Problems;
 
-/// Why a command ended early, and with it the exit code.
+/// The reason for which a command ended early, and with it the exit code.
 #[derive(Debug)]
 pub(super) enum Stop {
-    /// Done, but something did not pass: 1.
+    /// The command is done, but something did not pass: 1.
     NotPassed(String),
     /// A scene or case that cannot be read: 2.
     Problems(Problems),
-    /// What was typed makes no sense, or an input cannot be read: 2.
+    /// The arguments make no sense, or an input cannot be read: 2.
     Usage(String),
     /// The machine failed: 3.
     Machine(String),
-    /// The user has interrupted: 130.
+    /// The user has interrupted the command: 130.
     Interrupted(String),
 }
 

@@ -1,4 +1,4 @@
-//! `reference vary --check`: how well the bounds of the cases hold over many seeds.
+//! The command `reference vary --check`: how well the bounds of the cases hold over many seeds.
 
 use std::fmt::Write;
 
@@ -11,16 +11,15 @@ use super::stop::Stop;
 use crate::expect::Set;
 use crate::vary::{Care, Original, Varied};
 
-/// What was seen of one case, over any number of seeds; adding up two gives the same in either
-/// order.
+/// The results of one case over any number of seeds. The sum of two does not depend on their order.
 #[derive(Clone, Debug, Default)]
 struct Seen {
     n_seeds: u64,
     n_first: u64,
     most_draws: u32,
-    /// The least share of pixels that show what the stage adds; `None` before the first.
+    /// The least share of pixels that show what the stage adds; `None` without an accepted draw.
     least: Option<f64>,
-    /// The greatest share of contested pixels; `None` where no set was looked at so closely.
+    /// The greatest share of contested pixels; `None` if it was not measured.
     contested: Option<f64>,
     failed: Vec<String>,
 }
@@ -53,7 +52,7 @@ impl Seen {
     }
 }
 
-/// The one of two numbers that `choose` takes, or the only one.
+/// Returns the result of `choose` for two numbers, or the only number.
 fn either(one: Option<f64>, other: Option<f64>, choose: fn(f64, f64) -> f64) -> Option<f64> {
     match (one, other) {
         (Some(one), Some(other)) => Some(choose(one, other)),
@@ -61,7 +60,7 @@ fn either(one: Option<f64>, other: Option<f64>, choose: fn(f64, f64) -> f64) -> 
     }
 }
 
-/// Draws the sets that are asked for and prints a line a case.
+/// Draws the requested sets and prints a table with a line for each case.
 pub(super) fn run(
     originals: &[Original],
     set: &Set,

@@ -1,25 +1,25 @@
-//! What several commands let one type: stages, a course, a size, a weight.
+//! Arguments that several commands share: stages, a course, a size, a weight.
 
 use std::path::PathBuf;
 
 use clap::Parser;
 
-/// Where stages are sought.
+/// The folder in which stages are looked up.
 pub(super) const STAGES: &str = "cases/stages";
 
 /// The rules to follow where courses differ.
 #[derive(Debug, Parser)]
 pub(super) struct CourseArg {
-    /// What the course decides [default: for a case the course.toml in the folder of its stages or
-    /// beside it; else the lecture]
+    /// The choices of the course [default: for a case the course.toml in the folder of its stages
+    /// or beside it; else the lecture]
     #[arg(long, value_name = "FILE")]
     pub course: Option<PathBuf>,
 }
 
-/// Largest side of a picture.
+/// Largest side of a picture in pixels.
 const MAX_SIDE: u32 = 16384;
 
-/// Reads the sides of a picture, such as `640x480`.
+/// Parses the sides of a picture, such as `640x480`.
 pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
     let sides =
         text.split_once(['x', '×']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
@@ -29,7 +29,7 @@ pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
     }
 }
 
-/// Reads a weight, as a number or a fraction such as `1/256`.
+/// Parses a weight from 0 to 1, as a number or a fraction such as `1/256`.
 pub(super) fn threshold(text: &str) -> Result<f64, String> {
     let number = |text: &str| text.trim().parse::<f64>().ok();
     let value = match text.split_once('/') {

@@ -1,4 +1,4 @@
-//! `reference vary`.
+//! The command `reference vary`.
 
 use std::fs;
 use std::io;
@@ -17,7 +17,7 @@ use super::{expect, survey};
 use crate::expect::{Expected, Set};
 use crate::vary::folder::{self, Draft, Originals, WriteSetError};
 
-/// Carries out the command.
+/// Runs the command.
 pub(super) fn run(args: &VaryArgs, talk: Talk) -> Result<(), Stop> {
     let out = match (args.seed, args.check) {
         (Some(seed), false) => Some((
@@ -38,7 +38,7 @@ pub(super) fn run(args: &VaryArgs, talk: Talk) -> Result<(), Stop> {
     }
 }
 
-/// Returns the cases to vary, and warns of those that cannot be varied.
+/// Returns the cases to vary, and warns of the cases that cannot be varied.
 fn originals(args: &VaryArgs, set: &Set, talk: Talk) -> Result<Originals, Stop> {
     let n_varying = set
         .stages
@@ -58,15 +58,13 @@ fn originals(args: &VaryArgs, set: &Set, talk: Talk) -> Result<Originals, Stop> 
     drop(bar);
     if talk > Talk::Quiet {
         for id in &originals.constant {
-            say::err(&format!(
-                "warning: {id} has no `[vary]`, so it stays as everybody has seen it"
-            ));
+            say::err(&format!("warning: {id} has no `[vary]`, so that it is copied unchanged"));
         }
     }
     Ok(originals)
 }
 
-/// Draws the set, makes its answers, and puts both at their place at once.
+/// Draws the set, makes its answers, and moves both to their place at once.
 fn write(
     args: &VaryArgs,
     set: &Set,
@@ -79,7 +77,8 @@ fn write(
     let bar = Bar::cases(varying.len() as u64, talk);
     let varied = folder::draw(varying, set, seed, || bar.add(1)).map_err(Stop::NotPassed)?;
     drop(bar);
-    // Until here nothing was written, and a signal ends the program at once.
+    // Nothing has been written so far, so a signal could end the program at once. From now on the
+    // first signal ends the work instead.
     let interrupt = &Interrupt::catch()?;
     let draft = Draft::write(&args.stages, set, &varied, constant, out)?;
     let stages = draft.stages();
@@ -104,7 +103,7 @@ impl From<WriteSetError> for Stop {
     }
 }
 
-/// Demands that the place of a set holds nothing yet: a mixture of two sets would be graded.
+/// Checks that `out` does not exist or is an empty folder. A mixture of two sets would be graded.
 fn free(out: &Path) -> Result<(), Stop> {
     let taken = match fs::read_dir(out) {
         Ok(mut entries) => entries.next().is_some(),
@@ -112,7 +111,7 @@ fn free(out: &Path) -> Result<(), Stop> {
     };
     if taken {
         return Err(Stop::Usage(format!(
-            "`{}` is there already: remove it, or say where else with --out DIR",
+            "`{}` is there already: remove it, or name another folder with --out DIR",
             out.display()
         )));
     }

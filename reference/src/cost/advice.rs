@@ -1,12 +1,17 @@
-//! What to pick, in sentences.
+//! Advice on which setting to pick, in sentences.
 
-use super::figures::{figure, levels, percent};
+use pages::figures::figure;
+
+use super::figures::{levels, percent};
 use super::report::{Report, Row};
 use super::setting::{Formula, Setting};
-use crate::variations::Precision;
+use crate::expect::variations::Precision;
 
-/// The cheapest setting that changes no 8-bit pixel, the next step below, and what more rays a
-/// pixel buy.
+/// Returns the sentences of a report.
+///
+/// They name the cheapest setting that changes no 8-bit pixel, the next step below it, the error
+/// and the bound of the scene's own setting, and the gain of more rays a pixel. Without a row for
+/// the scene's own setting there are none.
 pub(super) fn advice(report: &Report) -> Vec<String> {
     let Some(own) = report.row(&report.own) else { return Vec::new() };
     let same: Vec<&Row> =
@@ -32,15 +37,15 @@ fn least<'a>(rows: impl Iterator<Item = &'a Row>, by: impl Fn(&Row) -> f64) -> O
 fn pick_it(pick: &Row, own: &Row, same: &[&Row]) -> String {
     let n = own.setting.samples;
     let mut text = format!(
-        "Pick {}: {} ms, the cheapest with {n}×{n} rays a pixel that changes no 8-bit pixel of \
-            the most accurate picture with as many.",
+        "Pick {}: {} ms. It is the cheapest setting with {n}×{n} rays a pixel that changes no \
+            8-bit pixel of the most accurate picture with as many rays.",
         pick.name,
         figure(pick.time_ms.median)
     );
     if pick.setting != own.setting {
         let share = pick.time_ms.median / own.time_ms.median;
         text += &format!(
-            " As the scene stands ({}) it takes {} ms; this is {} of that.",
+            " The scene's own setting ({}) takes {} ms; this is {} of that.",
             own.name,
             figure(own.time_ms.median),
             percent(share)
@@ -53,13 +58,16 @@ fn pick_it(pick: &Row, own: &Row, same: &[&Row]) -> String {
     };
     let n_others = same.iter().filter(is_as_fast).count();
     if n_others > 0 {
-        text += &format!(
-            " {n_others} other{} that change{} none {} not told apart from it by time: the \
-                spreads overlap.",
-            if n_others == 1 { "" } else { "s" },
-            if n_others == 1 { "s" } else { "" },
-            if n_others == 1 { "is" } else { "are" },
-        );
+        text += &if n_others == 1 {
+            " 1 other setting changes none either; the times of the two overlap, so they are not \
+                distinguished."
+                .to_owned()
+        } else {
+            format!(
+                " {n_others} other settings change none either; their times overlap, so they are \
+                    not distinguished."
+            )
+        };
     }
     text
 }
@@ -83,8 +91,8 @@ fn step_below(pick: &Row, same: &[&Row]) -> Option<String> {
 fn own_error(own: &Row) -> Option<String> {
     (own.same_rays.changed > 0.0).then(|| {
         format!(
-            "The scene as it stands is not there yet: greater depth or no threshold changes {} of \
-                its pixels, the worst by {} levels.",
+            "The scene's own setting is not deep enough: a greater depth or no threshold changes \
+                {} of its pixels, the worst by {} levels.",
             percent(own.same_rays.changed),
             figure(own.same_rays.max_levels)
         )
@@ -95,22 +103,24 @@ fn proven(own: &Row) -> Option<String> {
     let sends_on = own.rays.reflected + own.rays.refracted > 0;
     let text = match own.left_out_at_most {
         Some(0.0) | None if !sends_on => return None,
-        Some(0.0) => "Proven: as the scene stands no ray is left out.".to_owned(),
+        Some(0.0) => "Proven: the scene's own setting leaves out no ray.".to_owned(),
         Some(most) => {
             let levels = figure(levels(most));
             format!(
-                "Proven: rays left out as the scene stands darken no pixel by more than \
-                {levels} levels."
+                "Proven: the rays that the scene's own setting leaves out darken no pixel by more \
+                    than {levels} levels."
             )
         }
-        None => "Nothing bounds what is left out: some surface sends on all the light that it \
-            receives (kr + kt is not below 1)."
+        None => "No bound is known for the rays that are left out: some surface passes on all \
+            light that it receives (kr + kt is not below 1)."
             .to_owned(),
     };
     Some(text)
 }
 
-/// f64, robust, the truth's depth: what is left then is what samples do.
+/// Returns the sentence on more rays a pixel. It compares settings with f64, the robust formulas
+/// and the truth's depth, whose only error is that of sampling. `None` if there are fewer than two
+/// such settings, or no error.
 fn samples(report: &Report) -> Option<String> {
     let exact = |row: &&Row| {
         let s = &row.setting;
@@ -147,8 +157,8 @@ fn samples(report: &Report) -> Option<String> {
 mod tests {
     use super::*;
     use crate::cost::error::Error;
-    use crate::cost::front::Times;
     use crate::cost::report::Machine;
+    use crate::cost::times::Times;
     use crate::watch::Counts;
     use cases::Effects;
 
@@ -162,8 +172,8 @@ mod tests {
     };
     const TRUTH: Setting = Setting { samples: 8, max_depth: 4, ..OWN };
 
-    /// A row that takes `ms`, give or take one, and is that far off: the share of changed pixels,
-    /// and RMS error against the truth.
+    /// Returns a row that takes `ms` ± 1 ms, with the share `changed` of changed pixels, and with
+    /// the RMS error `rms` against the truth.
     fn row(setting: Setting, ms: f64, changed: f64, rms: f64) -> Row {
         Row {
             name: setting.to_string(),
@@ -219,9 +229,12 @@ mod tests {
             row(depth(0), 10.0, 0.5, 3.0),
             row(TRUTH, 900.0, 0.0, 0.0),
         ]);
-        assert!(all[0].starts_with("Pick f32 robust, 1×1, depth 2: 20.0 ms,"), "{all:?}");
         assert!(
-            all[0].contains("it takes 40.0 ms; this is 50.0 % of that.")
+            all[0].starts_with("Pick f32 robust, 1×1, depth 2: 20.0 ms. It is the cheapest"),
+            "{all:?}"
+        );
+        assert!(
+            all[0].contains("takes 40.0 ms; this is 50.0 % of that.")
                 && !all[0].contains("overlap"),
             "{all:?}"
         );
@@ -231,21 +244,21 @@ mod tests {
             ),
             "{all:?}"
         );
-        assert!(all[2].starts_with("Nothing bounds what is left out"), "{all:?}");
-        assert_eq!(all.len(), 3, "one number of samples says nothing about more: {all:?}");
+        assert!(all[2].starts_with("No bound is known for the rays"), "{all:?}");
+        assert_eq!(all.len(), 3, "one number of samples gives no sentence on samples: {all:?}");
     }
 
     #[test]
-    fn a_scene_that_is_not_deep_enough_is_told_so_and_equals_are_counted() {
+    fn a_scene_that_is_not_deep_enough_is_reported_and_equals_are_counted() {
         let bound = Row { left_out_at_most: Some(0.01), ..row(OWN, 40.0, 0.125, 4.0) };
         let all = said(vec![bound, row(depth(4), 50.0, 0.0, 4.0), row(depth(3), 51.0, 0.0, 4.0)]);
         assert!(
             all[0].starts_with("Pick f64 robust, 1×1, depth 4")
-                && all[0].contains("1 other that changes none is"),
+                && all[0].contains("1 other setting changes none either"),
             "{all:?}"
         );
         assert!(
-            all[2].starts_with("The scene as it stands is not there yet")
+            all[2].starts_with("The scene's own setting is not deep enough")
                 && all[2].contains("12.5 %"),
             "{all:?}"
         );

@@ -1,17 +1,17 @@
-//! A scene made ready once for every setting.
+//! A scene that is prepared once for all settings.
 
 use cases::film::Image;
 use cases::{Effect, Effects, Scene, effects};
 
 use super::setting::Setting;
-use crate::real::Real;
-use crate::render::{self, Options, Stats};
+use crate::expect::variations::Precision;
+use crate::numbers::real::Real;
 use crate::rules::Rules;
-use crate::variations::Precision;
+use crate::trace::render::{self, Options, Stats};
 use crate::world::World;
 
-/// The worlds of a scene in both precisions, each made when it is first asked for, and the rules by
-/// which it is rendered.
+/// The worlds of a scene in both precisions, each built at its first use, and the rules by which
+/// the scene is rendered.
 #[derive(Debug)]
 pub struct Bench {
     rules: Rules,
@@ -20,24 +20,27 @@ pub struct Bench {
     double: Worlds<f64>,
 }
 
-/// Worlds, each with what it keeps of [`OF_THE_SCENE`].
+/// Worlds, each with the effects of [`OF_THE_SCENE`] that it keeps.
 type Worlds<T> = Vec<(Effects, World<T>)>;
 
-/// What belongs to objects and lights: a picture without it is one of another scene.
+/// The effects that are properties of objects and lights. A picture without one of them shows
+/// another scene, so it needs a world of its own.
 const OF_THE_SCENE: Effects = Effects::NONE.with(Effect::Transforms).with(Effect::Attenuation);
 
 impl Bench {
-    /// Makes `scene` ready, to be rendered by `rules` but for their style.
+    /// Prepares `scene`. It is rendered by `rules`, except for their style, which each setting
+    /// chooses.
     pub fn new(scene: &Scene, rules: &Rules) -> Self {
         Self { rules: *rules, scene: scene.clone(), single: Vec::new(), double: Vec::new() }
     }
 
-    /// The rules, in whatever style.
+    /// Returns the rules. Their style is irrelevant.
     pub fn rules(&self) -> &Rules {
         &self.rules
     }
 
-    /// The picture by a setting, and what it took. Runs in the current `rayon` pool.
+    /// Returns the picture by a setting, and the statistics of its rays. Runs in the current
+    /// `rayon` pool.
     pub fn render(&mut self, setting: &Setting) -> (Image, Stats) {
         match setting.precision {
             Precision::F32 => {
@@ -49,8 +52,8 @@ impl Bench {
         }
     }
 
-    /// Bytes that a setting takes: the scene made ready for rays, and the picture in the scalars it
-    /// is computed with.
+    /// Returns the bytes that a setting takes: the world that rays search, and the picture in the
+    /// scalars of the setting.
     pub fn bytes(&mut self, setting: &Setting) -> usize {
         let n_pixels = self.scene.render.width as usize * self.scene.render.height as usize;
         match setting.precision {
@@ -66,8 +69,8 @@ impl Bench {
     }
 }
 
-/// The world of `scene` without the matrices or the attenuation that it calls for and `effects`
-/// does not have.
+/// Returns the world of `scene`, built at the first call. Transforms and attenuation that the scene
+/// calls for are left out if `effects` lacks them.
 fn ready<'a, T: Real>(
     worlds: &'a mut Worlds<T>,
     scene: &Scene,

@@ -1,47 +1,47 @@
-//! The page of the documentation on what accuracy costs: measurements set in words.
+//! The page `docs/accuracy.md` on the cost of accuracy, rendered from measurements.
 
 use cases::Scene;
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::Serde;
 use minijinja::{Environment, context};
+use pages::figures::figure;
 use serde::Serialize;
 
 use super::bench::Bench;
 use super::error::Error;
-use super::figures::{figure, percent};
+use super::figures::percent;
 use super::functions_report::FunctionsReport;
 use super::report::Report;
 use super::scaled::scaled;
 use super::setting::{Formula, Setting};
+use crate::expect::variations::Precision;
 use crate::rules::{Epsilon, Rules};
-use crate::variations::Precision;
 
-/// The scenes of the page, each for what it has: mirrors that see each other, glass, moved spheres,
-/// smooth meshes.
+/// The scenes of the page. They show facing mirrors, glass, transformed spheres and smooth meshes.
 pub const SCENES: [&str; 4] = [
     "03_reflection/hall_of_mirrors",
     "04_refraction/crystal_ball",
     "05_transforms/pebbles",
     "06_smooth_normals/soap",
 ];
-/// The scene that is shown in many sizes.
+/// The scene that is rendered in many sizes.
 pub const SIZED: &str = SCENES[1];
-/// The powers of ten of those sizes.
+/// The exponents of the sizes, which are powers of ten.
 const SIZES: [i32; 9] = [-8, -6, -4, -2, 0, 2, 4, 6, 8];
-/// The values of RAY_EPSILON shown.
+/// The values of RAY_EPSILON in the table.
 const EPSILONS: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
 
-/// How new rays leave surfaces, and what that does to a scene in every size.
+/// The wrong pixels of a scene in every size, for one way in which new rays leave surfaces.
 #[derive(Clone, Debug, Serialize)]
 pub struct StartRow {
-    /// In words.
+    /// The way in words.
     pub name: String,
-    /// Share of the pixels that are another 8-bit colour than they should be, for each size.
+    /// The share of the pixels with a wrong 8-bit colour, for each size.
     pub changed: Vec<f64>,
 }
 
-/// A row for the reference's own start and each RAY_EPSILON, in both precisions; right is the
-/// reference's f64 picture of the scene as it is.
+/// Returns a row for the reference's own start and for each RAY_EPSILON, in both precisions. The
+/// correct picture is the reference's f64 picture of the scene in its own size.
 pub fn starts(scene: &Scene, rules: &Rules) -> Vec<StartRow> {
     let own = Setting::of(scene);
     let (truth, _) = Bench::new(scene, rules).render(&own);
@@ -71,25 +71,26 @@ pub fn starts(scene: &Scene, rules: &Rules) -> Vec<StartRow> {
     [Precision::F64, Precision::F32].into_iter().flat_map(of).collect()
 }
 
-/// Everything that the page shows.
+/// The measurements that the page shows.
 #[derive(Clone, Debug, Serialize)]
 pub struct Document {
-    /// One function at a time.
+    /// The single functions.
     pub functions: FunctionsReport,
-    /// Whole pictures, of [`SCENES`].
+    /// The whole pictures, of [`SCENES`].
     pub scenes: Vec<Report>,
-    /// New rays in many sizes.
+    /// The starts of new rays, in many sizes.
     pub starts: Vec<StartRow>,
 }
 
-/// File of the picture that belongs to a scene of that name, beside a page of that stem.
+/// Returns the file name of the picture of the scene `scene`, which lies beside the page with the
+/// stem `stem`. Characters that are not ASCII letters or digits become `_`.
 pub fn picture_name(stem: &str, scene: &str) -> String {
     let tame: String =
         scene.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
     format!("{stem}-{tame}.svg")
 }
 
-/// The page, in Markdown; `stem` is that of its file.
+/// Returns the page in Markdown. `stem` is the stem of its file.
 pub fn markdown(document: &Document, stem: &str) -> String {
     let syntax = SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build();
     let mut engine = Environment::new();

@@ -1,30 +1,30 @@
-//! How far a picture is from a better one.
+//! The error of a picture against a better one.
 
 use cases::film::{Image, Quantiser, level};
 use cases::glam::DVec3;
 use serde::Serialize;
 
-/// What separates two pictures. A channel that is no finite number counts as wrong by its whole
-/// range: 255 levels, 1 of light.
+/// The difference of two pictures. A channel that is not finite counts as wrong by its whole range:
+/// 255 levels, or 1 of light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Error {
-    /// Greatest difference of a channel in 8-bit levels, before rounding to whole ones.
+    /// The greatest difference of a channel in 8-bit levels, before rounding to whole levels.
     pub max_levels: f64,
-    /// Root of the mean square of the same, over all channels.
+    /// The root of the mean squared difference in 8-bit levels, over all channels.
     pub rms_levels: f64,
-    /// Greatest difference of a channel in linear light, which does not end at 1.
+    /// The greatest difference of a channel in linear light, which is not clamped to 1.
     pub max_light: f64,
-    /// Root of the mean square of the same.
+    /// The root of the mean squared difference in linear light, over all channels.
     pub rms_light: f64,
-    /// Share of the pixels that are another 8-bit colour.
+    /// The share of the pixels with a different 8-bit colour. A pixel that is not finite counts.
     pub changed: f64,
-    /// Share of the pixels that are off by more than 1/255 in some channel, before rounding.
+    /// The share of the pixels that are off by more than 1/255 in some channel, before rounding.
     pub off: f64,
 }
 
 impl Error {
-    /// How far `image` is from `truth`, a picture of the same size; bytes come about by
-    /// `quantiser`.
+    /// Returns the error of `image` against `truth`, a picture of the same size. `quantiser` turns
+    /// light into bytes.
     pub fn of(truth: &Image, image: &Image, quantiser: Quantiser) -> Self {
         let mut error = Self::default();
         let n_pixels = truth.pixels().len().max(1) as f64;
@@ -47,7 +47,8 @@ impl Error {
     }
 }
 
-/// Channel by channel, on a scale; `all` where it is not finite.
+/// Returns the absolute difference of each channel after `scale`, or `all` where `b` or the
+/// difference is not finite.
 fn difference(a: DVec3, b: DVec3, scale: impl Fn(f64) -> f64, all: f64) -> DVec3 {
     let channel = |a: f64, b: f64| {
         let difference = (scale(a) - scale(b)).abs();
@@ -60,8 +61,8 @@ fn difference(a: DVec3, b: DVec3, scale: impl Fn(f64) -> f64, all: f64) -> DVec3
 mod tests {
     use super::*;
 
-    /// The error of a picture of four pixels, of which the last one is as given and all others are
-    /// mid-grey.
+    /// Checks the error of a picture of four pixels, of which the last one is `last` and all others
+    /// are mid-grey. In the truth all four are mid-grey.
     fn check(last: [f64; 3], expected: Error) {
         let grey = DVec3::splat(0.5);
         let truth = Image::from_fn(2, 2, |_, _| grey);
@@ -78,7 +79,7 @@ mod tests {
     #[test]
     fn figures_of_one_wrong_pixel_of_four() {
         check([0.5; 3], Error::default());
-        // 51 levels in one of twelve channels
+        // 51 levels in one of twelve channels.
         let fifth = Error {
             max_levels: 51.0,
             rms_levels: 51.0 / 12f64.sqrt(),
@@ -88,7 +89,7 @@ mod tests {
             off: 0.25,
         };
         check([0.5, 0.7, 0.5], fifth);
-        // half a level: 127.5 is rounded to 128, and so is 128
+        // Half a level: 127.5 is rounded to 128, and so is 128.
         let half = 0.5 / 255.0;
         let small = Error {
             max_levels: 0.5,
@@ -99,7 +100,7 @@ mod tests {
         };
         check([0.5 + half, 0.5, 0.5], small);
         check([0.5 - half, 0.5, 0.5], Error { changed: 0.25, ..small });
-        // light above 1 is white: 127.5 levels, but 2.5 of light
+        // Light above 1 is white: 127.5 levels, but 2.5 of light.
         let bright = Error {
             max_levels: 127.5,
             rms_levels: 127.5 / 4f64.sqrt(),

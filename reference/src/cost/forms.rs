@@ -1,4 +1,4 @@
-//! The forms in which a report is written.
+//! The formats in which a report is written.
 
 use serde::Serialize;
 
@@ -6,21 +6,22 @@ use super::plot::Plot;
 use super::report::Report;
 use super::{csv, page, table};
 
-/// A report that can be written in every form.
+/// A report that can be written in every format.
 pub trait Forms: Serialize {
-    /// For a terminal; escape codes are for a stream that takes them out where there is none.
+    /// Returns text for a terminal. It has escape codes, which the stream removes if it is not a
+    /// terminal.
     fn text(&self) -> String;
 
-    /// A table for other programs.
+    /// Returns the report as CSV, for other programs.
     ///
     /// # Errors
-    /// None that can happen while memory takes it all; the writer's are handed on.
+    /// Returns the errors of the writer. A writer into memory has none.
     fn csv(&self) -> Result<Vec<u8>, ::csv::Error>;
 
-    /// Its pictures.
+    /// Returns the pictures of the report.
     fn plots(&self) -> Vec<Plot>;
 
-    /// A page that needs nothing else.
+    /// Returns a self-contained HTML page.
     fn page(&self) -> String;
 }
 

@@ -1,52 +1,54 @@
-//! One function at a time: how long an answer takes, how far it is off, and how often it is the
-//! wrong one, over the hard families.
+//! Measurements of single functions over the hard families: the time of an answer, its error, and
+//! the number of wrong decisions.
 
-use super::front::Times;
 use super::measure::Outside;
 use super::setting::Formula;
+use super::times::Times;
+use crate::expect::variations::Precision;
 use crate::hard::evaluate::{Prepared, answer};
 use crate::hard::survey::questions;
 use crate::hard::{FAMILIES, Family, Question, Tally, survey};
-use crate::real::Real;
+use crate::numbers::real::Real;
 use crate::rules::{PlaneFormula, Quadratic, Rules, Snell, Style, TriangleFormula};
-use crate::variations::Precision;
 
-/// Questions of a family in a batch that is timed.
+/// The number of questions of each family in a timed batch.
 const BATCH: u64 = 128;
-/// A batch is answered so often in a row: some tenths of a millisecond, which every clock can tell.
+/// The number of times that a batch is answered in a row. This takes some tenths of a millisecond,
+/// which every clock can resolve.
 const REPEATS: usize = 64;
-/// Of all draws.
+/// The seed of all draws.
 const SEED: u64 = 1;
 
-/// A function by one formula in one precision.
+/// A function, computed by one formula in one precision.
 #[derive(Clone, Debug)]
 pub struct Candidate {
-    /// Such as `sphere`.
+    /// The name of the function, such as `sphere`.
     pub function: &'static str,
-    /// Its formula in words.
+    /// The formula in words.
     pub formula: &'static str,
-    /// Its scalars.
+    /// The precision of its scalars.
     pub precision: Precision,
-    /// The lecture's, in the style of the formula.
+    /// The rules of the lecture, in the style of the formula.
     pub rules: Rules,
 }
 
-/// What was measured of one.
+/// The measurements of one candidate.
 #[derive(Clone, Debug)]
 pub struct Measured {
-    /// Of what.
+    /// The candidate.
     pub candidate: Candidate,
-    /// Nanoseconds an answer over its generic family, putting the question included.
+    /// Nanoseconds an answer over the generic family, including the setup of the question.
     pub ns: Times,
-    /// The same over all its families in equal parts.
+    /// Nanoseconds an answer over all families in equal parts.
     pub hard_ns: Times,
-    /// Rounds that the times are of.
+    /// The number of rounds that were timed.
     pub rounds: usize,
-    /// What came of each family, in the order of [`FAMILIES`].
+    /// The tally of each family of the function, in the order of [`FAMILIES`].
     pub tallies: Vec<(&'static str, Tally)>,
 }
 
-/// Every function by every formula in both precisions, the reference's own formula first.
+/// Returns every function by every formula in both precisions. The reference's own formula comes
+/// first.
 pub fn candidates() -> Vec<Candidate> {
     let mut functions: Vec<&'static str> = FAMILIES.iter().map(|family| family.function).collect();
     functions.dedup();
@@ -60,7 +62,7 @@ pub fn candidates() -> Vec<Candidate> {
     functions.into_iter().flat_map(of).collect()
 }
 
-/// The formulas that there are for a function.
+/// Returns the formulas of a function, each with its name. The reference's own comes first.
 fn ways(function: &str) -> Vec<(&'static str, Style)> {
     let stable = Formula::Stable.style();
     let quadratics = |n| {
@@ -68,7 +70,7 @@ fn ways(function: &str) -> Vec<(&'static str, Style)> {
     };
     let others: Vec<(&'static str, Style)> = match function {
         "sphere" | "transformed sphere" => quadratics(Quadratic::ALL.len()),
-        // the last one is of spheres alone
+        // The last quadratic exists only for spheres.
         "cylinder" | "cone" => quadratics(Quadratic::ALL.len() - 1),
         "plane" => {
             PlaneFormula::ALL.iter().map(|p| (p.says(), Style { plane: *p, ..stable })).collect()
@@ -83,7 +85,7 @@ fn ways(function: &str) -> Vec<(&'static str, Style)> {
     [("robust", Style::REFERENCE)].into_iter().chain(others).collect()
 }
 
-/// Steps that a measurement comes to, for a progress bar.
+/// Returns the number of steps of a measurement, for a progress bar.
 pub fn work(candidates: &[Candidate], n_rounds: usize) -> u64 {
     let families: usize = candidates.iter().map(|one| families(one.function).count()).sum();
     (families + candidates.len() * n_rounds) as u64
@@ -93,9 +95,11 @@ fn families(function: &str) -> impl Iterator<Item = &'static Family> {
     FAMILIES.iter().filter(move |family| family.function == function)
 }
 
-/// Surveys every candidate with `n_draws` questions a family, then times them in interleaved
-/// rounds. `None` where it was stopped before the first round was done; the rounds done by then
-/// count. Surveys run in the current `rayon` pool, times are of this thread.
+/// Surveys every candidate with `n_draws` questions a family, then times all candidates in
+/// interleaved rounds.
+///
+/// Returns `None` if it is stopped before the first round is complete. Later, the complete rounds
+/// count. Surveys run in the current `rayon` pool; the timed calls run on this thread.
 pub fn measure(
     candidates: &[Candidate],
     n_draws: u64,
@@ -143,7 +147,8 @@ pub fn measure(
     Some(measured.collect())
 }
 
-/// Questions of the generic family, the first one of its function, and of all.
+/// Returns two batches of questions: of the generic family, which is the first one of its function,
+/// and of all families.
 fn batches(candidate: &Candidate) -> [Vec<Question>; 2] {
     let drawn = |family: &Family| -> Vec<Question> {
         match candidate.precision {
@@ -155,8 +160,8 @@ fn batches(candidate: &Candidate) -> [Vec<Question>; 2] {
     [all.first().cloned().unwrap_or_default(), all.concat()]
 }
 
-/// Nanoseconds of both batches of every candidate; each round begins with another one. `None` where
-/// it was stopped.
+/// Returns the nanoseconds an answer for both batches of every candidate. Each round begins with a
+/// different candidate. `None` if it was stopped.
 fn one_round(
     candidates: &[Candidate],
     batches: &[[Vec<Question>; 2]],
@@ -180,7 +185,7 @@ fn one_round(
     Some(ns)
 }
 
-/// Nanoseconds an answer, matrices inverted beforehand.
+/// Returns the nanoseconds an answer. Matrices are inverted before the clock starts.
 fn timed<T: Real>(rules: &Rules, batch: &[Question], outside: &mut impl Outside) -> f64 {
     let ready: Vec<Prepared<T>> = batch.iter().map(Prepared::new).collect();
     let start = outside.now_s();

@@ -1,79 +1,79 @@
-//! What was found of each function, and its forms.
+//! The report on single functions, and its output formats.
 
 use std::fmt::Write;
 
+use cases::front::on_front;
 use minijinja::context;
+use pages::figures::figure;
 use serde::Serialize;
 
-use super::figures::figure;
 use super::forms::Forms;
-use super::front::{Times, front};
 use super::functions::Measured;
 use super::page;
 use super::plot::{self, Place, Plot, Point, Shape};
 use super::report::Machine;
+use super::times::Times;
+use crate::expect::variations::Precision;
 use crate::hard::Tally;
-use crate::variations::Precision;
 
-/// The price of accuracy, function by function.
+/// The cost of accuracy, function by function.
 #[derive(Clone, Debug, Serialize)]
 pub struct FunctionsReport {
-    /// Version of this form.
+    /// The version of this format.
     pub schema: u32,
-    /// On what it was measured.
+    /// The machine that it was measured on.
     pub machine: Machine,
-    /// Questions a family.
+    /// The number of questions a family.
     pub draws: u64,
-    /// Times that each formula was timed.
+    /// The number of times that each formula was timed.
     pub rounds: usize,
-    /// A row a function, formula and precision.
+    /// One row for each function, formula and precision.
     pub rows: Vec<FunctionRow>,
 }
 
-/// A function by one formula in one precision.
+/// A function, computed by one formula in one precision.
 #[derive(Clone, Debug, Serialize)]
 pub struct FunctionRow {
-    /// Such as `sphere`.
+    /// The name of the function, such as `sphere`.
     pub function: &'static str,
     /// The formula in words.
     pub formula: &'static str,
-    /// The scalars.
+    /// The precision of its scalars.
     pub precision: Precision,
     /// Nanoseconds an answer to generic questions.
     pub ns: Times,
-    /// The same over all families in equal parts.
+    /// Nanoseconds an answer over all families in equal parts.
     pub hard_ns: Times,
-    /// All families together.
+    /// The sum over all families.
     #[serde(flatten)]
-    pub all: Came,
-    /// Whether nothing is as fast on generic questions and as near, and better in one of both; a
-    /// wrong decision is an error of 1, and so is all that is greater.
+    pub all: Counts,
+    /// Whether the row is on the Pareto front of its function, by generic time and error. A wrong
+    /// decision counts as an error of 1, and so does any greater error.
     pub is_on_front: bool,
-    /// Each family.
+    /// The families of the function, one by one.
     pub families: Vec<FamilyRow>,
 }
 
-/// One family.
+/// The result of one family.
 #[derive(Clone, Debug, Serialize)]
 pub struct FamilyRow {
-    /// Such as `sphere, far`.
+    /// The name of the family, such as `sphere, far`.
     pub family: &'static str,
-    /// What came of it.
+    /// The result.
     #[serde(flatten)]
-    pub came: Came,
+    pub counts: Counts,
 }
 
-/// What came of questions.
+/// The result of many questions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Came {
-    /// Questions.
+pub struct Counts {
+    /// The number of questions.
     pub n: u64,
-    /// Wrong decisions that no rounding of the question excuses, answers that are no number among
-    /// them.
+    /// Wrong decisions that no rounding of the question excuses, including answers with NaN.
     pub wrong: u64,
-    /// Hits where there is none.
+    /// Hits where the oracle has a miss.
     pub false_hits: u64,
-    /// Misses where there is a hit.
+    /// Misses where the oracle has a hit.
     pub false_misses: u64,
     /// Hits at another place.
     pub elsewhere: u64,
@@ -81,13 +81,13 @@ pub struct Came {
     pub not_a_number: u64,
     /// Wrong decisions that are right for a question with one number moved to its neighbour.
     pub doubtful: u64,
-    /// Greatest relative error of a right decision.
+    /// The greatest relative error of a correct decision.
     pub max_error: f64,
-    /// The same in units of the last place.
+    /// The greatest relative error in units of the last place of 1, in the precision of the row.
     pub ulps: f64,
 }
 
-impl Came {
+impl Counts {
     fn of(tally: &Tally, precision: Precision) -> Self {
         let ulps = match precision {
             Precision::F32 => tally.ulps::<f32>(),
@@ -120,15 +120,15 @@ impl Came {
         }
     }
 
-    /// What stands for both kinds of error: 1 where any decision is wrong, else the greatest error,
-    /// but no more than 1.
+    /// Returns one number for both kinds of error: 1 if any decision is wrong, otherwise the
+    /// greatest error, but at most 1.
     fn loss(&self) -> f64 {
         if self.wrong > 0 { 1.0 } else { self.max_error.min(1.0) }
     }
 }
 
 impl FunctionsReport {
-    /// What `measured` comes to, of so many draws a family.
+    /// Returns the report of `measured`, with `draws` questions a family.
     pub fn new(machine: Machine, measured: &[Measured], draws: u64) -> Self {
         let rounds = measured.first().map_or(0, |one| one.rounds);
         let mut rows: Vec<FunctionRow> = measured.iter().map(row).collect();
@@ -137,14 +137,14 @@ impl FunctionsReport {
                 (0..rows.len()).filter(|n| rows[*n].function == function).collect();
             let points: Vec<(f64, f64)> =
                 of.iter().map(|n| (rows[*n].ns.median, rows[*n].all.loss())).collect();
-            for (n, is_on) in of.into_iter().zip(front(&points)) {
+            for (n, is_on) in of.into_iter().zip(on_front(&points)) {
                 rows[n].is_on_front = is_on;
             }
         }
         Self { schema: 1, machine, draws, rounds, rows }
     }
 
-    /// The picture of one function.
+    /// Returns the picture of one function.
     pub fn plot(&self, function: &str) -> Plot {
         let rows = self.rows.iter().filter(|row| row.function == function);
         Plot {
@@ -173,7 +173,7 @@ fn row(one: &Measured) -> FunctionRow {
     let precision = one.candidate.precision;
     let family = |(family, tally): &(&'static str, Tally)| FamilyRow {
         family,
-        came: Came::of(tally, precision),
+        counts: Counts::of(tally, precision),
     };
     let families: Vec<FamilyRow> = one.tallies.iter().map(family).collect();
     FunctionRow {
@@ -182,7 +182,7 @@ fn row(one: &Measured) -> FunctionRow {
         precision,
         ns: one.ns,
         hard_ns: one.hard_ns,
-        all: families.iter().fold(Came::default(), |all, row| all.and(&row.came)),
+        all: families.iter().fold(Counts::default(), |all, row| all.and(&row.counts)),
         is_on_front: false,
         families,
     }
@@ -267,11 +267,11 @@ impl Forms for FunctionsReport {
                 figure(row.all.ulps),
             );
         }
-        out += "ns: an answer to generic questions, hard ns: over all families. wrong: decisions \
-            that no rounding of the question excuses;\n\
-                doubtful: those that are right for a question one rounding away. ulps: greatest \
-                error of right decisions, in the last place of 1.\n\
-                * nothing is faster and nearer; a wrong decision is an error of 1.\n";
+        out += "ns: time of an answer to generic questions; hard ns: over all families. wrong: \
+            decisions that no rounding of the question excuses.\n\
+                doubtful: decisions that are correct for a question one rounding away. ulps: \
+                greatest error of the correct decisions, in units of the last place of 1.\n\
+                *: on the Pareto front of its function; a wrong decision is an error of 1.\n";
         if !self.machine.is_optimised {
             out += "This program was compiled without optimisation: measure with `cargo run \
                 --release`.\n";
@@ -283,21 +283,21 @@ impl Forms for FunctionsReport {
         let mut out = csv::Writer::from_writer(Vec::new());
         out.write_record(HEAD)?;
         for row in &self.rows {
-            for FamilyRow { family, came } in &row.families {
+            for FamilyRow { family, counts } in &row.families {
                 let mut line = [row.function, row.formula, row.precision.says(), family]
                     .map(str::to_owned)
                     .to_vec();
-                let counts = [
-                    came.n,
-                    came.wrong,
-                    came.false_hits,
-                    came.false_misses,
-                    came.elsewhere,
-                    came.not_a_number,
-                    came.doubtful,
+                let numbers = [
+                    counts.n,
+                    counts.wrong,
+                    counts.false_hits,
+                    counts.false_misses,
+                    counts.elsewhere,
+                    counts.not_a_number,
+                    counts.doubtful,
                 ];
-                line.extend(counts.map(|n| n.to_string()));
-                line.extend([came.max_error, came.ulps].map(|x| x.to_string()));
+                line.extend(numbers.map(|n| n.to_string()));
+                line.extend([counts.max_error, counts.ulps].map(|x| x.to_string()));
                 line.extend(
                     [row.ns, row.hard_ns]
                         .iter()

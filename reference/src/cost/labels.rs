@@ -1,27 +1,27 @@
-//! Where names stand beside points: none over another one, none over a point.
+//! The placement of names beside points: no name overlaps another name or a point.
 
-/// A name and the point it belongs to.
+/// A name and the point that it belongs to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Label<'a> {
     /// The name.
     pub(super) text: &'a str,
-    /// Its point.
+    /// The point.
     pub(super) at: (f64, f64),
 }
 
 const LINE: f64 = 13.0;
 const GAP: f64 = 9.0;
 
-/// About the width of a text in small letters.
+/// Returns the approximate width of a text in small letters.
 pub(super) fn width(text: &str) -> f64 {
     6.1 * text.chars().count() as f64
 }
 
-/// Left, top, right, bottom.
+/// A rectangle: left, top, right, bottom.
 type Area = (f64, f64, f64, f64);
 
-/// For each name that finds a free place within `inside`, the left end and the base line of its
-/// text.
+/// Returns each name that finds a free place within `inside`, with the left end and the base line
+/// of its text. Names without a free place are left out.
 pub(super) fn place<'a>(
     labels: &[Label<'a>],
     points: &[(f64, f64)],
@@ -46,7 +46,7 @@ pub(super) fn place<'a>(
     placed
 }
 
-/// Places beside, above and below a point, the best first.
+/// Returns the places beside, above and below a point, the best first.
 fn around(label: &Label<'_>) -> [Area; 8] {
     let ((x, y), w) = (label.at, width(label.text));
     let area = |left: f64, top: f64| (left, top, left + w, top + LINE);

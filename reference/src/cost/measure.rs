@@ -1,4 +1,4 @@
-//! Runs a sweep: pictures and errors first, then times, in rounds that take each setting once.
+//! Runs a sweep: pictures and errors first, then times, in rounds that render each setting once.
 
 use cases::film::Image;
 
@@ -6,42 +6,44 @@ use super::bench::Bench;
 use super::error::Error;
 use super::setting::Setting;
 use super::sweep::{About, Sweep};
-use crate::render::Stats;
+use crate::trace::render::Stats;
 
-/// What was measured of one setting.
+/// The measurements of one setting.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
-    /// How the picture was computed.
+    /// The setting.
     pub setting: Setting,
-    /// What it is there to show.
+    /// The purpose of the setting.
     pub about: About,
-    /// Against the truth; for an effect, against the scene as it stands.
+    /// The error against the truth; for an effect, against the scene's own setting.
     pub error: Error,
-    /// Against the most accurate setting with as many rays a pixel; for an effect, the same as
-    /// `error`.
+    /// The error against the most accurate setting with as many rays a pixel; for an effect, equal
+    /// to `error`.
     pub same_rays: Error,
-    /// What precision and formulas alone do: against f64 and the robust formulas, all else the
-    /// same; none where that was not rendered.
+    /// The error of precision and formulas alone: against f64 and the robust formulas, with
+    /// everything else equal. `None` if that setting was not rendered.
     pub rounding: Option<Error>,
-    /// Rays by kind, and what was left out.
+    /// The rays by kind, and the weight that was left out.
     pub stats: Stats,
-    /// See [`Bench::bytes`].
+    /// The memory, as [`Bench::bytes`] gives it.
     pub bytes: usize,
-    /// Seconds of each round.
+    /// The seconds of each round.
     pub times_s: Vec<f64>,
 }
 
-/// The clock, the user, and the bar: what a measurement needs of the world outside.
+/// The outside world of a measurement: the clock, the user who may stop it, and the progress bar.
 pub trait Outside {
-    /// Seconds since any fixed moment.
+    /// Returns the seconds since any fixed moment.
     fn now_s(&mut self) -> f64;
-    /// Whether to go on; asked before every picture.
+    /// Returns whether to go on. Called before every picture.
     fn goes_on(&mut self) -> bool;
-    /// Another picture is done, worth `work` pictures of one ray a pixel.
+    /// Reports that another picture is done, which took as much work as `work` pictures of one ray
+    /// a pixel.
     fn done(&mut self, work: u64);
 }
 
-/// Pictures of one ray a pixel that a sweep comes to, with that many rounds: for a progress bar.
+/// Returns the work of a sweep with `n_rounds` rounds, in pictures of one ray a pixel, for a
+/// progress bar.
 pub fn work(sweep: &Sweep, n_rounds: usize) -> u64 {
     let one: u64 = sweep.subjects.iter().map(|(setting, _)| weight(setting)).sum();
     one * (n_rounds as u64 + 1)
@@ -51,13 +53,15 @@ fn weight(setting: &Setting) -> u64 {
     u64::from(setting.samples) * u64::from(setting.samples)
 }
 
-/// Measures a sweep: a row for each subject, in its order, each with as many times. `None` where it
-/// was stopped before the first round was done; where it is stopped later, the rounds done by then
-/// count.
+/// Measures a sweep. Returns a row for each subject, in the sweep's order, all with the same number
+/// of times.
 ///
-/// Each round renders every setting once and begins at another one, so that a machine that slows
-/// down or is busy for a while is hard on all alike. The pictures from which errors are taken are
-/// rendered before, and not timed: they warm the caches.
+/// Returns `None` if it is stopped before the first round is complete. If it is stopped later, the
+/// complete rounds count.
+///
+/// Each round renders every setting once and begins at a different one. A machine that slows down
+/// or is busy for a while therefore affects all settings alike. The pictures from which errors are
+/// computed are rendered before the rounds, and not timed: they warm the caches.
 pub fn measure(
     bench: &mut Bench,
     sweep: &Sweep,
@@ -74,7 +78,8 @@ pub fn measure(
     (!rows.is_empty() && !rows[0].times_s.is_empty()).then_some(rows)
 }
 
-/// Which setting is the n-th of a round: the first one moves on by about a golden section of them.
+/// Returns the index of the setting that is rendered `n`-th in a round. From round to round, the
+/// first setting advances by about the golden section of all settings.
 fn turn(round: usize, n: usize, n_settings: usize) -> usize {
     let step = (n_settings * 5).div_ceil(8);
     (n + round * step) % n_settings
@@ -100,7 +105,8 @@ fn one_round(
     Some(times)
 }
 
-/// Rows without times. The pictures that others are compared with are kept, all others dropped.
+/// Returns the rows, without times. Only the pictures that others are compared with are kept.
+/// `None` if it was stopped.
 fn pictures(bench: &mut Bench, sweep: &Sweep, outside: &mut impl Outside) -> Option<Vec<Measured>> {
     let mut kept: Vec<(Setting, Image, Stats)> = Vec::new();
     for (setting, about) in &sweep.subjects {

@@ -1,18 +1,18 @@
-//! What accuracy costs: settings, their pictures, errors and times, and what to pick.
+//! The cost of accuracy: settings, their pictures, errors and times, and advice on which to pick.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `setting.rs`, `sweep.rs` | the ways of computing a picture, and which of them are measured |
-//! | `bench.rs`, `measure.rs` | a scene made ready for all of them; pictures first, then times in interleaved rounds |
-//! | `error.rs`, `front.rs` | how far a picture is from a better one; which settings no other one beats |
-//! | `report.rs`, `summary.rs`, `advice.rs` | what was found: data, its making, sentences |
-//! | `functions.rs`, `functions_report.rs` | one function at a time: nanoseconds against errors and wrong decisions |
-//! | `uncalled.rs` | what an effect costs a scene that does not call for it |
-//! | `forms.rs`, `table.rs`, `csv.rs`, `plot.rs`, `page.rs` | reports as text, table, picture and page |
-//! | `figures.rs` | numbers as reports print them |
-//! | `scaled.rs`, `document.rs` | the same scene in another size; the page of the documentation |
+//! | `setting.rs`, `sweep.rs` | the settings by which a picture can be computed, and which are measured |
+//! | `bench.rs`, `measure.rs` | a scene prepared for all settings; pictures first, then times in interleaved rounds |
+//! | `error.rs`, `times.rs` | the error of a picture against a better one; the median of several times |
+//! | `report.rs`, `summary.rs`, `advice.rs` | the report of a sweep: its data, its construction, its sentences |
+//! | `functions.rs`, `functions_report.rs` | single functions: nanoseconds against errors and wrong decisions |
+//! | `uncalled.rs` | the cost of an effect in a scene that does not call for it |
+//! | `forms.rs`, `table.rs`, `csv.rs`, `plot.rs`, `page.rs` | reports as text, CSV table, SVG picture and HTML page |
+//! | `figures.rs` | shares and levels as reports print them |
+//! | `scaled.rs`, `document.rs` | a scene in another size; the page `docs/accuracy.md` |
 //!
-//! Nothing here reads a clock: [`measure::Outside`] is handed in.
+//! Nothing here reads a clock. The caller passes a [`measure::Outside`].
 
 mod advice;
 pub mod bench;
@@ -21,7 +21,6 @@ pub mod document;
 pub mod error;
 pub mod figures;
 pub mod forms;
-pub mod front;
 pub mod functions;
 pub mod functions_report;
 mod labels;
@@ -34,4 +33,5 @@ pub mod setting;
 mod summary;
 pub mod sweep;
 pub mod table;
+pub mod times;
 pub mod uncalled;

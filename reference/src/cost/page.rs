@@ -1,22 +1,25 @@
-//! The report as a page that needs nothing else: no network, no script.
+//! The report as a self-contained HTML page: no network, no script.
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use minijinja::value::Serde;
 use minijinja::{AutoEscape, Environment, context};
+use pages::figures::figure;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-use super::figures::{figure, percent};
+use super::figures::percent;
 use super::plot::{self, Place, Plot, Point, Shape};
 use super::report::{Report, Row};
 use super::setting::Formula;
-use crate::variations::Precision;
+use crate::expect::variations::Precision;
 
 const TEMPLATE: &str = include_str!("page.html");
 const LOOK: &str = include_str!("page.css");
 
-/// The two pictures of a report: against the truth, and what is left when samples are not counted.
+/// Returns the two pictures of a report. The first one shows errors against the truth, the second
+/// one errors against the most accurate picture with as many rays a pixel as the scene's own
+/// setting.
 pub fn plots(report: &Report) -> [Plot; 2] {
     let n = report.own.samples;
     let plot = |title: String, y: String, points: Vec<Point>| Plot {
@@ -49,7 +52,7 @@ pub fn plots(report: &Report) -> [Plot; 2] {
             truth.collect(),
         ),
         plot(
-            format!("{}: what precision, formula, depth and threshold do at {n}×{n}", report.scene),
+            format!("{}: error of precision, formula, depth and threshold, {n}×{n}", report.scene),
             format!("RMS error in 8-bit levels, against the most accurate {n}×{n}"),
             same.collect(),
         ),
@@ -85,7 +88,7 @@ fn point(row: &Row, error: f64, is_on_front: bool) -> Point {
     }
 }
 
-/// The page.
+/// Returns the report as an HTML page, with the rows sorted by time.
 pub fn page(report: &Report) -> String {
     let plots = plots(report).map(|plot| plot::svg(&plot, Place::Page));
     let mut sorted = report.clone();
@@ -94,7 +97,8 @@ pub fn page(report: &Report) -> String {
     render(TEMPLATE, &sorted, &plots, names)
 }
 
-/// `template` with `report` in it, our style alone allowed by its hash.
+/// Returns `template` rendered with `report`. The content security policy allows only our own style
+/// sheet, by its hash.
 pub(super) fn render(
     template: &str,
     report: &impl Serialize,

@@ -1,8 +1,8 @@
-//! Error against price, both on logarithmic scales, as SVG.
+//! Plots of error against cost as SVG, with logarithmic scales on both axes.
 //!
-//! Nothing rests on colour: shapes and fillings tell the points apart, the front is a line with
-//! names, and each point says what it is when it is pointed at. An error of 0 has no place on such
-//! a scale and stands on a line of its own below it.
+//! No information is in colour alone: shapes and fillings distinguish the points, the front is a
+//! line with names, and each point has a tooltip. A logarithmic scale has no place for an error of
+//! 0, so such points lie in a band of their own below it.
 
 use std::fmt::Write;
 
@@ -10,17 +10,17 @@ use cases::maths;
 
 use super::labels::{self, Label};
 
-/// Width of the picture, in its own units.
+/// The width of the picture, in its own units.
 const WIDTH: f64 = 760.0;
 const HEIGHT: f64 = 480.0;
 const LEFT: f64 = 76.0;
 const RIGHT: f64 = 738.0;
 const TOP: f64 = 64.0;
 const BOTTOM: f64 = 424.0;
-/// Height of the band for an error of 0.
+/// The height of the band for an error of 0.
 const BAND: f64 = 30.0;
 
-/// How a point is drawn.
+/// The shape of a drawn point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "their names say it")]
 pub enum Shape {
@@ -30,58 +30,59 @@ pub enum Shape {
     Diamond,
 }
 
-/// One point.
+/// One point of a plot.
 #[derive(Clone, Debug)]
 pub struct Point {
-    /// The price, above 0.
+    /// The cost, above 0.
     pub x: f64,
-    /// From the least to the greatest price that was measured.
+    /// The least and the greatest cost that was measured.
     pub spread: (f64, f64),
     /// The error, at least 0.
     pub y: f64,
-    /// Its shape.
+    /// The shape of the mark.
     pub shape: Shape,
-    /// Whether its inside is left open.
+    /// Whether the mark is hollow.
     pub is_hollow: bool,
-    /// Whether nothing is cheaper and nearer.
+    /// Whether the point is on the Pareto front. It is then larger, and has its label beside it.
     pub is_on_front: bool,
-    /// Written beside it, if it is on the front.
+    /// The label beside the point, if it is on the front.
     pub label: String,
-    /// What it says when it is pointed at.
+    /// The tooltip.
     pub hover: String,
 }
 
-/// A picture of points.
+/// A plot of points.
 #[derive(Clone, Debug)]
 pub struct Plot {
-    /// Above it.
+    /// The title above the plot.
     pub title: String,
-    /// Below it, with the unit.
+    /// The name of the x axis, with the unit.
     pub x: String,
-    /// At its side, with the unit.
+    /// The name of the y axis, with the unit.
     pub y: String,
-    /// What the line through the points on the front means; none, where they are only to bear
-    /// names.
+    /// The meaning of the line through the points on the front. With `None` no line is drawn, and
+    /// the points only have their labels.
     pub line: Option<&'static str>,
-    /// What shapes and fillings mean.
+    /// The legend of shapes and fillings: shape, whether it is hollow, meaning.
     pub key: Vec<(Shape, bool, &'static str)>,
-    /// The points; those whose numbers are not finite, or whose price is not above 0, are left out.
+    /// The points. Points whose numbers are not finite, or whose cost is not above 0, are not
+    /// drawn.
     pub points: Vec<Point>,
 }
 
-/// Where the picture will stand.
+/// The place of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
-    /// In a file of its own, dark on white.
+    /// A file of its own, dark on white.
     File,
-    /// In a page that brings [`STYLE`] and its colours along.
+    /// A page, which contains [`STYLE`] and defines the colours.
     Page,
 }
 
-/// What the line means where prices and errors are shown.
-pub const FRONT: Option<&str> = Some("nothing is cheaper and nearer");
+/// The meaning of the line in plots of error against time.
+pub const FRONT: Option<&str> = Some("Pareto front: none faster and more accurate");
 
-/// How it looks; the colours are the page's, if it has any.
+/// The style sheet of plots. It uses the colours of the page, if the page defines them.
 pub const STYLE: &str = include_str!("plot.css");
 
 /// A logarithmic scale.
@@ -91,8 +92,8 @@ struct Scale {
 }
 
 impl Scale {
-    /// Takes the least and greatest of `values`, with some room to either side, to `to`; for no
-    /// values, 1 to 10.
+    /// Returns the scale that maps the range of `values`, with a margin on either side, to `to`.
+    /// Without values the range is 1 to 10.
     fn new(values: impl Iterator<Item = f64>, to: (f64, f64)) -> Self {
         let (least, greatest) =
             values.fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
@@ -106,8 +107,8 @@ impl Scale {
         self.to.0 + share * (self.to.1 - self.to.0)
     }
 
-    /// Values to mark: powers of ten, thinned out where there are many; where there are few, twice
-    /// and five times as well.
+    /// Returns the values to mark: powers of ten. If there are many, only some of them are marked;
+    /// if there are few, also twice and five times each power.
     fn ticks(&self) -> Vec<f64> {
         let (first, last) = (self.from.0.floor() as i32, self.from.1.ceil() as i32);
         let step = (last - first).div_euclid(8) + 1;
@@ -124,12 +125,12 @@ fn log10(x: f64) -> f64 {
     maths::ln(x) / std::f64::consts::LN_10
 }
 
-/// The picture as SVG.
+/// Returns the picture as SVG.
 pub fn svg(plot: &Plot, place: Place) -> String {
     stack(std::slice::from_ref(plot), place)
 }
 
-/// Pictures below one another as one SVG; for none, an empty one.
+/// Returns the pictures below one another as one SVG, which is empty for no pictures.
 pub fn stack(plots: &[Plot], place: Place) -> String {
     let height = HEIGHT * plots.len() as f64;
     let titles: Vec<String> = plots.iter().map(|plot| quoted(&plot.title)).collect();
@@ -273,7 +274,7 @@ fn axes(plot: &Plot, x: &Scale, y: &Scale, floor: f64, has_zero: bool) -> String
     out
 }
 
-/// The front as stairs: right of and above it lies what is beaten.
+/// Returns the front as a staircase. All points to the right of it and above it are beaten.
 fn stairs(front: &[(f64, f64)]) -> String {
     let Some(((x, y), rest)) = front.split_first() else { return String::new() };
     let mut path = format!("M{x:.1} {y:.1}");
@@ -328,7 +329,7 @@ fn outline(shape: Shape, is_hollow: bool, (x, y): (f64, f64), is_large: bool) ->
     }
 }
 
-/// A tick's number: as one writes it where that is short, else with an exponent.
+/// Returns the text of a tick: a decimal from 0.001 to below 100,000, otherwise with an exponent.
 fn number(x: f64) -> String {
     if (1e-3..1e5).contains(&x) {
         format!("{:.4}", x).trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -337,7 +338,8 @@ fn number(x: f64) -> String {
     }
 }
 
-/// Text for SVG and HTML.
+/// Returns text with the escapes of SVG and HTML. Control characters except line breaks become
+/// U+FFFD.
 fn quoted(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

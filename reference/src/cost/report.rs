@@ -1,108 +1,109 @@
-//! What a sweep found, as plain data: every output is a function of it.
+//! The result of a sweep as plain data. Every output is a function of it.
 
 use cases::Effect;
 use serde::Serialize;
 
 use super::error::Error;
-use super::front::Times;
 use super::setting::Setting;
+use super::times::Times;
 use crate::watch::Counts;
 
-/// On what a sweep was measured.
+/// The machine that a sweep was measured on.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Machine {
-    /// Model of the processor, as the system names it.
+    /// The model of the processor, as the system names it.
     pub processor: String,
-    /// Threads that rendered.
+    /// The number of threads that rendered.
     pub threads: usize,
-    /// What times are of: `processor time` of one thread, which other programs hardly disturb, or
-    /// else `wall clock`.
+    /// The kind of the times: `processor time` of one thread, which other programs hardly disturb,
+    /// or `wall clock` with several threads.
     pub clock: &'static str,
-    /// Whether the program was compiled with optimisation; if not, times say little.
+    /// Whether the program was compiled with optimisation. Without it, times say little.
     pub is_optimised: bool,
 }
 
-/// The price of a scene's accuracy. Times are of rendering alone: loading the scene and writing the
-/// picture are not in it.
+/// The cost of a scene's accuracy. Times are those of rendering alone, without loading the scene
+/// and writing the picture.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
-    /// Version of this form.
+    /// The version of this format.
     pub schema: u32,
-    /// What was asked for: a file, or the id of a case.
+    /// The scene as the user named it, guarded: a file, or the id of a case.
     pub scene: String,
-    /// Pixels in a row.
+    /// The number of pixels in a row.
     pub width: u32,
-    /// Rows.
+    /// The number of rows.
     pub height: u32,
-    /// On what it was measured.
+    /// The machine that it was measured on.
     pub machine: Machine,
-    /// Times that each setting was timed.
+    /// The number of times that each setting was timed.
     pub rounds: usize,
-    /// How the scene itself would be rendered.
+    /// The scene's own setting.
     pub own: Setting,
-    /// What all others are compared with.
+    /// The most accurate setting, which all others are compared with.
     pub truth: Setting,
-    /// Whether it was stopped before all rounds were done.
+    /// Whether the measurement was stopped before all rounds were complete.
     pub is_cut_short: bool,
-    /// What to pick, in sentences.
+    /// Advice on which setting to pick, in sentences.
     pub advice: Vec<String>,
-    /// A row a setting.
+    /// One row for each setting.
     pub rows: Vec<Row>,
-    /// What each effect costs.
+    /// The cost of each effect.
     pub effects: Vec<EffectRow>,
 }
 
 /// One setting.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
-    /// In words.
+    /// The setting in words.
     pub name: String,
-    /// The same as numbers.
+    /// The setting as numbers.
     #[serde(flatten)]
     pub setting: Setting,
-    /// Milliseconds.
+    /// Milliseconds a picture.
     pub time_ms: Times,
-    /// Rays by kind.
+    /// The rays by kind.
     pub rays: Counts,
-    /// The scene made ready for rays, and the picture in the scalars it is computed with.
+    /// Bytes of the world that rays search, and of the picture in the scalars of the setting.
     pub bytes: usize,
-    /// Proven: rays that were left out for depth or threshold darken no pixel by more than this, in
-    /// linear light; none where nothing bounds it.
+    /// A proven bound in linear light: the rays that were left out for depth or threshold darken no
+    /// pixel by more. `None` if there is no bound.
     pub left_out_at_most: Option<f64>,
-    /// Against the truth.
+    /// The error against the truth.
     pub error: Error,
-    /// Against the most accurate setting with as many rays a pixel: what precision, formulas, depth
-    /// and threshold do, without what samples do.
+    /// The error against the most accurate setting with as many rays a pixel. It has the error of
+    /// precision, formulas, depth and threshold, but not of sampling.
     pub same_rays: Error,
-    /// What precision and formulas alone do: against f64 and the robust formulas, all else the
-    /// same.
+    /// The error of precision and formulas alone: against f64 and the robust formulas, with
+    /// everything else equal. `None` if that setting was not rendered.
     pub rounding: Option<Error>,
-    /// Whether no other setting is as fast and as near to the truth (root mean square, in levels,
-    /// to three digits) and better in one of both.
+    /// Whether the setting is on the Pareto front of median time and error against the truth (root
+    /// mean square, in levels, to three digits).
     pub is_on_front: bool,
-    /// The same among the settings with one ray a pixel, by `same_rays`.
+    /// Whether the setting is on the Pareto front by `same_rays`, among the settings with as many
+    /// rays a pixel as the scene's own setting.
     pub is_on_same_rays_front: bool,
 }
 
-/// One effect, the scene as it stands being the other choice.
+/// The cost of one effect, compared with the scene's own setting.
 #[derive(Clone, Debug, Serialize)]
 pub struct EffectRow {
-    /// Such as `without shadows`.
+    /// The name of the row, such as `without shadows`.
     pub name: String,
-    /// The effect that is left out; none where all are simulated.
+    /// The effect that is left out; `None` if all are simulated.
     pub without: Option<Effect>,
-    /// Milliseconds.
+    /// Milliseconds a picture.
     pub time_ms: Times,
-    /// The median, less that of the scene as it stands.
+    /// The median, minus the median of the scene's own setting.
     pub more_ms: f64,
-    /// Rays by kind.
+    /// The rays by kind.
     pub rays: Counts,
-    /// How the picture differs from the scene as it stands.
+    /// The difference of the picture from that of the scene's own setting.
     pub error: Error,
 }
 
 impl Report {
-    /// The row of a setting.
+    /// Returns the row of a setting, or `None` if it was not measured.
     pub fn row(&self, setting: &Setting) -> Option<&Row> {
         self.rows.iter().find(|row| row.setting == *setting)
     }

@@ -1,11 +1,11 @@
-//! The same scene in another size: its picture stays the same on paper.
+//! Scales a scene. In exact arithmetic its picture does not change.
 
 use cases::glam::{DAffine3, DVec3};
 use cases::scene::Attenuation;
 use cases::{Light, Object, Scene};
 
-/// `scene` with every length times `factor`, a power of ten or two say; lights weaken as much over
-/// the longer way.
+/// Returns `scene` with every length multiplied by `factor`, such as a power of ten or two.
+/// Attenuation is adjusted, so that lights weaken by as much over the scaled distances.
 pub fn scaled(scene: &Scene, factor: f64) -> Scene {
     let mut scene = scene.clone();
     scene.camera.eye *= factor;

@@ -1,17 +1,20 @@
-//! The rows of a report, made of the measurements of a sweep.
+//! Builds a report from the measurements of a sweep.
 
 use cases::Scene;
+use cases::front::on_front;
+use pages::plain;
 
 use super::advice;
-use super::front::{Times, front};
 use super::measure::Measured;
 use super::report::{EffectRow, Machine, Report, Row};
 use super::sweep::{About, Sweep};
-use crate::cutoff::Limits;
+use super::times::Times;
 use crate::rules::Rules;
+use crate::trace::cutoff::Limits;
 
 impl Report {
-    /// Returns the report of `measured`, for `scene` by `rules`; `n_rounds` were wanted.
+    /// Returns the report of `measured`, for `scene` by `rules`. `n_rounds` is the number of rounds
+    /// that were requested; with fewer, the report is marked as cut short.
     pub fn new(
         name: &str,
         scene: &Scene,
@@ -24,7 +27,7 @@ impl Report {
         let rounds = measured.first().map_or(0, |row| row.times_s.len());
         let mut report = Self {
             schema: 1,
-            scene: shown(name),
+            scene: plain::shown(name),
             width: scene.render.width,
             height: scene.render.height,
             machine,
@@ -41,7 +44,7 @@ impl Report {
     }
 }
 
-/// Returns a row for each setting, the fronts marked.
+/// Returns a row for each setting, with both fronts marked.
 fn rows(sweep: &Sweep, measured: &[Measured], limits: &Limits) -> Vec<Row> {
     let mut rows: Vec<Row> = measured
         .iter()
@@ -56,18 +59,18 @@ fn rows(sweep: &Sweep, measured: &[Measured], limits: &Limits) -> Vec<Row> {
         .iter()
         .map(|row| if row.setting.samples == sweep.own.samples { same(row) } else { outside })
         .collect();
-    for ((row, is_on), is_on_same) in rows.iter_mut().zip(front(&all)).zip(front(&same)) {
+    for ((row, is_on), is_on_same) in rows.iter_mut().zip(on_front(&all)).zip(on_front(&same)) {
         (row.is_on_front, row.is_on_same_rays_front) = (is_on, is_on_same);
     }
     rows
 }
 
-/// Rounds an error, so that of two that nobody would tell apart neither is the lesser.
+/// Rounds an error to three digits, so that two errors that print alike count as equal.
 fn three_digits(error: f64) -> f64 {
     format!("{error:.2e}").parse().unwrap_or(error)
 }
 
-/// Returns the row of a setting, on no front yet.
+/// Returns the row of a setting, not yet marked as on a front.
 fn row(one: &Measured, limits: &Limits) -> Row {
     Row {
         name: one.setting.to_string(),
@@ -85,7 +88,7 @@ fn row(one: &Measured, limits: &Limits) -> Row {
     }
 }
 
-/// Returns the rows of effects, against the scene as it stands.
+/// Returns the rows of effects, compared with the scene's own setting.
 fn effects(sweep: &Sweep, measured: &[Measured]) -> Vec<EffectRow> {
     let own = measured.iter().find(|one| one.about == About::Accuracy && one.setting == sweep.own);
     let own_ms = own.map_or(f64::NAN, |own| milliseconds(own).median);
@@ -93,7 +96,7 @@ fn effects(sweep: &Sweep, measured: &[Measured]) -> Vec<EffectRow> {
         let (name, without) = match one.about {
             About::Accuracy => return None,
             About::Without(effect) => (format!("without {effect}"), Some(effect)),
-            About::Everything => ("with every effect there is".to_owned(), None),
+            About::Everything => ("with all effects".to_owned(), None),
         };
         let time_ms = milliseconds(one);
         let more_ms = time_ms.median - own_ms;
@@ -104,15 +107,4 @@ fn effects(sweep: &Sweep, measured: &[Measured]) -> Vec<EffectRow> {
 
 fn milliseconds(one: &Measured) -> Times {
     Times::of(&one.times_s.iter().map(|seconds| 1e3 * seconds).collect::<Vec<_>>())
-}
-
-/// Returns a name from the command line without what could steer a terminal or hide.
-fn shown(name: &str) -> String {
-    let is_hidden = |c: char| {
-        c.is_control()
-            || matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fffe}'..='\u{ffff}')
-    };
-    name.chars()
-        .map(|c| if is_hidden(c) { c.escape_unicode().to_string() } else { c.to_string() })
-        .collect()
 }

@@ -1,34 +1,34 @@
-//! Which settings are measured.
+//! The settings that are measured.
 
 use cases::{Effect, Effects, Scene};
 
 use super::setting::{Formula, Setting};
-use crate::variations::Precision;
+use crate::expect::variations::Precision;
 
 /// The values that each axis takes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axes {
-    /// Scalars.
+    /// The precisions.
     pub precisions: Vec<Precision>,
-    /// Formulas.
+    /// The sets of formulas.
     pub formulas: Vec<Formula>,
-    /// N for N × N rays a pixel.
+    /// The values of N, for N × N rays a pixel.
     pub samples: Vec<u32>,
-    /// N of the truth; at least the greatest of `samples`.
+    /// The value of N for the truth, at least the greatest of `samples`.
     pub truth_samples: u32,
-    /// Depths of recursion.
+    /// The greatest depths of recursion. [rule 13]
     pub depths: Vec<u32>,
-    /// Weights below which paths end; 0 for never.
+    /// The weights below which paths end; 0 for never. [rule 13]
     pub thresholds: Vec<f64>,
     /// Whether all axes are crossed.
     pub full: bool,
-    /// Whether effects are switched off one by one, and all on.
+    /// Whether effects are measured too: each one switched off alone, and all switched on.
     pub effects: bool,
 }
 
 impl Axes {
-    /// What makes sense for a scene: where nothing spawns rays, depth and threshold have nothing to
-    /// change.
+    /// Returns the axes that make sense for `scene`. If it calls for neither reflection nor
+    /// refraction, depth and threshold keep their own values, because they would change nothing.
     pub fn of(scene: &Scene) -> Self {
         let own = Setting::of(scene);
         let (depths, thresholds) = if spawns(scene.effects) {
@@ -50,8 +50,8 @@ impl Axes {
     }
 }
 
-/// Samples of a truth that is finer than all of these, so that none of them is compared with
-/// itself.
+/// Returns the N of a truth that is finer than all `samples`, so that none of them is compared with
+/// itself. It is twice the greatest, or 2 for an empty slice.
 pub fn finer(samples: &[u32]) -> u32 {
     2 * samples.iter().copied().max().unwrap_or(1)
 }
@@ -60,8 +60,9 @@ fn spawns(effects: Effects) -> bool {
     effects.has(Effect::Reflection) || effects.has(Effect::Refraction)
 }
 
-/// All up to `own`, beyond 8 only powers of two, and three beyond: the next two, and twice as deep,
-/// but no more than 4.
+/// Returns the depths to measure, sorted: all up to `own` (above 8 only powers of two), and up to
+/// three greater ones. These are the next two, and twice `own`, but at least 2 and at most 4
+/// deeper.
 fn depths(own: u32) -> Vec<u32> {
     let below = (0..own).filter(|depth| *depth <= 8 || depth.is_power_of_two());
     let beyond = own.saturating_add(own.clamp(2, 4));
@@ -84,32 +85,36 @@ fn sorted<T: PartialEq>(
     values
 }
 
-/// What a setting is there to show.
+/// The purpose of a measured setting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum About {
-    /// What accuracy costs.
+    /// Shows the cost of accuracy.
     Accuracy,
-    /// What this effect costs, which is left out.
+    /// Shows the cost of this effect, which is left out.
     Without(Effect),
-    /// That simulating effects the scene does not call for changes nothing, and what it costs.
+    /// Simulates all effects. The effects that the scene does not call for change no pixel, but
+    /// cost time.
     Everything,
 }
 
-/// The settings to measure, and what they are compared with.
+/// The settings to measure, and the setting that they are compared with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sweep {
-    /// As the scene stands.
+    /// The scene's own setting.
     pub own: Setting,
-    /// The most accurate of all: f64, robust, the most samples, the deepest, no threshold.
+    /// The most accurate setting: f64, robust, the most samples, the greatest depth, no threshold.
     pub truth: Setting,
-    /// Each setting once for what it shows; those of [`About::Accuracy`] first, without repetition.
+    /// The settings, each with its purpose. The settings of [`About::Accuracy`] come first, without
+    /// repetition.
     pub subjects: Vec<(Setting, About)>,
 }
 
 impl Sweep {
-    /// The settings around the scene's own: precision × formula × samples in full, precision ×
-    /// formula at the greatest depth without a threshold, each other axis alone, and for each
-    /// number of samples the most accurate setting. With `full`, all axes in full.
+    /// Returns the settings around the scene's own.
+    ///
+    /// Precision × formula × samples are crossed in full, and so are precision × formula at the
+    /// greatest depth without a threshold. Each other axis varies alone. Each number of samples
+    /// also has its most accurate setting. If `axes.full` is set, all axes are crossed in full.
     pub fn of(scene: &Scene, axes: &Axes) -> Self {
         let own = Setting::of(scene);
         let deepest = axes.depths.iter().copied().max().unwrap_or(own.max_depth);
@@ -124,7 +129,7 @@ impl Sweep {
         let (depths, thresholds) =
             if axes.full { (axes.depths.clone(), axes.thresholds.clone()) } else { only_own };
         let mut numbers = pairs(&axes.precisions, &axes.formulas);
-        // the exact one before those that are compared with it
+        // The exact setting comes before the settings that are compared with it.
         numbers.sort_by_key(|one| *one != (Precision::F64, Formula::Robust));
         let mut cross = |base: Setting| {
             numbers.iter().for_each(|(precision, formula)| {
@@ -149,13 +154,14 @@ impl Sweep {
         Self { own, truth, subjects: accuracy.chain(effects).collect() }
     }
 
-    /// The most accurate setting with as many rays a pixel as `setting`.
+    /// Returns the most accurate setting with as many rays a pixel as `setting`.
     pub fn exact(&self, setting: &Setting) -> Setting {
         Setting { samples: setting.samples, ..self.truth }
     }
 }
 
-/// The scene without each effect that it calls for, and with all there are.
+/// Returns the scene's own setting without each effect that it simulates, and with all effects.
+/// [`Effect::AdaptiveDepth`] is switched off by a threshold of 0.
 fn switches(own: Setting) -> Vec<(Setting, About)> {
     let without = |effect| {
         let threshold = if effect == Effect::AdaptiveDepth { 0.0 } else { own.threshold };

@@ -2,15 +2,17 @@
 
 use std::fmt::Write;
 
-use super::figures::{figure, percent, signed};
+use pages::figures::figure;
+
+use super::figures::{percent, signed};
 use super::report::{EffectRow, Report, Row};
 
 const BOLD: &str = "\x1b[1m";
 const SOFT: &str = "\x1b[2m";
 const PLAIN: &str = "\x1b[0m";
 
-/// The tables and the advice. Escape codes are for a stream that takes them out where there is no
-/// terminal.
+/// Returns the tables and the advice. The text has escape codes, which the stream removes if it is
+/// not a terminal.
 pub fn text(report: &Report) -> String {
     let mut out = head(report);
     out += &accuracy(report);
@@ -24,7 +26,7 @@ pub fn text(report: &Report) -> String {
     if report.is_cut_short {
         let _ = writeln!(
             out,
-            "Stopped before all rounds were done: what stands here is of {} of them.",
+            "Stopped before all rounds were complete: these results are from {} of them.",
             report.rounds
         );
     }
@@ -89,12 +91,12 @@ fn accuracy(report: &Report) -> String {
     let n = report.own.samples;
     let _ = writeln!(
         out,
-        "{SOFT}RMS, greatest, >1/255: against {}, in 8-bit levels. * no setting is faster and \
-            nearer to it.\n\
+        "{SOFT}RMS, greatest, >1/255: error against {}, in 8-bit levels. *: on the Pareto front \
+            of time and RMS.\n\
          changed, greatest: 8-bit pixels that differ from the most accurate picture with as many \
-         rays a pixel; + the front by that, of {n}×{n}.\n\
-         rounding: greatest difference from f64 robust, all else the same: what precision and \
-         formulas alone do.{PLAIN}",
+         rays a pixel. +: on the Pareto front of this error, among {n}×{n}.\n\
+         rounding: greatest difference from f64 robust with everything else equal, the error of \
+         precision and formulas alone.{PLAIN}",
         report.truth
     );
     out
@@ -130,6 +132,6 @@ fn effects(report: &Report) -> String {
             figure(error.max_levels),
         );
     }
-    let _ = writeln!(out, "{SOFT}Against the scene as it stands: {}.{PLAIN}", report.own);
+    let _ = writeln!(out, "{SOFT}Compared with the scene's own setting: {}.{PLAIN}", report.own);
     out
 }

@@ -1,5 +1,7 @@
-//! What an effect costs a scene that does not call for it: the kernel that is chosen for the scene,
-//! and the one that can do everything, against one from which the effect is deleted.
+//! The cost of an effect in a scene that does not call for it.
+//!
+//! Two kernels are compared with a third one, from which the effect is deleted: the kernel that is
+//! chosen for the scene, and the general kernel, which simulates every effect.
 
 use std::path::Path;
 
@@ -7,55 +9,57 @@ use cases::{Course, Effect, Effects, Mesh, Scene, Shape, scene};
 use glam::DVec3;
 use serde::Serialize;
 
-use super::front::Times;
 use super::measure::Outside;
-use crate::render::{Options, render, render_by, render_under};
+use super::times::Times;
 use crate::rules::{Lecture, Rules};
-use crate::simulated::Within;
+use crate::trace::render::{Options, render, render_by, render_under};
+use crate::trace::simulated::Within;
 use crate::watch::Notes;
 use crate::world::World;
 
-/// What one effect costs a scene that does not call for it. Times are of rendering alone, in
-/// seconds; ratios are of medians.
+/// The cost of effects in a scene that does not call for them. Times are those of rendering alone,
+/// in seconds; ratios are those of medians.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Row {
-    /// The effects that the scene does not call for and that are deleted from the kernel it is
-    /// compared with.
+    /// The effects that the scene does not call for, and that are deleted from the kernel of
+    /// `deleted_s`.
     pub deleted: Vec<Effect>,
-    /// What the scene shows.
+    /// A description of the scene.
     pub scene: &'static str,
-    /// What it calls for.
+    /// The effects that the scene calls for.
     pub simulated: Effects,
-    /// By a kernel made for exactly what the scene calls for.
+    /// The times of a kernel that is compiled for exactly the effects that the scene calls for.
     pub deleted_s: Times,
-    /// By the kernel that `render_by` chooses.
+    /// The times of the kernel that `render_by` chooses.
     pub chosen_s: Times,
-    /// By the kernel that can do everything.
+    /// The times of the general kernel, which simulates every effect.
     pub able_s: Times,
-    /// `chosen_s` against `deleted_s`.
+    /// The median of `chosen_s` over the median of `deleted_s`.
     pub chosen_ratio: f64,
-    /// `able_s` against `deleted_s`.
+    /// The median of `able_s` over the median of `deleted_s`.
     pub able_ratio: f64,
 }
 
-/// Renders by one kernel.
+/// A function that renders a world with one kernel.
 type Render = fn(&World<f64>);
 
-/// A scene, and what it does not call for.
+/// A scene, and the effects that it does not call for.
 struct Subject {
     shows: &'static str,
     scene: Scene,
     deleted: &'static [Effect],
 }
 
-/// The price of each effect where it is not called for, from `n_rounds` rounds that take each
-/// kernel once; `None` where it was stopped before the first round was done. Runs in the current
-/// `rayon` pool.
+/// Measures the cost of each effect in a scene that does not call for it, in `n_rounds` rounds that
+/// run each kernel once.
 ///
-/// Kernels that no picture is rendered by otherwise are compiled where this is called.
+/// Returns `None` if it is stopped before the first round is complete. Runs in the current `rayon`
+/// pool.
+///
+/// A caller of this function compiles kernels that no other picture uses.
 pub fn price<O: Outside>(n_rounds: usize, outside: &mut O) -> Option<Vec<Row>> {
     let subjects = subjects();
-    // for each subject the kernel that is made for exactly what it calls for
+    // For each subject, the kernel that is compiled for exactly the effects that it calls for.
     let exactly: [Render; SCENES] = [
         exactly::<{ Effects::NONE.bits() }>,
         exactly::<{ SHADOWS.bits() }>,
@@ -84,7 +88,7 @@ pub fn price<O: Outside>(n_rounds: usize, outside: &mut O) -> Option<Vec<Row>> {
     rows(&subjects, &worlds, &times)
 }
 
-/// Pictures that `price` renders, for a progress bar.
+/// Returns the number of pictures that [`price`] renders, for a progress bar.
 pub fn work(n_rounds: usize) -> u64 {
     3 * SCENES as u64 * n_rounds as u64
 }
@@ -115,7 +119,7 @@ fn able(world: &World<f64>) {
     std::hint::black_box(render(world, Lecture, &Options::of(world), |_| {}));
 }
 
-/// By the kernel from which all but these effects are deleted.
+/// Renders with the kernel from which all effects except `MOST` are deleted.
 fn exactly<const MOST: u16>(world: &World<f64>) {
     let effects = Within::<MOST>::new(world.effects, 0.0)
         .expect("the subjects name the effects of their scenes");
@@ -166,7 +170,7 @@ const HEAD: &str = "[render]\nsize = [160, 120]\nmax_depth = 4\n[scene]\n\
     mirror = { kd = [0.1, 0.1, 0.1], kr = [0.7, 0.7, 0.7] }\n\
     glass = { kd = [0.1, 0.1, 0.1], kt = [0.8, 0.9, 0.8], kr = [0, 0, 0], index = 1.5 }\n";
 
-/// Five balls of that material on a floor of chalk.
+/// Returns a scene of five balls of `material` on a floor of chalk.
 fn balls(material: &str) -> Scene {
     let mut text = String::from(HEAD);
     for (x, z) in [(-1.6, 0.0), (-0.8, 0.6), (0.0, -0.6), (0.8, 0.6), (1.6, 0.0)] {
@@ -184,7 +188,7 @@ fn balls(material: &str) -> Scene {
 
 fn parsed(text: &str) -> Scene {
     scene::parse("price", text, Path::new(""), &Course::default())
-        .expect("the scenes here are well made, as a test shows")
+        .expect("the scenes are valid: a test parses all of them")
 }
 
 fn without_shadows(mut scene: Scene) -> Scene {
@@ -192,7 +196,7 @@ fn without_shadows(mut scene: Scene) -> Scene {
     scene
 }
 
-/// A mesh of 4,608 triangles over a square of the ground.
+/// Returns a scene of a mesh of 4,608 triangles over a square of the ground.
 fn hills() -> Scene {
     const SIDE: u32 = 48;
     let mut scene = balls("chalk");
@@ -213,7 +217,7 @@ fn hills() -> Scene {
 mod tests {
     use super::*;
 
-    /// A clock that every look moves on by a second.
+    /// A clock that advances by a second with every reading.
     struct Ticking(f64);
 
     impl Outside for Ticking {
@@ -232,7 +236,7 @@ mod tests {
     #[test]
     fn no_row_simulates_what_it_says_is_deleted() {
         let mut clock = Ticking(0.0);
-        let rows = price(1, &mut clock).expect("nothing stops it");
+        let rows = price(1, &mut clock).expect("no one stops it");
         assert_eq!(clock.0, 2.0 * work(1) as f64);
         for Row { deleted, simulated, chosen_ratio, able_ratio, scene, .. } in &rows {
             assert!(deleted.iter().all(|effect| !simulated.has(*effect)), "{scene}");

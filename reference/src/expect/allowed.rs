@@ -1,39 +1,38 @@
-//! How far a right answer may be from the exact one: from the conditioning of the question, for
-//! single precision.
+//! The allowed error of an answer, from the conditioning of the question in single precision.
 //!
-//! Every number x of the question is moved by a relative u = 2⁻²³, one at a time. If the answer f
-//! moves by Δ, then a program in single precision, which cannot even store x closer than that, may
-//! be off by as much. A well-made formula rounds a handful of times:
+//! Each number x of the question is changed by a relative u = 2⁻²³, one at a time. If the answer f
+//! changes by Δ, then a program in single precision may be off by as much: it cannot even store x
+//! more accurately. A well-made formula rounds a handful of times:
 //!
 //! ```text
 //! allowed = 8 (u ‖f‖ + Σ_x max |Δ|)
 //! ```
 //!
 //! where u ‖f‖ is the rounding of the answer itself. Integers (pixels, indices, depths) are exact
-//! and stay.
+//! and are not changed.
 
 use cases::probe::{Answer, Ask};
 use serde_json::Value;
 
-use crate::answers::answer;
 use crate::rules::Rules;
+use crate::trace::answers::answer;
 
-/// One rounding in single precision, relatively.
+/// The relative size of one rounding in single precision.
 const SINGLE: f64 = 1.0 / (1u32 << 23) as f64;
-/// Roundings that a well-made formula is allowed.
+/// The number of roundings that a well-made formula may use.
 const ROUNDINGS: f64 = 8.0;
 
-/// What an answer may be.
+/// The answers that are accepted beside the exact one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Allowance {
-    /// Absolute error of each number.
+    /// The allowed absolute error of each number.
     pub allowed: f64,
-    /// Whether the decision flips within rounding, so that either is right.
+    /// Whether the decision flips within rounding, so that both decisions are accepted.
     pub either: bool,
 }
 
 impl Allowance {
-    /// Whether a program may give this answer where `right` is right.
+    /// Returns whether `given` is accepted if `right` is the correct answer.
     pub fn takes(&self, right: &Answer, given: &Answer) -> bool {
         if decision(right) != decision(given) {
             return self.either && numbers(given).into_iter().all(f64::is_finite);
@@ -43,12 +42,12 @@ impl Allowance {
     }
 }
 
-/// The allowance of a question and its answer.
+/// Returns the allowance of a question and its answer.
 ///
 /// # Errors
-/// The place of a number in the question at which the answer jumps without a change of decision,
-/// say from one object's colour to another's: no error bound describes that, and the author must
-/// choose other numbers.
+/// A sentence with the place of a number in the question at which the answer jumps without a change
+/// of decision, such as from one object's colour to another's. No error bound describes a jump, and
+/// the author must choose other numbers.
 pub fn allowance(rules: &Rules, ask: &Ask, exact: &Answer) -> Result<Allowance, String> {
     let question = serde_json::to_value(ask).map_err(|why| why.to_string())?;
     let mut places = Vec::new();
@@ -82,8 +81,8 @@ pub fn allowance(rules: &Rules, ask: &Ask, exact: &Answer) -> Result<Allowance, 
     Ok(Allowance { allowed: ROUNDINGS * allowed, either })
 }
 
-/// The greatest difference of two answers' numbers, as far as it is finite; `None` where they
-/// decide differently.
+/// Returns the greatest finite difference of two answers' numbers, or `None` if they decide
+/// differently.
 fn distance(one: &Answer, other: &Answer) -> Option<f64> {
     if decision(one) != decision(other) {
         return None;
@@ -98,7 +97,7 @@ fn distance(one: &Answer, other: &Answer) -> Option<f64> {
     )
 }
 
-/// What an answer decides: its kind, its object, its yes or no.
+/// Returns what an answer decides: its kind, its object, its yes or no.
 fn decision(answer: &Answer) -> (&'static str, usize) {
     match answer {
         Answer::Hit { .. } => ("hit", 0),
@@ -117,7 +116,7 @@ fn decision(answer: &Answer) -> (&'static str, usize) {
     }
 }
 
-/// The numbers of an answer, in order.
+/// Returns the numbers of an answer, in order.
 pub fn numbers(answer: &Answer) -> Vec<f64> {
     match answer {
         Answer::Hit { t, normal } => [vec![*t], normal.to_array().to_vec()].concat(),
@@ -132,8 +131,8 @@ pub fn numbers(answer: &Answer) -> Vec<f64> {
     }
 }
 
-/// The JSON pointers of all numbers of `value` that are no integers by type and not 0, which no
-/// relative error moves.
+/// Collects the JSON pointers of all numbers of `value` that a relative error changes. These are
+/// the floating-point numbers other than 0.
 fn collect(value: &Value, place: String, places: &mut Vec<String>) {
     match value {
         Value::Number(number) if number.is_f64() && number.as_f64() != Some(0.0) => {
@@ -151,8 +150,8 @@ fn collect(value: &Value, place: String, places: &mut Vec<String>) {
     }
 }
 
-/// The question with one number moved; `None` where that is no question, as for the last row of a
-/// matrix.
+/// Returns the question with one number changed, or `None` if the result is no question, as for the
+/// last row of a matrix.
 fn nudged(question: &Value, place: &str, relative: f64) -> Option<Ask> {
     let mut moved = question.clone();
     let number = moved.pointer_mut(place)?;

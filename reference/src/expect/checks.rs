@@ -1,5 +1,5 @@
-//! The answers to the unit checks: the right one, how far from it a right one may be, and what
-//! known mistakes say.
+//! The answers to the unit checks: the correct answer, its allowed error, and the answers of known
+//! mistakes.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -11,18 +11,19 @@ use cases::stage::{Check, Stage};
 
 use super::allowed::{self, Allowance};
 use super::expected::Expected;
-use crate::answers;
-use crate::misconceptions;
 use crate::rules::Rules;
+use crate::rules::misconceptions;
+use crate::trace::answers;
 
-/// Relative error of an answer on paper against the reference in double precision.
+/// Allowed relative error of an answer on paper against the reference in double precision.
 const PAPER: f64 = 1e-12;
 
-/// Returns the answers to the unit checks of a stage that was loaded for `course`; `None` where it
-/// has no checks.
+/// Returns the file of answers to the unit checks of a stage that was loaded for `course`, or
+/// `None` if it has no checks.
 ///
 /// # Errors
-/// A sentence for every check that is ill posed, or whose answer on paper is not the reference's.
+/// A sentence for each check that is ill posed, or whose answer on paper differs from the
+/// reference's.
 pub fn of_checks(
     stages: &Path,
     stage: &Stage,
@@ -48,11 +49,11 @@ pub fn of_checks(
     }))
 }
 
-/// Returns the answer to one check of a stage that was loaded for `course`, with what known
-/// mistakes say.
+/// Returns the answer to one check of a stage that was loaded for `course`, with the answers of
+/// known mistakes.
 ///
 /// # Errors
-/// Why the check cannot stand as it is.
+/// A sentence if the check is ill posed, or its answer on paper differs from the reference's.
 pub fn of_check(check: &Check, course: &Course) -> Result<CheckAnswer, String> {
     let rules = &Rules::of(course);
     let (answer, allowance) = right_answer(check, rules)?;
@@ -62,11 +63,11 @@ pub fn of_check(check: &Check, course: &Course) -> Result<CheckAnswer, String> {
     Ok(CheckAnswer { id: check.id.clone(), made_from, answer, allowed, either, wrong })
 }
 
-/// Returns the answer to one check by these rules, and how far from it a right one may be: the
-/// author's answer where there is one and it is right, otherwise the reference's.
+/// Returns the correct answer to one check by these rules, and its allowed error. It is the
+/// author's answer on paper if there is one, otherwise the reference's.
 ///
 /// # Errors
-/// Why the check cannot stand as it is.
+/// A sentence if the check is ill posed, or its answer on paper differs from the reference's.
 pub fn right_answer(check: &Check, rules: &Rules) -> Result<(Answer, Allowance), String> {
     let ours = answers::answer(rules, &check.ask);
     if let Answer::Panic(why) = &ours {
@@ -79,13 +80,13 @@ pub fn right_answer(check: &Check, rules: &Rules) -> Result<(Answer, Allowance),
             .into_iter()
             .filter(|n| n.is_finite())
             .fold(1.0, |most, n| n.abs().max(most));
-        // the same roundings, of 2⁻⁵³ instead of 2⁻²⁴, with room
+        // The allowed roundings, of 2⁻⁵³ instead of 2⁻²⁴, with a margin.
         let double = allowance.allowed * f64::from(f32::EPSILON);
         let rounding = Allowance { allowed: PAPER * scale + double, either: false };
         if !rounding.takes(&ours, paper) {
             return Err(format!(
-                "{}: on paper the answer is {}, the reference has {}; say in `under` in which \
-                    courses it holds",
+                "{}: on paper the answer is {}, the reference has {}; name in `under` the \
+                    courses in which it holds",
                 check.id,
                 json(paper),
                 json(&ours)
@@ -95,7 +96,7 @@ pub fn right_answer(check: &Check, rules: &Rules) -> Result<(Answer, Allowance),
     Ok((check.paper.clone().unwrap_or(ours), allowance))
 }
 
-/// What each known mistake says, where that is not right.
+/// Returns the answer of each known mistake that is not accepted as correct.
 fn wrong(
     rules: &Rules,
     ask: &Ask,

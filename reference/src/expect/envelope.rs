@@ -1,15 +1,17 @@
-//! The envelope: what right tracers give, pixel by pixel, and how far one of them strays from all
-//! the others.
+//! The envelope of correct tracers, pixel by pixel, and how far each of them lies outside the
+//! envelope of the others.
 
 use cases::answer::{ImageAnswer, Levels, Limits, largest_cluster};
 use cases::film::{Image, byte, level};
 
-/// A channel may be off by this many 8-bit levels beyond the envelope, so that any quantiser is
+/// Number of 8-bit levels by which a channel may lie beyond the envelope, so that any quantiser is
 /// legal.
 const SLACK: f64 = 1.0;
-/// Clusters up to this size are no sign of a mistake: mistakes leave larger ones.
+/// Least limit on the largest cluster. Clusters up to this size are no sign of a mistake: mistakes
+/// leave larger ones.
 const MIN_CLUSTER: u32 = 3;
-/// Nor is this share of all pixels, as long as they lie apart.
+/// Least limit on the count of out pixels, as a share of all pixels. So few single pixels are no
+/// sign of a mistake.
 const MIN_SHARE: f64 = 0.001;
 
 /// The two least and the two greatest levels of a channel among the members, so that any one member
@@ -30,21 +32,23 @@ impl Span {
         self.greatest = [first.max(level), second.max(first.min(level))];
     }
 
-    /// The span of all members but one, which has this level; of all if it is `None`.
+    /// Returns the least and the greatest level of all members except one that has this level, or
+    /// of all members for `None`.
     fn without(&self, level: Option<f64>) -> (f64, f64) {
         let pick = |ends: [f64; 2]| if level == Some(ends[0]) { ends[1] } else { ends[0] };
         (pick(self.least), pick(self.greatest))
     }
 }
 
-/// The answer whose envelope spans `centre` and `members`, pictures of one size; every pixel weighs
-/// alike, and nothing is unearned.
+/// Returns the answer whose envelope spans `centre` and `members`, pictures of one size. All pixels
+/// have the same weight, and nothing is unearned.
 ///
-/// Where they agree on a level or on two neighbours, the envelope is the centre's level alone: the
-/// slack takes in the rest.
+/// Where the members agree on a level or on two neighbouring levels, the envelope is the centre's
+/// level alone: the slack covers the other one.
 ///
-/// The limits are those of a right picture anywhere, or twice what a member leaves outside the
-/// envelope of the others, where that is more.
+/// The limits are those of any correct picture, or more where a member leaves more outside the
+/// envelope of the others. The limit on the cluster is then one more than the largest cluster of a
+/// member, the limit on the count twice the largest count.
 pub(super) fn envelope(centre: Image, members: &[Image]) -> ImageAnswer {
     let mut spans = vec![[Span::EMPTY; 3]; centre.pixels().len()];
     for image in std::iter::once(&centre).chain(members) {
@@ -70,7 +74,7 @@ pub(super) fn envelope(centre: Image, members: &[Image]) -> ImageAnswer {
     answer
 }
 
-/// The envelope in whole levels, of all members but the one given.
+/// Returns the envelope in whole levels of all members except `but`: its lower and its upper end.
 fn bounds(spans: &[[Span; 3]], centre: &Image, but: Option<&Image>) -> (Vec<Levels>, Vec<Levels>) {
     let ends = |n: usize, at: usize| {
         let (least, greatest) = spans[n][at].without(but.map(|image| level(image.pixels()[n][at])));
@@ -82,7 +86,8 @@ fn bounds(spans: &[[Span; 3]], centre: &Image, but: Option<&Image>) -> (Vec<Leve
     (end(0), end(1))
 }
 
-/// The largest cluster and the count of the pixels of `member` outside the envelope of all others.
+/// Returns the largest cluster and the count of the pixels of `member` outside the envelope of all
+/// others.
 fn left_out(answer: &ImageAnswer, spans: &[[Span; 3]], member: &Image) -> (u32, u32) {
     let (lo, hi) = bounds(spans, &answer.expected, Some(member));
     let out = ImageAnswer { lo, hi, ..answer.clone() }.out(member);
@@ -95,7 +100,7 @@ mod tests {
 
     use super::*;
 
-    /// 10 × 10 grey pixels; those listed have another level.
+    /// Returns 10 × 10 grey pixels, of which the listed ones have another level.
     fn grey(changes: &[(u32, u32, f64)]) -> Image {
         Image::from_fn(10, 10, |i, j| {
             let change = changes.iter().find(|(x, y, _)| (*x, *y) == (i, j));

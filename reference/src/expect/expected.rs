@@ -1,8 +1,8 @@
-//! A file as it is to be stored beside the cases.
+//! A file to be stored beside the cases.
 
 use std::path::{Path, PathBuf};
 
-/// A file as it is to be stored.
+/// A file to be stored.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Expected {
     /// The path of the file.
@@ -12,7 +12,7 @@ pub struct Expected {
 }
 
 impl Expected {
-    /// Returns the file as [`cases::files::write_all`] takes it.
+    /// Returns the file in the form that [`cases::files::write_all`] takes.
     pub fn as_output(&self) -> (&Path, &[u8]) {
         (&self.path, &self.bytes)
     }

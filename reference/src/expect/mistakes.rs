@@ -1,4 +1,4 @@
-//! The list of known mistakes, as the judge needs it.
+//! The list of known mistakes in the form that the judge reads.
 
 use std::path::Path;
 
@@ -6,13 +6,13 @@ use cases::Course;
 use cases::answer::{self, Digest, Mistake};
 
 use super::expected::Expected;
-use crate::misconceptions::{self, Misconception};
 use crate::rules::Rules;
+use crate::rules::misconceptions::{self, Misconception};
 
-/// Returns the list of all that are mistakes in `course`, to be stored beside the stages.
+/// Returns the list of the mistakes in `course`, to be stored beside the stages.
 ///
 /// # Errors
-/// What the encoder says.
+/// The error of the JSON encoder.
 pub fn mistakes(stages: &Path, course: &Course) -> Result<Expected, serde_json::Error> {
     let list: Vec<Mistake> =
         misconceptions::of(&Rules::of(course)).into_iter().map(mistake).collect();

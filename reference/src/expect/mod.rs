@@ -1,4 +1,4 @@
-//! The stored answers: what the files beside the cases must hold. Nothing is written here.
+//! The stored answers: the contents of the files beside the cases. Nothing is written here.
 
 pub mod allowed;
 mod checks;
@@ -6,6 +6,7 @@ mod envelope;
 mod expected;
 mod mistakes;
 mod set;
+pub mod variations;
 mod weight;
 
 use std::path::Path;
@@ -20,16 +21,16 @@ pub use expected::Expected;
 pub use mistakes::mistakes;
 pub use set::{Set, picture};
 
-/// All there is to store of an image case.
+/// The answer to an image case, with its files.
 #[derive(Clone, Debug)]
 pub struct CaseAnswer {
     /// The id of the case.
     pub id: String,
-    /// Envelope, weights, limits.
+    /// Envelope, weights and limits.
     pub answer: ImageAnswer,
-    /// The pictures of the mistakes that the case does not let pass.
+    /// The pictures of the known mistakes that fail the case.
     pub wrong: Vec<Wrong>,
-    /// The answer file, to be stored below the folder of stages, and the picture for people.
+    /// The answer file, and the picture for people, both to be stored below the folder of stages.
     pub files: [Expected; 2],
 }
 
@@ -49,10 +50,10 @@ impl Answers {
     }
 }
 
-/// Why there are no answers.
+/// The reasons for which no answers are returned.
 #[derive(Debug, thiserror::Error)]
 pub enum ExpectError {
-    /// Unit checks cannot stand as they are; a sentence for each.
+    /// Unit checks are ill posed or wrong on paper; a sentence for each.
     #[error("{}", .0.join("\n"))]
     Checks(Vec<String>),
     /// A picture cannot be encoded.
@@ -63,7 +64,7 @@ pub enum ExpectError {
         /// The cause.
         source: film::PictureError,
     },
-    /// The caller wants no answers any more.
+    /// [`Progress::is_stopped`] returned true.
     #[error("interrupted; nothing was written")]
     Interrupted,
     /// A list cannot be encoded.
@@ -71,16 +72,17 @@ pub enum ExpectError {
     List(#[from] serde_json::Error),
 }
 
-/// The caller's side of long work.
+/// The caller's view of long work.
 pub trait Progress: Sync {
-    /// Hears that a step is done; called from several threads.
+    /// Called from several threads after each step.
     fn step(&self);
 
-    /// Whether the work is to end without a result.
+    /// Returns whether the work shall end without a result.
     fn is_stopped(&self) -> bool;
 }
 
-/// Returns the number of steps of [`of_set`] for the same part: image cases and stages with checks.
+/// Returns the number of steps of [`of_set`] for the same part. A step is an image case or a stage
+/// with checks.
 pub fn n_steps(set: &Set, is_wanted: impl Fn(&str) -> bool) -> usize {
     let steps = set.stages.iter().map(|stage| {
         let n_cases =
@@ -91,11 +93,12 @@ pub fn n_steps(set: &Set, is_wanted: impl Fn(&str) -> bool) -> usize {
 }
 
 /// Returns the answers to the cases and stages of `set` whose ids `is_wanted` selects, to be stored
-/// below `stages`, with the list of known mistakes. A stage is selected as a whole, or case by case
-/// without its unit checks.
+/// below `stages`, with the list of known mistakes.
+///
+/// A stage is selected as a whole, or case by case without its unit checks.
 ///
 /// # Errors
-/// [`ExpectError`]; the sentences of all checks of all stages at once.
+/// [`ExpectError`]. The sentences of all checks of all stages are reported at once.
 pub fn of_set(
     stages: &Path,
     set: &Set,
@@ -138,7 +141,7 @@ pub fn of_set(
 /// `stages`.
 ///
 /// # Errors
-/// What the encoders say.
+/// The error of an encoder.
 pub fn of_case(
     stages: &Path,
     set: &Set,

@@ -1,4 +1,4 @@
-//! A set of stages under its course, from which the answer to each of its cases is made.
+//! A set of stages with their course, from which the answers to the cases are made.
 
 use cases::answer::{ImageAnswer, Wrong, largest_cluster};
 use cases::film::{Image, byte};
@@ -8,16 +8,16 @@ use cases::{Course, Effects, Scene, effects};
 use rayon::prelude::*;
 
 use super::{envelope, weight};
-use crate::misconceptions::{self, Misconception};
-use crate::render::{self, Options};
+use crate::expect::variations::variations;
 use crate::rules::Rules;
-use crate::variations::variations;
+use crate::rules::misconceptions::{self, Misconception};
+use crate::trace::render::{self, Options};
 use crate::world::{Search, World};
 
-/// The stages of a folder under their course.
+/// The stages of a folder with their course.
 #[derive(Clone, Debug)]
 pub struct Set {
-    /// The course that the stages were loaded for.
+    /// The course for which the stages were loaded.
     pub course: Course,
     /// The rules of the course.
     pub rules: Rules,
@@ -31,14 +31,14 @@ impl Set {
         Self { course: *course, rules: Rules::of(course), stages }
     }
 
-    /// Renders the right picture of a case: in f64, one ray a pixel.
+    /// Renders the correct picture of a case in f64, one ray per pixel.
     pub fn picture(&self, case: &Case) -> Image {
         picture(&case.scene, &self.rules, case.scene.effects)
     }
 
-    /// Returns the answer to a case of the stage with index `n`, whose right picture is `right`:
-    /// envelope, limits, weights. It depends on the case and the base of its stage alone, not on
-    /// other cases.
+    /// Returns the answer to a case of the stage with index `n`, whose correct picture is `right`:
+    /// envelope, limits, weights. The answer depends on the case and the base of its stage, and not
+    /// on other cases.
     pub fn answer(&self, n: usize, case: &Case, right: Image) -> ImageAnswer {
         let mut answer = self.envelope(case, right);
         let without = self.without(n, case);
@@ -47,8 +47,8 @@ impl Set {
         answer
     }
 
-    /// Returns what right tracers give of a case, by the rules of this set, around its right
-    /// picture. Every pixel weighs alike.
+    /// Returns the envelope of correct tracers for a case, by the rules of this set, around its
+    /// correct picture. All pixels have the same weight.
     pub fn envelope(&self, case: &Case, right: Image) -> ImageAnswer {
         let variations = variations(&self.rules);
         let members = variations
@@ -57,8 +57,8 @@ impl Set {
         envelope::envelope(right, &members.collect::<Vec<Image>>())
     }
 
-    /// Returns the picture of a case of the stage with index `n` by a tracer that lacks everything
-    /// that the stage adds; in the first stage, the background alone.
+    /// Returns the picture of a case of the stage with index `n` by a tracer that lacks all effects
+    /// of the stage. In the first stage, the picture is the background alone.
     pub fn without(&self, n: usize, case: &Case) -> Image {
         let Base::Without(added) = self.stages[n].base else { return background(&case.scene) };
         let effects = case.scene.effects.difference(added);
@@ -67,7 +67,7 @@ impl Set {
         picture(&scene, &self.rules, effects)
     }
 
-    /// Returns what each known mistake changes that `answer` would not let pass.
+    /// Returns the pictures of the known mistakes that fail `answer`.
     pub fn mistakes(&self, case: &Case, answer: &ImageAnswer) -> Vec<Wrong> {
         let render = |wrong: &&Misconception| {
             // A student's loop tests every object, even where a wrong intersection lies outside the
@@ -91,7 +91,7 @@ impl Set {
     }
 }
 
-/// Renders a picture in f64, one ray a pixel.
+/// Renders a picture in f64, one ray per pixel.
 pub fn picture(scene: &Scene, rules: &Rules, effects: Effects) -> Image {
     let world = World::<f64>::new(scene);
     let options = Options { effects, ..Options::of(&world) };

@@ -1,4 +1,5 @@
-//! What a pixel is worth: a case pays for what the stage's effect changes, not for the background.
+//! Weights of pixels: a case gives points for what the stage's effect changes, not for the
+//! background.
 
 use std::collections::BTreeMap;
 
@@ -6,19 +7,19 @@ use cases::answer::ImageAnswer;
 use cases::film::{Image, byte, level};
 use cases::glam::DVec3;
 
-/// A change of this many levels makes a pixel weigh all it can.
+/// The change in levels from which a pixel has the full weight.
 const PLAIN: f64 = 32.0;
-/// What the effect leaves alone weighs, all together, this share of what it changes.
+/// The weight of all unchanged pixels together, as a share of the weight of the changed ones.
 const REST: f64 = 1.0 / 3.0;
 /// The weight of a pixel that the effect changes plainly.
 const FULL: f64 = u8::MAX as f64;
-/// So many of the most frequent colours are tried as pictures of one colour.
+/// The number of most frequent colours that are tried as pictures of one colour.
 const COLOURS: usize = 16;
 
-/// The weight of each pixel, from the picture with the effect and the one without: as the two
-/// differ, and at least a small part everywhere.
+/// Returns the weight of each pixel from the picture with the effect and the one without. It grows
+/// with their difference and is at least 1.
 ///
-/// Where they do not differ at all, every pixel weighs alike.
+/// Where the two do not differ at all, every pixel has the same weight.
 pub(super) fn weights(with: &Image, without: &Image) -> Vec<u8> {
     let change = |(a, b): (&DVec3, &DVec3)| {
         let most = (0..3).map(|at| (level(a[at]) - level(b[at])).abs()).fold(0.0, f64::max);
@@ -30,8 +31,8 @@ pub(super) fn weights(with: &Image, without: &Image) -> Vec<u8> {
     changes.iter().map(|change| (FULL * change).round().max(least) as u8).collect()
 }
 
-/// The greatest share that a picture earns that has nothing of the case in it: one of `blanks`, or
-/// one colour all over.
+/// Returns the greatest share that a picture without the effect earns. It tries the `blanks` that
+/// have the case's size, and pictures of one colour.
 pub(super) fn unearned<'a>(
     answer: &ImageAnswer,
     blanks: impl IntoIterator<Item = &'a Image>,
@@ -46,7 +47,7 @@ pub(super) fn unearned<'a>(
     uniform.fold(blank, f64::max)
 }
 
-/// The colours of most weight in the picture.
+/// Returns the colours with the greatest total weight in the picture.
 fn colours(answer: &ImageAnswer) -> Vec<DVec3> {
     let mut weights: BTreeMap<[u8; 3], u64> = BTreeMap::new();
     for (colour, weight) in answer.expected.pixels().iter().zip(&answer.weight) {
@@ -65,7 +66,7 @@ fn colours(answer: &ImageAnswer) -> Vec<DVec3> {
 mod tests {
     use super::*;
 
-    /// Black, but for the first `n` of 100 pixels.
+    /// Returns a black picture whose first `n` of 100 pixels have the level `level`.
     fn lit(n: u32, level: f64) -> Image {
         Image::from_fn(10, 10, |i, j| {
             if j * 10 + i < n { DVec3::splat(level / 255.0) } else { DVec3::ZERO }

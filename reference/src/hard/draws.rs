@@ -1,50 +1,50 @@
-//! What the families of hard questions are drawn from: the same numbers on every machine.
+//! The random numbers and vectors of the hard families. They are the same on every machine.
 
 use cases::maths;
 
-use crate::stream::Stream;
+use crate::numbers::stream::Stream;
 
-/// A stream of numbers, and how far from 1 they may go.
+/// A stream of random numbers, and the range of scales for a precision.
 #[derive(Debug)]
 pub struct Draws {
     stream: Stream,
-    /// Greatest power of ten, either way, by which a scene is scaled: what the precision holds,
-    /// with room for a few lengths.
+    /// The greatest exponent, up or down, of the power of ten by which a scene is scaled. It is the
+    /// range of the precision, less a margin for products of a few lengths.
     pub decades: f64,
 }
 
 impl Draws {
-    /// The stream of a name under a seed.
+    /// Returns the stream of `name` under `seed`.
     pub fn new(seed: u64, name: &str, decades: f64) -> Self {
         Self { stream: Stream::new(seed, name), decades }
     }
 
-    /// A number of [low, high).
+    /// Returns a number in [low, high).
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.stream.unit()
     }
 
-    /// 10 to a power of [low, high): each decade is as likely as any other.
+    /// Returns 10 to a power in [low, high). All decades are equally likely.
     pub fn power(&mut self, low: f64, high: f64) -> f64 {
         maths::pow(10.0, self.between(low, high))
     }
 
-    /// −1 or 1.
+    /// Returns −1 or 1.
     pub fn sign(&mut self) -> f64 {
         if self.stream.unit() < 0.5 { -1.0 } else { 1.0 }
     }
 
-    /// One of the first `n` whole numbers.
+    /// Returns an integer from 0 to n − 1.
     pub fn index(&mut self, n: usize) -> usize {
         (self.stream.unit() * n as f64) as usize
     }
 
-    /// A point of the cube |x|, |y|, |z| ≤ `reach`.
+    /// Returns a point of the cube |x|, |y|, |z| ≤ `reach`.
     pub fn point(&mut self, reach: f64) -> [f64; 3] {
         std::array::from_fn(|_| self.between(-reach, reach))
     }
 
-    /// A unit vector, as near as double precision has it.
+    /// Returns a unit vector, to the rounding of double precision.
     pub fn direction(&mut self) -> [f64; 3] {
         loop {
             let v = self.point(1.0);
@@ -55,7 +55,7 @@ impl Draws {
         }
     }
 
-    /// A unit vector at right angles to `v`.
+    /// Returns a unit vector perpendicular to `v`.
     pub fn across(&mut self, v: [f64; 3]) -> [f64; 3] {
         loop {
             let out = cross(v, self.direction());
@@ -66,27 +66,27 @@ impl Draws {
     }
 }
 
-/// a + b s.
+/// Returns a + b s.
 pub fn along(a: [f64; 3], b: [f64; 3], s: f64) -> [f64; 3] {
     std::array::from_fn(|n| a[n] + b[n] * s)
 }
 
-/// a − b.
+/// Returns a − b.
 pub fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     along(a, b, -1.0)
 }
 
-/// Σ of the products of components.
+/// Returns the dot product.
 pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// The vector product.
+/// Returns the cross product.
 pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// v/‖v‖.
+/// Returns v/‖v‖.
 pub fn unit(v: [f64; 3]) -> [f64; 3] {
     let length = dot(v, v).sqrt();
     v.map(|x| x / length)

@@ -1,49 +1,50 @@
-//! What the reference's own functions say to a question, in either precision and by any rules.
+//! Answers questions with the reference's own functions, in either precision and by any rules.
 
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::question::{Line, Question};
-use crate::optics;
-use crate::ray::Ray;
-use crate::real::Real;
+use crate::light::optics;
+use crate::numbers::real::Real;
+use crate::numbers::vec3::Vec3;
+use crate::rays::ray::Ray;
 use crate::rules::RuleSource;
 use crate::shapes::{Cuboid, Plane, Round, Shear, Solid, Sphere, Square, Triangle};
-use crate::vec3::Vec3;
 use crate::world::Frame;
 
-/// The numbers of an answer that is no miss, in the scalar `S`.
+/// The numbers of an answer that is not a miss, in the scalar `S`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found<S> {
-    /// Along the line as given.
+    /// The ray parameter of the hit, in units of the direction as given.
     pub t: Option<S>,
-    /// The unit normal, or the direction that was asked for. A plane and a square have theirs from
-    /// the question.
+    /// The unit normal at the hit, or the direction that is the answer. `None` for a plane and a
+    /// square, whose normal does not depend on the hit.
     pub vector: Option<[S; 3]>,
-    /// (α, β, γ) on a triangle.
+    /// The weights (α, β, γ) of a hit on a triangle.
     pub weights: Option<[S; 3]>,
 }
 
 impl<S> Found<S> {
-    /// A meeting at `t` alone.
+    /// Returns a hit at `t` without a normal.
     pub fn at(t: S) -> Self {
         Self { t: Some(t), vector: None, weights: None }
     }
 
-    /// A direction alone.
+    /// Returns a direction without a hit.
     pub fn direction(vector: [S; 3]) -> Self {
         Self { t: None, vector: Some(vector), weights: None }
     }
 
-    /// A meeting at `t` with the normal there.
+    /// Returns a hit at `t` with the normal there.
     pub fn hit(t: S, normal: [S; 3]) -> Self {
         Self { t: Some(t), vector: Some(normal), weights: None }
     }
 }
 
-/// An answer; a miss is `None`.
+/// An answer of the reference. A miss is `None`.
 pub type Reply = Option<Found<f64>>;
 
-/// A question with its matrix, if it has one, made ready once, as a scene does it for all rays.
+/// A question whose matrix, if it has one, is inverted beforehand, as a scene does once for all
+/// rays.
 #[derive(Clone, Debug)]
 pub struct Prepared<T> {
     question: Question,
@@ -51,7 +52,7 @@ pub struct Prepared<T> {
 }
 
 impl<T: Real> Prepared<T> {
-    /// The question made ready for the precision `T`.
+    /// Prepares a question for the precision `T`.
     pub fn new(question: &Question) -> Self {
         let frame = match *question {
             Question::TransformedSphere { rows, translation, .. } => Some(frame(rows, translation)),
@@ -62,13 +63,14 @@ impl<T: Real> Prepared<T> {
     }
 }
 
-/// The answer of the function that the question is for, computed in the precision `T`. Numbers of
-/// the question that `T` does not have are rounded.
+/// Returns the answer to a question, computed in the precision `T`. Numbers that `T` cannot
+/// represent are rounded first.
 pub fn evaluate<T: Real, R: RuleSource>(rules: R, question: &Question) -> Reply {
     answer(rules, &Prepared::<T>::new(question))
 }
 
-/// The same of a question made ready.
+/// Returns the answer to a prepared question. A triangle without area is a miss, and so is a normal
+/// that a singular matrix transforms.
 #[inline]
 pub fn answer<T: Real, R: RuleSource>(rules: R, prepared: &Prepared<T>) -> Reply {
     let frame = prepared.frame.as_ref();
@@ -107,7 +109,7 @@ pub fn answer<T: Real, R: RuleSource>(rules: R, prepared: &Prepared<T>) -> Reply
         }
         Question::Normal { normal, .. } => {
             let moved = frame?.normal_to_world(rules, v(normal));
-            let is_one = moved.dot(moved).is_finite(); // a matrix without inverse leaves none
+            let is_one = moved.dot(moved).is_finite(); // not finite for a singular matrix
             is_one.then(|| Found::direction(out(moved)))
         }
     }
@@ -119,13 +121,13 @@ fn ray<T: Real>(line: &Line) -> Ray<T> {
 
 fn solid<T: Real, R: RuleSource>(rules: R, line: &Line, solid: Solid<T>) -> Reply {
     let ray = ray(line);
-    let met = solid.meet(rules, &ray)?;
-    Some(Found::hit(met.t.f64(), out(solid.normal_where(rules, &ray, &met))))
+    let hit = solid.intersect(rules, &ray)?;
+    Some(Found::hit(hit.t.f64(), out(solid.normal_at_hit(rules, &ray, &hit))))
 }
 
-/// A meeting whose normal is known beforehand.
+/// Returns the hit of a shape whose normal does not depend on the hit.
 fn bare<T: Real, R: RuleSource>(rules: R, line: &Line, solid: Solid<T>) -> Reply {
-    solid.meet(rules, &ray(line)).map(|met| Found::at(met.t.f64()))
+    solid.intersect(rules, &ray(line)).map(|hit| Found::at(hit.t.f64()))
 }
 
 fn triangle<T: Real, R: RuleSource>(rules: R, line: &Line, triangle: Triangle<T>) -> Reply {
@@ -133,23 +135,23 @@ fn triangle<T: Real, R: RuleSource>(rules: R, line: &Line, triangle: Triangle<T>
         return None;
     }
     let ray = ray(line);
-    let met = triangle.meet(rules, &ray, &Shear::of(&ray), 0)?;
+    let hit = triangle.intersect(rules, &ray, &Shear::of(&ray), 0)?;
     Some(Found {
-        weights: Some(out(met.weights)),
-        ..Found::hit(met.t.f64(), out(triangle.normal(rules)))
+        weights: Some(out(hit.weights)),
+        ..Found::hit(hit.t.f64(), out(triangle.normal(rules)))
     })
 }
 
 fn transformed_sphere<T: Real, R: RuleSource>(rules: R, line: &Line, frame: &Frame<T>) -> Reply {
     let sphere = Solid::Sphere(Sphere { center: Vec3::ZERO, radius: T::HALF });
     let moved = Frame::ray_to_object(rules, &frame.object_from_world, &ray(line));
-    let met = sphere.meet(rules, &moved)?;
-    let normal = frame.normal_to_world(rules, sphere.normal_where(rules, &moved, &met));
-    Some(Found::hit(met.t.f64(), out(normal)))
+    let hit = sphere.intersect(rules, &moved)?;
+    let normal = frame.normal_to_world(rules, sphere.normal_at_hit(rules, &moved, &hit));
+    Some(Found::hit(hit.t.f64(), out(normal)))
 }
 
-/// The frame as a scene brings it: the inverse is worked out in double precision, then both are
-/// rounded.
+/// Returns the frame as a scene has it: the inverse is computed in double precision, then both
+/// matrices are rounded to `T`.
 fn frame<T: Real>(rows: [[f64; 3]; 3], translation: [f64; 3]) -> Frame<T> {
     let matrix = DMat3::from_cols_array_2d(&rows).transpose();
     let world_from_object =

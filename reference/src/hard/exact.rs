@@ -1,8 +1,7 @@
-//! Numbers m · 2^e with m and e as large as need be: sums and products of floats without any
-//! rounding.
+//! Numbers m · 2^e with an m of any size: sums and products of floats without rounding.
 //!
-//! What decides a hit is the sign of a polynomial in the numbers of the question, so it is known
-//! exactly. Quotients and roots, of which no decision is made, are given to [`WIDE`] bits.
+//! The sign of a polynomial in the numbers of the question decides a hit, so decisions are exact.
+//! Quotients and roots, on which no decision depends, have [`WIDE`] bits.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -12,10 +11,10 @@ use dashu_int::{IBig, Sign};
 
 use super::question::Line;
 
-/// Bits of a quotient or a root; the last one is wrong by less than 1.
+/// The bits of a quotient or a root. Its error is less than one unit of the last bit.
 pub const WIDE: i64 = 192;
 
-/// mantissa · 2^exponent.
+/// The number mantissa · 2^exponent.
 #[derive(Clone, Debug)]
 pub struct Exact {
     mantissa: IBig,
@@ -23,28 +22,28 @@ pub struct Exact {
 }
 
 impl Exact {
-    /// 0.
+    /// The number 0.
     pub const ZERO: Self = Self { mantissa: IBig::ZERO, exponent: 0 };
 
-    /// The number itself.
+    /// Returns `x` exactly.
     ///
     /// # Panics
-    /// For infinity and NaN: questions hold finite numbers alone.
+    /// If `x` is infinite or NaN: questions have only finite numbers.
     pub fn of(x: f64) -> Self {
-        assert!(x.is_finite(), "a question holds finite numbers alone, not {x}");
+        assert!(x.is_finite(), "questions have only finite numbers, not {x}");
         let bits = x.to_bits();
         let (biased, fraction) = ((bits >> 52 & 0x7ff) as i64, bits & ((1 << 52) - 1));
         let mantissa = if biased == 0 { fraction } else { fraction | 1 << 52 };
         if mantissa == 0 {
             return Self::ZERO;
         }
-        let zeros = mantissa.trailing_zeros(); // small numbers stay small
+        let zeros = mantissa.trailing_zeros(); // numbers of few digits keep few bits
         let mantissa = IBig::from(mantissa >> zeros);
         let exponent = biased.max(1) - 1075 + i64::from(zeros);
         Self { mantissa: if x < 0.0 { -mantissa } else { mantissa }, exponent }
     }
 
-    /// −1, 0 or 1.
+    /// Returns the sign: −1, 0 or 1.
     pub fn sign(&self) -> i32 {
         match self.mantissa.sign() {
             _ if self.mantissa.is_zero() => 0,
@@ -53,28 +52,28 @@ impl Exact {
         }
     }
 
-    /// x².
+    /// Returns x².
     pub fn squared(&self) -> Self {
         self * self
     }
 
-    /// x 2^e.
+    /// Returns x 2^e.
     pub fn scaled(mut self, e: i64) -> Self {
         self.exponent += e;
         self
     }
 
-    /// self / other, to [`WIDE`] bits.
+    /// Returns self / other, to [`WIDE`] bits.
     ///
     /// # Panics
-    /// Where `other` is 0.
+    /// If `other` is 0.
     pub fn over(&self, other: &Self) -> Self {
         let shift = (WIDE + other.length_of_mantissa() - self.length_of_mantissa()).max(0);
         let mantissa = (&self.mantissa << shift as usize) / &other.mantissa;
         Self { mantissa, exponent: self.exponent - other.exponent - shift }
     }
 
-    /// √x, to [`WIDE`] bits; of |x| where x is negative.
+    /// Returns √|x|, to [`WIDE`] bits.
     pub fn sqrt(&self) -> Self {
         let mut shift = (2 * WIDE - self.length_of_mantissa()).max(0);
         shift += (self.exponent - shift) & 1;
@@ -82,20 +81,21 @@ impl Exact {
         Self { mantissa: root.into(), exponent: (self.exponent - shift) / 2 }
     }
 
-    /// The number to one part in 2⁵², 0 where that underflows, infinite where it overflows.
+    /// Returns the number to one part in 2⁵². It becomes 0 if it underflows, and infinite if it
+    /// overflows.
     pub fn f64(&self) -> f64 {
         let (mantissa, exponent) = self.leading();
-        crate::real::scaled(mantissa, exponent.clamp(-10_000, 10_000) as i32)
+        crate::numbers::real::scaled(mantissa, exponent.clamp(-10_000, 10_000) as i32)
     }
 
-    /// self / other to one part in 2⁵⁰, also where both are far out of the range of f64; ±∞ or NaN
-    /// where `other` is 0.
+    /// Returns self / other to one part in 2⁵⁰, even if both are far out of the range of f64. ±∞ or
+    /// NaN if `other` is 0.
     pub fn ratio(&self, other: &Self) -> f64 {
         let ((a, a_exponent), (b, b_exponent)) = (self.leading(), other.leading());
-        crate::real::scaled(a / b, (a_exponent - b_exponent).clamp(-10_000, 10_000) as i32)
+        crate::numbers::real::scaled(a / b, (a_exponent - b_exponent).clamp(-10_000, 10_000) as i32)
     }
 
-    /// A float and a power of two whose product is the number to one part in 2⁵².
+    /// Returns a float m and an exponent e such that m · 2^e is the number to one part in 2⁵².
     fn leading(&self) -> (f64, i64) {
         let (sign, words) = self.mantissa.as_sign_words();
         let mut top = words.iter().rev().take(2);
@@ -177,35 +177,35 @@ impl Ord for Exact {
     }
 }
 
-/// Three of them.
+/// A vector of three exact numbers.
 pub type Exact3 = [Exact; 3];
 
-/// The vector itself.
+/// Returns `v` exactly.
 pub fn exact3(v: [f64; 3]) -> Exact3 {
     v.map(Exact::of)
 }
 
-/// a + b.
+/// Returns a + b.
 pub fn plus(a: &Exact3, b: &Exact3) -> Exact3 {
     std::array::from_fn(|n| &a[n] + &b[n])
 }
 
-/// a − b.
+/// Returns a − b.
 pub fn minus(a: &Exact3, b: &Exact3) -> Exact3 {
     std::array::from_fn(|n| &a[n] - &b[n])
 }
 
-/// v s.
+/// Returns v s.
 pub fn times(v: &Exact3, s: &Exact) -> Exact3 {
     std::array::from_fn(|n| &v[n] * s)
 }
 
-/// Σ of the products of components.
+/// Returns the dot product.
 pub fn dot(a: &Exact3, b: &Exact3) -> Exact {
     &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
 }
 
-/// The vector product.
+/// Returns the cross product.
 pub fn cross(a: &Exact3, b: &Exact3) -> Exact3 {
     std::array::from_fn(|n| {
         let (y, z) = ((n + 1) % 3, (n + 2) % 3);
@@ -213,10 +213,10 @@ pub fn cross(a: &Exact3, b: &Exact3) -> Exact3 {
     })
 }
 
-/// v/‖v‖ to [`WIDE`] bits.
+/// Returns v/‖v‖, to [`WIDE`] bits.
 ///
 /// # Panics
-/// For the zero vector.
+/// If `v` is the zero vector.
 pub fn unit(v: &Exact3) -> Exact3 {
     let length = dot(v, v).sqrt();
     std::array::from_fn(|n| v[n].over(&length))
@@ -229,7 +229,7 @@ pub(super) struct ExactLine {
 }
 
 impl ExactLine {
-    /// Returns `line`, exactly.
+    /// Returns `line` exactly.
     pub(super) fn of(line: &Line) -> Self {
         Self { origin: exact3(line.origin), direction: exact3(line.direction) }
     }
@@ -240,7 +240,7 @@ impl ExactLine {
     }
 }
 
-/// The sign of p + q √d, d not negative.
+/// Returns the sign of p + q √d, for d ≥ 0.
 pub fn sign_with_root(p: &Exact, q: &Exact, d: &Exact) -> i32 {
     let of_root = q.sign() * d.sign();
     match (p.sign(), of_root) {
@@ -282,7 +282,7 @@ mod tests {
 
     #[test]
     fn signs_beside_a_root_are_exact() {
-        // 3 − 2 √d changes its sign at d = 9/4
+        // 3 − 2 √d changes its sign at d = 9/4.
         for (d, sign) in [(2.25, 0), (2.25f64.next_up(), -1), (2.25f64.next_down(), 1), (0.0, 1)] {
             assert_eq!(
                 sign_with_root(&Exact::of(3.0), &Exact::of(-2.0), &Exact::of(d)),

@@ -1,12 +1,12 @@
-//! Questions that are hard for floats, an oracle that answers them exactly, and the reference
-//! against it.
+//! Questions that are hard for floats, and an exact oracle that the reference's answers are
+//! compared with.
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`question`], [`mod@evaluate`] | a question with its numbers; what the reference's functions say to it |
-//! | [`exact`], [`oracle`] | arithmetic without rounding; the right answer |
-//! | [`draws`], [`families`] | kinds of hard questions, drawn at random but the same everywhere |
-//! | [`mod@survey`] | many of them, and what came of it |
+//! | [`question`], [`mod@evaluate`] | a question with its numbers; its answer by the reference's functions |
+//! | [`exact`], [`oracle`] | arithmetic without rounding; the correct answer |
+//! | [`draws`], [`families`] | kinds of hard questions, drawn at random, but the same on every machine |
+//! | [`mod@survey`] | many questions of a family, and the tally of the answers |
 
 pub mod draws;
 pub mod evaluate;

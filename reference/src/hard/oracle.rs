@@ -1,17 +1,17 @@
-//! The right answer to a question: decisions by exact arithmetic on its numbers as they stand,
+//! The correct answers to questions: decisions by exact arithmetic on the numbers of the question,
 //! values to some 190 bits.
 //!
-//! Borders belong to the shapes (D3); a touching line meets a sphere once; exactly at the critical
-//! angle a ray is transmitted (D14). What is never met: a plane along the line, a triangle without
-//! area or edge on, the side of a cone by a line within it.
+//! Borders belong to the shapes (D3). A tangent line hits a sphere once. Exactly at the critical
+//! angle a ray is transmitted (D14). A plane parallel to the line, a triangle without area or edge
+//! on, and the side of a cone that contains the line are misses.
 
 use super::evaluate::Found;
 use super::exact::{Exact, Exact3, ExactLine, cross, dot, exact3, minus, plus, times, unit};
 use super::oracle_round;
 use super::question::Question;
 
-/// The right answer; a miss, total internal reflection and a matrix without inverse are `None`. The
-/// normal at the centre of a sphere without radius is left open.
+/// Returns the correct answer. A miss, total internal reflection and a singular matrix are `None`.
+/// A sphere without radius has no normal.
 pub fn right(question: &Question) -> Option<Found<Exact>> {
     match *question {
         Question::Sphere { line, center, radius } => {
@@ -57,7 +57,7 @@ pub fn right(question: &Question) -> Option<Found<Exact>> {
     }
 }
 
-/// t of the sphere about the origin; `from` is where the line starts.
+/// Returns t for the sphere about the origin. The line starts at `from`.
 fn sphere(from: &Exact3, direction: &Exact3, radius: &Exact) -> Option<Exact> {
     let (a, b) = (dot(direction, direction), -&dot(from, direction));
     let c = &dot(from, from) - &radius.squared();
@@ -87,14 +87,14 @@ fn square(line: &ExactLine) -> Option<Found<Exact>> {
     }
     let half = Exact::of(0.5);
     let is_within = |n: usize| {
-        let at = &(&o[n] * &d[2]) - &(&o[2] * &d[n]); // the coordinate, times d_z
+        let at = &(&o[n] * &d[2]) - &(&o[2] * &d[n]); // the coordinate, multiplied by d_z
         let reach = (&half * &d[2]).squared();
         at.squared() <= reach
     };
     (is_within(0) && is_within(1)).then(|| Found::at((-&o[2]).over(&d[2])))
 }
 
-/// A parameter as a quotient whose divisor is positive.
+/// A ray parameter as a quotient with a positive divisor.
 struct Quotient(Exact, Exact);
 
 impl Quotient {
@@ -161,7 +161,7 @@ fn triangle(line: &ExactLine, corners: &[Exact3; 3]) -> Option<Found<Exact>> {
     Some(Found { weights: Some(weights), ..Found::hit(rest.over(&slope), unit(&normal)) })
 }
 
-/// The rows of the matrix of cofactors, det A · A⁻ᵀ.
+/// Returns the rows of the cofactor matrix, det A · A⁻ᵀ.
 fn cofactors(rows: &[Exact3; 3]) -> [Exact3; 3] {
     let [x, y, z] = rows;
     [cross(y, z), cross(z, x), cross(x, y)]
@@ -174,8 +174,8 @@ fn turned(cofactors: &[Exact3; 3], normal: &Exact3, sign: i32) -> Exact3 {
     })
 }
 
-/// With f = A⁻¹(O − t) and d′ = A⁻¹ d all is multiplied by det A, which changes no root: a sphere
-/// of radius |det A|/2.
+/// Intersects the transformed sphere. O − t and d are multiplied by the adjugate, det A · A⁻¹,
+/// which changes no root: the sphere then has radius |det A|/2.
 fn transformed_sphere(
     line: &ExactLine,
     rows: &[Exact3; 3],
@@ -195,7 +195,7 @@ fn transformed_sphere(
     let (from, direction) =
         (adjugate(&minus(&line.origin, translation)), adjugate(&line.direction));
     let t = sphere(&from, &direction, &det.clone().scaled(-1))?;
-    let normal = plus(&from, &times(&direction, &t)); // times det A, as the cofactors are
+    let normal = plus(&from, &times(&direction, &t)); // multiplied by det A, as the cofactors are
     Some(Found::hit(t, unit(&turned(&cofactors, &normal, 1))))
 }
 
@@ -204,7 +204,8 @@ fn reflect(direction: &Exact3, normal: &Exact3) -> Found<Exact> {
     Found::direction(minus(direction, &times(normal, &twice)))
 }
 
-/// For the unit vectors along `direction` and `normal`: all lengths are multiplied by w = ‖d‖ ‖N‖.
+/// Returns the transmitted unit direction for the unit vectors along `direction` and `normal`.
+/// Intermediate lengths are multiplied by w = ‖d‖ ‖N‖.
 fn refract(
     direction: &Exact3,
     normal: &Exact3,
@@ -213,7 +214,7 @@ fn refract(
 ) -> Option<Found<Exact>> {
     let (d_squared, n_squared) = (dot(direction, direction), dot(normal, normal));
     let w_squared = &d_squared * &n_squared;
-    let cos_i = -&dot(direction, normal); // times w
+    let cos_i = -&dot(direction, normal); // multiplied by w
     let square =
         &(&(&eta_t.squared() - &eta_i.squared()) * &w_squared) + &(eta_i * &cos_i).squared();
     if square.sign() < 0 {
@@ -221,7 +222,7 @@ fn refract(
     }
     let d_length = d_squared.sqrt();
     let along_d = eta_i.over(&(eta_t * &d_length));
-    let across = &(eta_i * &cos_i) - &square.sqrt(); // times w η_t
+    let across = &(eta_i * &cos_i) - &square.sqrt(); // multiplied by w η_t
     let along_n = across.over(&(&(eta_t * &d_length) * &n_squared));
     Some(Found::direction(plus(&times(direction, &along_d), &times(normal, &along_n))))
 }
@@ -248,7 +249,7 @@ mod tests {
         };
         check(sphere(1.0), Some(5.0));
         check(sphere(1.0f64.next_up()), None);
-        // 0.6 is not 3/5: near 4.2
+        // The double 0.6 is not 3/5, so t is only near 4.2.
         check(sphere(0.6), right(&sphere(0.6)).and_then(|f| f.t).map(|t| t.f64()));
         let within = line([0.0, 0.0, 0.5], [0.0, 0.0, -2.0]);
         check(Question::Sphere { line: within, center: [0.0; 3], radius: 1.0 }, Some(0.75));
@@ -293,7 +294,7 @@ mod tests {
     }
 
     #[test]
-    fn boxes_are_met_at_the_lower_axis() {
+    fn boxes_are_hit_at_the_lower_axis() {
         let (min, max) = ([0.0; 3], [1.0, 2.0, 3.0]);
         let edge = Question::Cuboid { line: line([-1.0, -1.0, 1.0], [1.0, 1.0, 0.0]), min, max };
         check(edge, Some(1.0));
@@ -318,7 +319,7 @@ mod tests {
             found(Question::Reflect { direction, normal: [0.0, 2.0, 0.0] }),
             Some([3.0, 4.0, 0.0])
         );
-        // sin 3/5 becomes sin 4/5 · 3/4 … η = 4/3: sin θ_t = 4/5
+        // η = 4/3 and sin θ_i = 3/5 give sin θ_t = 4/5.
         let bent =
             found(Question::Refract { direction, normal: [0.0, 2.0, 0.0], eta_i: 4.0, eta_t: 3.0 })
                 .expect("T");
@@ -343,7 +344,7 @@ mod tests {
     }
 
     #[test]
-    fn a_moved_sphere_is_met_where_it_is() {
+    fn a_transformed_sphere_is_hit() {
         let rows = [[2.0, 0.0, 0.0], [0.0, -2.0, 0.0], [0.0, 0.0, 8.0]];
         let question = Question::TransformedSphere {
             line: line([1.0, 0.0, -9.0], [0.0, 0.0, 1.0]),

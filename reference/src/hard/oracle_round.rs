@@ -1,10 +1,10 @@
-//! Where a line meets a cylinder or a cone, exactly: the ends are compared with roots that are
-//! never worked out.
+//! The exact intersection of a line with a cylinder or a cone. The ends are compared with roots
+//! that are never computed.
 
 use super::evaluate::Found;
 use super::exact::{Exact, Exact3, ExactLine, sign_with_root, unit};
 
-/// A parameter (p + q √d) / r, r > 0.
+/// A ray parameter (p + q √d) / r, with r > 0.
 struct Surd {
     p: Exact,
     q: Exact,
@@ -13,12 +13,12 @@ struct Surd {
 }
 
 impl Surd {
-    /// With a divisor of any sign but 0.
+    /// Returns (p + q √d) / r, for an r of either sign, but not 0.
     fn of(p: Exact, q: Exact, d: Exact, r: Exact) -> Self {
         if r.sign() < 0 { Self { p: -&p, q: -&q, d, r: -&r } } else { Self { p, q, d, r } }
     }
 
-    /// The sign of x + y t.
+    /// Returns the sign of x + y t, where t is this number.
     fn sign_of(&self, x: &Exact, y: &Exact) -> i32 {
         sign_with_root(&(&(x * &self.r) + &(y * &self.p)), &(y * &self.q), &self.d)
     }
@@ -29,13 +29,14 @@ impl Surd {
         if p.sign() * q.sign() >= 0 {
             return (p + q).over(&self.r);
         }
-        // the sum cancels: (p² − q² d) / (p − q √d) is it as well, and exact above the line
+        // The sum cancels. It equals (p² − q² d) / (p − q √d), whose numerator is exact.
         let product = &p.squared() - &(&self.q.squared() * &self.d);
         if product.sign() == 0 { Exact::ZERO } else { product.over(&(&(p - q) * &self.r)) }
     }
 }
 
-/// The surface with these radii at these values of z; the side wins on a rim.
+/// Returns the first hit on the surface with `radii` at the values `ends` of z. A hit on a rim
+/// belongs to the side.
 pub(super) fn round(
     line: &ExactLine,
     radii: &[Exact; 2],
@@ -49,7 +50,7 @@ pub(super) fn round(
         |one, other| if &other.1.0 * &one.1.1 < &one.1.0 * &other.1.1 { other } else { one },
     );
     let cap_first = match (&side, &cap) {
-        // t − rest/along, the divisor positive
+        // The sign of t − rest/along. The divisor is positive.
         (Some(side), Some((_, (rest, along)))) => side.sign_of(&-rest, along) > 0,
         (None, Some(_)) => true,
         _ => false,
@@ -67,7 +68,8 @@ pub(super) fn round(
     Some(Found::hit(t, normal))
 }
 
-/// t of a disc across the axis, as a quotient with a positive divisor.
+/// Returns the t of a hit on the disc across the axis at `z`, as a quotient with a positive
+/// divisor.
 fn cap(line: &ExactLine, radius: &Exact, z: &Exact) -> Option<(Exact, Exact)> {
     let (o, d) = (&line.origin, &line.direction);
     let rest = z - &o[2];
@@ -79,13 +81,14 @@ fn cap(line: &ExactLine, radius: &Exact, z: &Exact) -> Option<(Exact, Exact)> {
     is_within.then(|| if d[2].sign() < 0 { (-&rest, -&d[2]) } else { (rest, d[2].clone()) })
 }
 
-/// The height of the surface, and its radius at `z` times that height.
+/// Returns the height of the surface, and its radius at `z` multiplied by that height.
 fn radius_at(z: &Exact, radii: &[Exact; 2], ends: &[Exact; 2]) -> (Exact, Exact) {
     let height = &ends[1] - &ends[0];
     (height, &(&radii[0] * &(&ends[1] - z)) + &(&radii[1] * &(z - &ends[0])))
 }
 
-/// The first root of h²(x² + y²) = (h r(z))² with t > 0 between the ends.
+/// Returns the first root of h²(x² + y²) = (h r(z))² with t > 0 between the ends. A line within the
+/// side has none.
 fn side(line: &ExactLine, radii: &[Exact; 2], ends: &[Exact; 2]) -> Option<Surd> {
     let (o, d) = (&line.origin, &line.direction);
     let (height, from) = radius_at(&o[2], radii, ends);
@@ -99,7 +102,7 @@ fn side(line: &ExactLine, radii: &[Exact; 2], ends: &[Exact; 2]) -> Option<Surd>
     let surd = |sign: f64| Surd::of(b.clone(), Exact::of(sign), disc.clone(), a.clone());
     let roots = match (a.sign(), b.sign(), disc.sign()) {
         (0, 0, _) | (_, _, -1) => vec![],
-        // a line along the side meets it once
+        // A line parallel to the side intersects it once.
         (0, ..) => vec![Surd::of(c, Exact::ZERO, Exact::ZERO, b.scaled(1))],
         (1, ..) => vec![surd(-1.0), surd(1.0)],
         _ => vec![surd(1.0), surd(-1.0)],
@@ -113,14 +116,14 @@ fn side(line: &ExactLine, radii: &[Exact; 2], ends: &[Exact; 2]) -> Option<Surd>
     roots.into_iter().find(is_on)
 }
 
-/// Across the side.
+/// Returns the unit normal of the side at `point`.
 fn normal(point: &Exact3, radii: &[Exact; 2], ends: &[Exact; 2]) -> Exact3 {
     let (height, radius) = radius_at(&point[2], radii, ends);
     let h2 = height.squared();
     unit(&[&point[0] * &h2, &point[1] * &h2, -&(&(&radii[1] - &radii[0]) * &radius)])
 }
 
-/// Along the axis, away from the cone.
+/// Returns the normal at the tip: along the axis, away from the cone.
 fn tip(radii: &[Exact; 2]) -> Exact3 {
     let up = if radii[1] > radii[0] { -1.0 } else { 1.0 };
     [Exact::ZERO, Exact::ZERO, Exact::of(up)]
@@ -165,9 +168,9 @@ mod tests {
         check([1.0, 1.0], false, [[-5.0, 0.0, 1.0f64.next_up()], [1.0, 0.0, 0.0]], None);
         check([1.0, 1.0], true, [[0.5, 0.0, 3.0], [0.0, 0.0, -1.0]], Some((2.0, [0.0, 0.0, 1.0])));
         check([1.0, 1.0], true, [[1.0, 0.0, -1.0], [0.0, 0.0, 1.0]], Some((1.0, [0.0, 0.0, -1.0])));
-        // the rim is the side's
+        // A hit on the rim belongs to the side.
         check([1.0, 1.0], true, [[2.0, 0.0, 2.0], [-1.0, 0.0, -1.0]], Some((1.0, [1.0, 0.0, 0.0])));
-        // a cone, its tip down at the origin
+        // A cone whose tip points down to the origin.
         check([0.0, 1.0], false, [[0.5, 0.0, 0.0], [1.0, 0.0, 1.0]], None);
         check(
             [0.0, 1.0],

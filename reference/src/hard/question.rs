@@ -1,45 +1,46 @@
-//! A question to one function, with all its numbers.
+//! A call of one function, with all its numbers.
 
-use crate::real::Real;
+use crate::numbers::real::Real;
 
-/// r(t) = origin + t · direction, t > 0.
+/// A ray r(t) = origin + t · direction, t > 0, whose direction may have any length.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(missing_docs, reason = "the formula names both")]
+#[allow(missing_docs, reason = "the formula names both fields")]
 pub struct Line {
     pub origin: [f64; 3],
     pub direction: [f64; 3],
 }
 
-/// What is asked. The numbers are exact: the answer is theirs, not that of the decimals they came
-/// from.
+/// A question: the function to call, and its arguments. The numbers are exact: the correct answer
+/// is that of these floats, not that of the decimals they were parsed from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(missing_docs, reason = "fields are named as in the rules of light")]
 pub enum Question {
-    /// Where the line meets ‖X − center‖ = radius, and N there. [rule 14]
+    /// The intersection of the line with ‖X − center‖ = radius, and N there. [rule 14]
     Sphere { line: Line, center: [f64; 3], radius: f64 },
-    /// Where it meets N·X = k. [rule 15]
+    /// The intersection with N·X = k. [rule 15]
     Plane { line: Line, normal: [f64; 3], k: f64 },
-    /// Where it meets |x|, |y| ≤ ½, z = 0. [rule 15]
+    /// The intersection with |x|, |y| ≤ ½, z = 0. [rule 15]
     Square { line: Line },
-    /// Where it meets the surface of min ≤ X ≤ max, and N there. [rule 15]
+    /// The intersection with the surface of min ≤ X ≤ max, and N there. [rule 15]
     Cuboid { line: Line, min: [f64; 3], max: [f64; 3] },
-    /// Where it meets x² + y² = r(z)², and N there. [rule 15]
+    /// The intersection with x² + y² = r(z)² between `ends` and, if `is_capped`, with the discs
+    /// there; and N at the hit. r is linear in z, and `radii` are its values at `ends`. [rule 15]
     Round { line: Line, radii: [f64; 2], ends: [f64; 2], is_capped: bool },
-    /// Where it meets a triangle, with N and (α, β, γ). [rule 16] [rule 17]
+    /// The intersection with a triangle, with N and (α, β, γ). [rule 16] [rule 17]
     Triangle { line: Line, corners: [[f64; 3]; 3] },
-    /// Where it meets the sphere of radius ½ about the origin, moved by A X + t; rows are those of
-    /// A. [rule 20]
+    /// The intersection with the sphere of radius ½ about the origin, transformed by A X + t, and N
+    /// there. `rows` are the rows of A. [rule 20]
     TransformedSphere { line: Line, rows: [[f64; 3]; 3], translation: [f64; 3] },
-    /// The mirrored direction. [rule 7]
+    /// The reflected direction. [rule 7]
     Reflect { direction: [f64; 3], normal: [f64; 3] },
-    /// The transmitted direction; a miss is total internal reflection. [rule 8] [rule 10]
+    /// The transmitted direction. Total internal reflection is a miss. [rule 8] [rule 10]
     Refract { direction: [f64; 3], normal: [f64; 3], eta_i: f64, eta_t: f64 },
-    /// A normal, moved by A. [rule 20]
+    /// A normal, transformed by A. A singular matrix is a miss. [rule 20]
     Normal { rows: [[f64; 3]; 3], normal: [f64; 3] },
 }
 
 impl Question {
-    /// The same question with `f` of each number, in order.
+    /// Returns the question with `f` applied to each number, in order.
     pub fn map(self, f: &mut impl FnMut(f64) -> f64) -> Self {
         let line = |line: Line, f: &mut _| Line {
             origin: three(line.origin, f),
@@ -82,13 +83,13 @@ impl Question {
         }
     }
 
-    /// The question with its numbers rounded to the precision `T`.
+    /// Returns the question with its numbers rounded to the precision `T`.
     pub fn rounded<T: Real>(self) -> Self {
         self.map(&mut |x| T::of(x).f64())
     }
 
-    /// The questions with one number moved to the next one that `T` has, each number in turn, both
-    /// ways; zeros stay.
+    /// Returns the questions in which one number is moved to its neighbour in the precision `T`:
+    /// each number in turn, farther from 0 and nearer. Zeros stay.
     pub fn moved<T: Real>(self) -> impl Iterator<Item = Self> {
         let mut n_numbers = 0;
         self.map(&mut |x| {
@@ -109,7 +110,7 @@ fn three(v: [f64; 3], f: &mut impl FnMut(f64) -> f64) -> [f64; 3] {
     v.map(&mut *f)
 }
 
-/// The neighbour of x in the precision `T`, farther from 0 or nearer; 0 for 0.
+/// Returns the neighbour of `x` in the precision `T`, farther from 0 or nearer to it. 0 for 0.
 fn next<T: Real>(x: f64, is_outwards: bool) -> f64 {
     if x == 0.0 {
         return x;

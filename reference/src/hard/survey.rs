@@ -1,4 +1,5 @@
-//! Many questions of a family put to the reference, and what came back against the oracle.
+//! Surveys: the reference answers many questions of a family, and each answer is compared with the
+//! oracle's.
 
 use rayon::prelude::*;
 
@@ -8,56 +9,57 @@ use super::exact::Exact;
 use super::families::Family;
 use super::oracle::right;
 use super::question::Question;
-use crate::real::Real;
+use crate::numbers::real::Real;
 use crate::rules::RuleSource;
 
-/// A parameter that is off by more than this share is another meeting, not a rough one.
+/// A t that is off by more than this share is another hit, not an inexact one.
 const ELSEWHERE: f64 = 0.1;
-/// Questions with one stream of numbers; what is counted does not depend on who counts which.
+/// The number of questions that share one stream of random numbers. The tally does not depend on
+/// which thread evaluates which chunk.
 const CHUNK: u64 = 1000;
 
-/// How an answer compares with the right one.
+/// The comparison of an answer with the oracle's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Comparison {
-    /// The same decision: the relative errors of t, and of the direction or the weights. 0 where
-    /// there is none.
+    /// The decision is correct. An error is 0 if the answer has no such number.
     Same {
-        /// Of t.
+        /// The relative error of t.
         t: f64,
-        /// Of normal or direction, as a vector, and of (α, β, γ), against 1.
+        /// The greater error of the normal or direction, as a vector relative to its length, and of
+        /// (α, β, γ), relative to 1.
         vector: f64,
     },
-    /// A meeting where there is none.
+    /// The function reports a hit, the oracle a miss.
     FalseHit,
-    /// None where there is one.
+    /// The function reports a miss, the oracle a hit.
     FalseMiss,
-    /// A meeting, but another one.
+    /// Both report a hit, but at different places.
     Elsewhere,
-    /// Something that is no number.
+    /// The answer has a NaN.
     NotANumber,
 }
 
-/// What came of so many questions.
+/// The counts and greatest errors of a survey.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tally {
-    /// Questions.
+    /// The number of questions.
     pub n: u64,
-    /// Questions whose right answer is no miss.
+    /// Questions whose correct answer is not a miss.
     pub n_hits: u64,
-    /// Hits where there is none, and not within a rounding of an input either.
+    /// Hits where the oracle has a miss, and where no rounding of an input excuses it.
     pub false_hits: u64,
-    /// Misses where there is a hit, likewise.
+    /// Misses where the oracle has a hit, and where no rounding of an input excuses it.
     pub false_misses: u64,
-    /// Hits at another place, likewise.
+    /// Hits at another place that no rounding of an input excuses.
     pub elsewhere: u64,
     /// Answers with NaN.
     pub not_a_number: u64,
-    /// Wrong decisions that are right for a question with one number moved to its neighbour: no
-    /// formula is to blame.
+    /// Wrong decisions that are correct for a question with one number moved to its neighbour. They
+    /// are not the formula's fault.
     pub doubtful: u64,
-    /// The greatest relative error of t among right decisions.
+    /// The greatest relative error of t among the correct decisions.
     pub max_t: f64,
-    /// The greatest error of a normal or direction, or of (α, β, γ), likewise.
+    /// The greatest error of a normal, a direction or (α, β, γ) among the correct decisions.
     pub max_vector: f64,
     /// The first question that was decided wrongly.
     pub first_wrong: Option<Question>,
@@ -66,22 +68,22 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Answers that no rounding of the question excuses.
+    /// Returns the number of wrong answers that no rounding of the question excuses.
     pub fn wrong(&self) -> u64 {
         self.false_hits + self.false_misses + self.elsewhere + self.not_a_number
     }
 
-    /// The greatest relative error of any number.
+    /// Returns the greatest relative error of any number.
     pub fn max_error(&self) -> f64 {
         self.max_t.max(self.max_vector)
     }
 
-    /// The greatest relative error in units of `T`'s last place at 1.
+    /// Returns the greatest relative error in units of the last place of 1 in `T`.
     pub fn ulps<T: Real>(&self) -> f64 {
         self.max_error() / T::ULP.f64()
     }
 
-    /// This tally with another question in it.
+    /// Returns this tally with another question added.
     fn with<T: Real>(mut self, question: &Question, reply: &Reply) -> Self {
         let right = right(question);
         self.n += 1;
@@ -106,7 +108,7 @@ impl Tally {
         self
     }
 
-    /// Both together; this one's questions came first.
+    /// Returns the sum of both tallies. The questions of `self` came before those of `other`.
     fn and(self, other: Self) -> Self {
         let is_worse = other.max_error() > self.max_error();
         Self {
@@ -125,8 +127,8 @@ impl Tally {
     }
 }
 
-/// `n` questions of the family, rounded to the precision `T`, put to the reference by these rules.
-/// The same tally on every machine.
+/// Answers `n` questions of the family, rounded to the precision `T`, by `rules`, and returns the
+/// tally. It is the same on every machine. Runs in the current `rayon` pool.
 pub fn survey<T: Real, R: RuleSource>(family: &Family, rules: R, n: u64, seed: u64) -> Tally {
     let chunks: Vec<Tally> = (0..n.div_ceil(CHUNK))
         .into_par_iter()
@@ -140,7 +142,7 @@ pub fn survey<T: Real, R: RuleSource>(family: &Family, rules: R, n: u64, seed: u
     chunks.into_iter().fold(Tally::default(), Tally::and)
 }
 
-/// The first `n` questions of a chunk of the family, rounded to the precision `T`.
+/// Returns the first `n` questions of a chunk of the family, rounded to the precision `T`.
 pub fn questions<T: Real>(
     family: &Family,
     chunk: u64,
@@ -153,8 +155,8 @@ pub fn questions<T: Real>(
     (0..n).map(move |_| draw(&mut draws).rounded::<T>())
 }
 
-/// The reply against the right answer, for numbers of the precision `T`: a t that is too great for
-/// it may be infinite, or a miss.
+/// Compares a reply with the correct answer, for numbers of the precision `T`. If the correct t
+/// overflows in `T`, an infinite t and a miss are correct too.
 pub fn compare<T: Real>(right: &Option<Found<Exact>>, reply: &Reply) -> Comparison {
     let numbers = |found: &Found<f64>| {
         found.t.into_iter().chain(found.vector.into_iter().chain(found.weights).flatten()).collect()
@@ -199,7 +201,8 @@ fn t_error<T: Real>(right: &Exact, given: f64) -> f64 {
     (right - &Exact::of(given)).ratio(right).abs()
 }
 
-/// ‖given − right‖, over ‖right‖ if asked for.
+/// Returns ‖given − right‖, divided by ‖right‖ if `is_relative`. Infinite if a component of `given`
+/// is.
 fn distance(right: &[Exact; 3], given: [f64; 3], is_relative: bool) -> f64 {
     let squares = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
     if given.iter().any(|x| x.is_infinite()) {
@@ -209,8 +212,8 @@ fn distance(right: &[Exact; 3], given: [f64; 3], is_relative: bool) -> f64 {
     if is_relative { off / squares(std::array::from_fn(|n| right[n].f64())) } else { off }
 }
 
-/// Whether the reply is right for the question with one number moved to its neighbour in the
-/// precision `T`.
+/// Returns whether the reply is correct for a question with one number moved to its neighbour in
+/// the precision `T`.
 pub fn is_excused<T: Real>(question: &Question, reply: &Reply) -> bool {
     question
         .moved::<T>()

@@ -1,5 +1,5 @@
-//! The decisions of the rules of light, each with its alternatives: the lecture's first, then what
-//! else people write.
+//! The decisions of the rules of light, each with its alternatives. The lecture's choice comes
+//! first, known mistakes and the choices of other courses follow.
 
 macro_rules! choices {
     ($($(#[$doc:meta])* $name:ident { $($(#[$variant_doc:meta])* $variant:ident,)* })*) => {
@@ -12,20 +12,20 @@ macro_rules! choices {
 }
 
 choices! {
-    /// Which angle fov is. [rule 1]
+    /// The angle that fov measures. [rule 1]
     Fov {
-        /// From bottom to top.
+        /// The angle from bottom to top.
         Vertical,
-        /// From left to right.
+        /// The angle from left to right.
         Horizontal,
     }
-    /// Which of several hits is the answer. [rule 2]
+    /// The hit that wins among those of several objects. [rule 2]
     Nearest {
-        /// The one of least t.
+        /// The hit with the least t.
         LeastT,
-        /// That of the first object in the list.
+        /// The hit on the first object in the list.
         FirstListed,
-        /// That of the last object in the list.
+        /// The hit on the last object in the list.
         LastListed,
     }
     /// The specular lobe. [rule 3]
@@ -38,11 +38,11 @@ choices! {
         Unclamped,
         /// (N·(L + V))₊^ns, the sum not normalised.
         HalfNotUnit,
-        /// (N·H)₊.
+        /// (N·H)₊, without the exponent.
         NoExponent,
         /// (N·L) (N·H)₊^ns.
         TimesCosine,
-        /// None.
+        /// No specular term.
         Absent,
     }
     /// The diffuse term. [rule 3]
@@ -52,20 +52,20 @@ choices! {
         /// kd.
         Flat,
     }
-    /// B_j. [rule 3]
+    /// The facing factor B_j. [rule 3]
     Facing {
         /// 1 if N·L > 0, else 0.
         OnlyFront,
-        /// The diffuse term is cut at N·L > 0, the specular one is not.
+        /// 1 if N·L > 0, else 0, for the diffuse term; 1 for the specular term.
         SpecularFromBehind,
-        /// Always 1, the cosine as it is.
+        /// Always 1, and N·L keeps its sign.
         Unclamped,
-        /// Always 1, the cosine by its amount.
+        /// Always 1, and |N·L| replaces N·L.
         BothSides,
-        /// The same where kt > 0 in some channel; elsewhere 1 if N·L > 0, else 0.
+        /// 1 with |N·L| if kt > 0 in some channel; otherwise 1 if N·L > 0, else 0.
         BothSidesOfTransmissive,
     }
-    /// How often ke counts. [rule 3]
+    /// The number of times that ke is added. [rule 3]
     Emission {
         /// Once.
         Once,
@@ -76,18 +76,18 @@ choices! {
     }
     /// The ambient term. [rule 3]
     Ambient {
-        /// ka Ia_j for each light, whatever hides or weakens it.
+        /// ka Ia_j for each light, regardless of shadows and attenuation.
         PerLight,
-        /// That of the first light alone.
+        /// ka Ia_j of the first light only.
         FirstLight,
-        /// ka I_j: the light's own colour in the place of its ambient one.
+        /// ka I_j: the light's colour instead of its ambient colour.
         LightColour,
-        /// S_j A_j ka Ia_j: none in shadow.
+        /// S_j A_j ka Ia_j: no ambient term in shadow.
         Shadowed,
-        /// None.
+        /// No ambient term.
         Absent,
     }
-    /// A_j. [rule 4]
+    /// The attenuation A_j. [rule 4]
     Attenuation {
         /// min(1, 1/(a r² + b r + c)).
         Clamped,
@@ -97,34 +97,34 @@ choices! {
         Absent,
         /// With a and c exchanged.
         Swapped,
-        /// With r in the place of r².
+        /// With r instead of r².
         NotSquared,
     }
-    /// How far a shadow ray goes. [rule 5]
+    /// The end of a shadow ray. [rule 5]
     ShadowReach {
-        /// To the light.
+        /// At the light.
         Light,
-        /// On and on.
+        /// None: objects behind the light block it.
         Unbounded,
     }
-    /// What a transparent object does to a shadow. [rule 6]
+    /// The effect of a transparent object on a shadow ray. [rule 6]
     Tint {
         /// kt at each crossing.
         PerCrossing,
         /// kt once for each object.
         PerObject,
-        /// kt of the first crossing, then nothing more.
+        /// kt of the first crossing only; further surfaces are ignored.
         FirstCrossing,
-        /// It lets all light through.
+        /// All light passes.
         Clear,
-        /// It lets none through.
+        /// No light passes.
         Opaque,
     }
-    /// The mirrored direction. [rule 7]
+    /// The reflected direction. [rule 7]
     Mirror {
         /// d − 2 (d·N) N.
         Lecture,
-        /// 2 (d·N) N − d: back to where the ray came from.
+        /// 2 (d·N) N − d, the opposite direction.
         Backwards,
         /// d − (d·N) N.
         Tangential,
@@ -135,7 +135,7 @@ choices! {
         Kr,
         /// 1.
         One,
-        /// kr from outside, no ray from inside.
+        /// kr outside an object; no reflected ray inside.
         OnlyOutside,
     }
     /// The weight of the transmitted ray. [rule 8]
@@ -149,41 +149,41 @@ choices! {
     }
     /// The transmitted direction. [rule 8]
     Bend {
-        /// By η_i / η_t.
+        /// Bent with the ratio η_i / η_t.
         Snell,
-        /// By η_t / η_i.
+        /// Bent with the ratio η_t / η_i.
         Inverted,
-        /// Not at all.
+        /// Not bent.
         Straight,
     }
-    /// Indices on the way out. [rule 9]
+    /// The indices of a ray that leaves an object. [rule 9]
     Leaving {
-        /// Exchanged.
+        /// Exchanged with respect to entering.
         Swapped,
-        /// As on the way in.
+        /// Equal to the indices on entering.
         AsEntering,
     }
-    /// What happens beyond the critical angle. [rule 10]
+    /// The result beyond the critical angle. [rule 10]
     TotalReflection {
-        /// Reflection alone remains.
+        /// The reflected ray only.
         ReflectOnly,
-        /// The ray goes straight on.
+        /// A transmitted ray that goes straight on.
         Straight,
-        /// The ray leaves along the surface: the root of a negative number taken as 0.
+        /// A transmitted ray along the surface: the root of a negative number is taken as 0.
         Grazing,
-        /// No ray at all, the reflected one neither.
+        /// No ray, not even the reflected one.
         Black,
     }
-    /// Where the outward normal is turned on the way out. [rule 11]
+    /// The uses for which the outward normal is negated inside an object. [rule 11]
     Turning {
-        /// Everywhere.
+        /// All uses.
         Everywhere,
-        /// Nowhere.
+        /// No use.
         Nowhere,
-        /// For refraction only: shaded by the outward normal.
+        /// Reflection and refraction, but not shading.
         NotShading,
     }
-    /// When a ray spawns more. [rule 13]
+    /// The depths at which a ray spawns further rays. [rule 13]
     Depth {
         /// depth < max_depth.
         Less,
@@ -194,47 +194,48 @@ choices! {
         /// depth + 1 < max_depth.
         OneLess,
     }
-    /// The adaptive end of a path. [rule 13]
+    /// The weights at which a path ends early. [rule 13]
     Cutoff {
-        /// Where every channel is below the threshold.
+        /// Every channel is below the threshold.
         AllChannels,
-        /// Where some channel is.
+        /// Some channel is below the threshold.
         AnyChannel,
-        /// Never.
+        /// No weight ends a path.
         Absent,
-        /// By the last surface's own coefficient, not by the product along the path.
+        /// Every channel of the last surface's coefficient is below the threshold, instead of the
+        /// product along the path.
         LastOnly,
     }
-    /// Roots of the sphere. [rule 14]
+    /// The root of the sphere's quadratic that counts. [rule 14]
     SphereRoots {
-        /// The nearer that counts.
+        /// The nearest one in the ray's interval.
         NearThenFar,
-        /// The nearer alone: nothing is hit from inside.
+        /// The near root only: from inside, nothing is hit.
         NearOnly,
-        /// The farther.
+        /// The far root before the near one.
         FarFirst,
-        /// As if d were a unit vector.
+        /// The nearest one in the interval, computed as if d·d were 1.
         UnitDirection,
     }
     /// The sphere's normal. [rule 14]
     SphereNormal {
-        /// Outwards from its centre.
+        /// Outwards from the sphere's centre.
         FromCentre,
-        /// Outwards from the origin, whatever the centre.
+        /// Outwards from the origin, regardless of the centre.
         FromOrigin,
         /// Inwards.
         Inwards,
     }
-    /// The plane. [rule 15]
+    /// The equation and the visible side of a plane. [rule 15]
     PlaneSide {
-        /// N·X = k, seen from both sides.
+        /// N·X = k, visible from both sides.
         Both,
         /// N·X = −k.
         NegatedK,
-        /// Seen from the side of its normal only.
+        /// N·X = k, visible from the side of its normal only.
         FrontOnly,
     }
-    /// The square. [rule 15]
+    /// The extent of the square. [rule 15]
     SquareSize {
         /// |x|, |y| ≤ 1/2.
         Half,
@@ -243,88 +244,88 @@ choices! {
         /// x² + y² ≤ 1/4: a disc.
         Disc,
     }
-    /// The box. [rule 15]
+    /// The intersection with the box that counts. [rule 15]
     BoxRoots {
-        /// The nearer that counts.
+        /// The nearest one in the ray's interval.
         NearThenFar,
-        /// The nearer alone: nothing is hit from inside.
+        /// The near one only: from inside, nothing is hit.
         NearOnly,
     }
-    /// Triangles. [rule 16]
+    /// The triangle test. [rule 16]
     TriangleTest {
-        /// Seen from both sides, all three edges tested.
+        /// Visible from both sides, all three edges tested.
         Full,
-        /// Seen from the front only.
+        /// Visible from the front only.
         FrontOnly,
-        /// The edge BC is not tested: a parallelogram without end.
+        /// The edge BC is not tested: an unbounded parallelogram.
         TwoEdges,
     }
-    /// The triangle's own normal. [rule 16]
+    /// The geometric normal of a triangle. [rule 16]
     TriangleNormal {
         /// Along (B − A) × (C − A).
         Right,
-        /// The other way.
+        /// Along (C − A) × (B − A).
         Left,
     }
-    /// Weights of the vertices. [rule 17]
+    /// The weights of a triangle's vertices. [rule 17]
     Weights {
         /// α, β, γ for A, B, C.
         Lecture,
         /// β and γ exchanged.
         Swapped,
-        /// Each vertex gets its neighbour's.
+        /// Each vertex has the weight of its neighbour.
         Rotated,
     }
-    /// The interpolated normal. [rule 18]
+    /// The normal at a point of a smooth triangle. [rule 18]
     Interpolation {
-        /// Normalised.
+        /// The interpolated normal, normalised.
         Unit,
-        /// As it comes.
+        /// The interpolated normal, not normalised.
         NotUnit,
-        /// The triangle's own in its place.
+        /// The geometric normal of the triangle.
         Absent,
         /// The normal of the nearest vertex.
         NearestVertex,
     }
-    /// Which normal reflects. [rule 19]
+    /// The normal about which rays are reflected. [rule 19]
     ReflectBy {
-        /// The interpolated one, or the geometric one where R would enter the object.
+        /// The interpolated normal, or the geometric one where R would enter the object.
         WithFallback,
-        /// The interpolated one.
+        /// The interpolated normal.
         Interpolated,
-        /// The geometric one.
+        /// The geometric normal.
         Geometric,
     }
-    /// Which normal refracts. [rule 19]
+    /// The normal by which rays are refracted. [rule 19]
     RefractBy {
-        /// The interpolated one, or the geometric one where T would leave the object.
+        /// The interpolated normal, or the geometric one where T would not cross the surface.
         WithFallback,
-        /// The interpolated one.
+        /// The interpolated normal.
         Interpolated,
-        /// The geometric one.
+        /// The geometric normal.
         Geometric,
     }
-    /// What tells inside from outside. [rule 19]
+    /// The normal that decides between inside and outside. [rule 19]
     InsideBy {
         /// The geometric normal.
         Geometric,
         /// The interpolated normal.
         Interpolated,
-        /// Nothing: every hit is from outside.
+        /// None: every hit counts as one from outside.
         Never,
     }
-    /// The ray in object space. [rule 20]
+    /// The transform of a ray into object space. [rule 20]
     ObjectRay {
-        /// Its direction as the matrix makes it.
+        /// The direction is transformed and not normalised.
         AsIs,
-        /// Its direction normalised, t not put right.
+        /// The direction is normalised, and t is not corrected.
         Renormalised,
-        /// Its direction moved as points are.
+        /// The direction is transformed like a point.
         Translated,
-        /// Its origin not moved.
+        /// The origin is not transformed.
         OriginNotMoved,
     }
-    /// The normal in world space. [rule 20]
+    /// The transform of a normal into world space. [rule 20]
     WorldNormal {
         /// A⁻ᵀ N′, normalised.
         InverseTranspose,
@@ -332,20 +333,20 @@ choices! {
         ByMatrix,
         /// A⁻¹ N′, normalised.
         ByInverse,
-        /// A⁻ᵀ N′ as it comes.
+        /// A⁻ᵀ N′, not normalised.
         NotUnit,
-        /// N′.
+        /// N′, the normal in object space.
         Untransformed,
     }
 }
 
-/// How far a ray must go before a hit counts, in styles that need to be told. [rule 21]
+/// RAY_EPSILON: the parameter that a ray must exceed before a hit counts. [rule 21]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Epsilon {
-    /// [`RAY_EPSILON`](crate::real::Real::RAY_EPSILON).
+    /// [`RAY_EPSILON`](crate::numbers::real::Real::RAY_EPSILON).
     RayEpsilon,
-    /// This.
+    /// One value for both precisions.
     Fixed(f64),
-    /// This, by mistake: it counts even where the style needs no epsilon.
+    /// A mistaken value, which also applies in styles that need no epsilon.
     Mistaken(f64),
 }

@@ -1,4 +1,4 @@
-//! The rules of a course: the lecture's, but for what the course decides otherwise.
+//! The rules of a course: the lecture's, except where the course decides otherwise.
 
 use cases::Course;
 use cases::course::{
@@ -13,13 +13,14 @@ use super::{
 };
 
 impl Rules {
-    /// The rules by which a course renders; for the default course exactly [`Rules::LECTURE`].
+    /// Returns the rules by which a course renders; for the default course exactly
+    /// [`Rules::LECTURE`].
     ///
-    /// An epsilon of 1e-6 is the lecture's: in single precision it is then 1e-4. Any other holds in
-    /// both precisions. [rule 21]
+    /// An epsilon of 1e-6 is the lecture's: in single precision it becomes 1e-4. Any other value
+    /// holds in both precisions. [rule 21]
     pub fn of(course: &Course) -> Self {
-        // The pattern names every field, so that a new key cannot be forgotten here. Which effects
-        // programs always simulate is no rule of light: it decides the effects of a scene.
+        // The pattern names every field, so that a new key cannot be forgotten here.
+        // `always_simulated` is no rule of light: it decides the effects of a scene.
         let Course {
             pixel,
             row_0,

@@ -1,12 +1,13 @@
-//! The rules of light as a value: one field for every decision, the lecture's first, then what else
-//! people write.
+//! The rules of light as a value: one field for each decision. The lecture's choice comes first,
+//! known mistakes and the choices of other courses follow.
 //!
 //! The kernel is generic over a [`RuleSource`]. [`Lecture`] has no size and its rules are a
-//! constant, so that the compiler removes every alternative: they cost nothing. A `&Rules` is
-//! looked up as the picture is rendered.
+//! constant, so that the compiler removes every alternative: they cost nothing. A `&Rules` is read
+//! while the picture is rendered.
 
 mod choices;
 mod course;
+pub mod misconceptions;
 mod style;
 
 pub use choices::*;
@@ -14,17 +15,17 @@ pub use style::*;
 
 use cases::film::Quantiser;
 
-use crate::real::Real;
+use crate::numbers::real::Real;
 
-/// Where the kernel finds the rules it follows.
+/// The source of the rules that the kernel follows.
 pub trait RuleSource: Copy + Send + Sync {
-    /// Whether they are known to be those of [`Lecture`].
+    /// Whether the rules are known at compile time to be those of [`Lecture`].
     const IS_LECTURE: bool = false;
 
-    /// The rules.
+    /// Returns the rules.
     fn get(&self) -> &Rules;
 
-    /// RAY_EPSILON under these rules. [rule 21]
+    /// Returns RAY_EPSILON under these rules. [rule 21]
     #[inline(always)]
     fn epsilon<T: Real>(&self) -> T {
         match self.get().epsilon {
@@ -34,7 +35,7 @@ pub trait RuleSource: Copy + Send + Sync {
     }
 }
 
-/// The rules as `docs/shading-model.md` has them, known when the program is compiled.
+/// The rules of `docs/shading-model.md`, known at compile time.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Lecture;
 
@@ -54,19 +55,19 @@ impl RuleSource for &Rules {
     }
 }
 
-/// One value for every decision of the rules of light.
+/// A value for each decision of the rules of light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(missing_docs, reason = "each type says what its field decides; the flags are documented")]
 pub struct Rules {
-    /// Whether a ray goes through the pixel's centre, not its top left corner. [rule 1]
+    /// Whether an eye ray goes through the pixel's centre instead of its top left corner. [rule 1]
     pub pixel_centre: bool,
     /// Whether rows are counted from the top. [rule 1]
     pub rows_from_top: bool,
-    /// Whether the picture's first row, the top one, is taken for row 0, not for the last. [rule 1]
+    /// Whether row 0 is the picture's top row instead of its bottom row. [rule 1]
     pub picture_from_top: bool,
-    /// Whether the shape of the picture widens the view, so that pixels are square. [rule 1]
+    /// Whether the aspect ratio of the picture widens the view, so that pixels are square. [rule 1]
     pub square_pixels: bool,
-    /// Whether an eye ray's direction is of unit length. [rule 1]
+    /// Whether the direction of an eye ray is normalised. [rule 1]
     pub unit_direction: bool,
     pub fov: Fov,
     pub nearest: Nearest,
@@ -76,27 +77,28 @@ pub struct Rules {
     pub emission: Emission,
     pub ambient: Ambient,
     pub attenuation: Attenuation,
-    /// Whether a shadow ray is cast at all. [rule 5]
+    /// Whether shadow rays are cast. [rule 5]
     pub casts_shadows: bool,
     pub shadow_reach: ShadowReach,
-    /// Whether L points to a directional light, not along with its light. [rule 5]
+    /// Whether L points towards a directional light instead of along its direction of travel.
+    /// [rule 5]
     pub towards_light: bool,
     pub tint: Tint,
     pub mirror: Mirror,
     pub mirror_weight: MirrorWeight,
     pub transmit_weight: TransmitWeight,
     pub bend: Bend,
-    /// The index of air. [rule 9]
+    /// The index of refraction of air. [rule 9]
     pub air: f64,
     pub leaving: Leaving,
     pub total_reflection: TotalReflection,
     pub turning: Turning,
-    /// Whether kt scales the ambient term on the way out. [rule 12]
+    /// Whether kt scales the ambient term inside an object. [rule 12]
     pub ambient_inside: bool,
     pub depth: Depth,
     pub cutoff: Cutoff,
-    /// Whether a ray of too small a weight is cast nevertheless, to bring back its own light. [rule
-    /// 13]
+    /// Whether a ray whose weight is below the threshold is still cast, and only spawns no more.
+    /// [rule 13]
     pub casts_faint_rays: bool,
     pub sphere_roots: SphereRoots,
     pub sphere_normal: SphereNormal,
@@ -113,9 +115,10 @@ pub struct Rules {
     pub object_ray: ObjectRay,
     pub world_normal: WorldNormal,
     pub epsilon: Epsilon,
-    /// How the picture's light becomes bytes; light itself it does not touch.
+    /// The conversion of linear light to bytes in the picture file. It does not change the light
+    /// itself.
     pub quantiser: Quantiser,
-    /// What is free: it changes no more than roundings.
+    /// The freedoms of the implementation, which change results only by rounding.
     pub style: Style,
 }
 
@@ -170,14 +173,16 @@ impl Rules {
         style: Style::REFERENCE,
     };
 
-    /// The same rules, in the style of [`Style::PLAIN`].
+    /// Returns the same rules in the style [`Style::PLAIN`].
     pub fn plain(self) -> Self {
         Self { style: Style::PLAIN, ..self }
     }
 
-    /// Whether hits are put back on their surfaces, with a bound of what is left: not where a
-    /// mistake takes t or the surface elsewhere, and the point that a student computes is the one
-    /// along the ray.
+    /// Returns whether hits are moved back onto their surfaces, with a bound on the remaining
+    /// error.
+    ///
+    /// It is false for plain styles. It is also false for a mistake that changes t or the surface:
+    /// there the result must be the point along the ray, as a student computes it.
     #[inline(always)]
     pub fn places_hits(&self) -> bool {
         self.style.robustness == Robustness::Certified

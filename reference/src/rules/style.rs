@@ -1,5 +1,5 @@
-//! What the rules leave free: the same picture on paper, other roundings. The reference's own way
-//! first, then those of students.
+//! The freedoms of the rules: choices with the same picture on paper and other roundings. The
+//! reference's own choice comes first, those of students follow.
 
 macro_rules! freedoms {
     ($($(#[$doc:meta])* $name:ident {
@@ -11,10 +11,10 @@ macro_rules! freedoms {
             pub enum $name { $($(#[$variant_doc])* $variant,)* }
 
             impl $name {
-                /// All ways, the reference's first.
+                /// All choices, the reference's first.
                 pub const ALL: &[Self] = &[$(Self::$variant,)*];
 
-                /// A few words for it.
+                /// Returns the published name of the choice.
                 pub fn says(self) -> &'static str {
                     match self { $(Self::$variant => $says,)* }
                 }
@@ -24,12 +24,11 @@ macro_rules! freedoms {
 }
 
 freedoms! {
-    /// What is done where rounding could decide. [rule 21]
+    /// The handling of decisions that rounding could change. [rule 21]
     Robustness {
-        /// The plain formula where its error bound settles the matter, two words a number where it
-        /// does not.
+        /// The plain formula where its error bound decides, else two words of f64 for each number.
         Certified = "certified",
-        /// The plain formula, whatever it loses.
+        /// The plain formula, without error bounds.
         Plain = "plain",
     }
     /// The roots of sphere, cylinder and cone. [rule 14]
@@ -40,81 +39,82 @@ freedoms! {
         Textbook = "textbook quadratic",
         /// b² − 4ac, the roots as c/q and q/a.
         Stable = "stable quadratic",
-        /// The centre projected on the ray, then half the chord to either side. Cylinder and cone
+        /// The centre projected onto the ray, then half the chord to either side. Cylinder and cone
         /// as in the reference.
         Geometric = "geometric sphere",
     }
-    /// t of a plane. [rule 15]
+    /// The parameter t of a plane. [rule 15]
     PlaneFormula {
         /// N·(kN − P) / N·d.
         FromFoot = "plane from its foot",
         /// (k − N·P) / N·d.
         Textbook = "textbook plane",
     }
-    /// Whether and where a triangle is met. [rule 16] [rule 17]
+    /// The intersection test of a triangle. [rule 16] [rule 17]
     TriangleFormula {
-        /// The ray sheared to an axis, three signs of areas in the plane across it.
+        /// The ray sheared to an axis, three signs of areas in the plane perpendicular to it.
         Sheared = "sheared triangle",
-        /// The plane's Q, then three edge tests by cross products.
+        /// The point Q on the plane, then three edge tests by cross products.
         Edges = "three edge tests",
         /// Möller and Trumbore: β, γ, t by Cramer's rule.
         MollerTrumbore = "Möller–Trumbore",
-        /// The plane's Q, then ratios of areas without the axis along which N is longest; α = 1 − β
-        /// − γ.
+        /// The point Q on the plane, then ratios of areas without the axis along which N is
+        /// longest; α = 1 − β − γ.
         Areas = "barycentric areas",
     }
-    /// How a ray gets away from the surface that it leaves. [rule 21]
+    /// The start of a ray that leaves a surface. [rule 21]
     Start {
-        /// From Q, moved off the surface by the proven bound of its error, to the side where the
-        /// ray goes, over t > 0.
+        /// From Q, moved off the surface by the proven bound of its error to the side where the ray
+        /// goes, over t > 0.
         OffBound = "offset by the error bound",
-        /// From Q, over t > ε, the rules' epsilon.
+        /// From Q, over t > ε, the epsilon of the rules.
         Interval = "t >",
-        /// From Q + ε N over t > 0, N the geometric normal, turned to the side where the ray goes.
+        /// From Q + ε N, over t > 0. N is the geometric normal, turned to the side where the ray
+        /// goes.
         AlongNormal = "offset along the normal",
-        /// From Q + ε d over t > 0.
+        /// From Q + ε d, over t > 0.
         AlongRay = "offset along the ray",
     }
-    /// Direction and length of a shadow ray that starts beside its point. [rule 5]
+    /// The direction and length of a shadow ray whose origin is moved off its point. [rule 5]
     ToLight {
-        /// Those of the point itself.
+        /// Measured from the point itself.
         FromPoint = "light seen from the point",
-        /// Those of the place where the ray starts.
+        /// Measured from the moved origin.
         FromStart = "light seen from the start",
     }
-    /// The eye ray. [rule 1]
+    /// The direction of the eye ray. [rule 1]
     CameraFormula {
-        /// forward + x right + y up, the tangent folded into x and y.
+        /// forward + x right + y up, with the tangent folded into x and y.
         Plane = "view plane at 1",
-        /// A point of the view plane counted from its corner in world space, minus the eye.
+        /// A point of the view plane, counted from its corner in world space, minus the eye.
         Corner = "view plane by its corner",
         /// (1/tan) forward + x right + y up.
         Far = "view plane at 1/tan",
     }
-    /// cos θ_t. [rule 8]
+    /// The cosine of the angle of refraction, cos θ_t. [rule 8]
     Snell {
         /// (η_t cos θ_t)² as a sum that does not cancel.
         Factored = "factored Snell",
         /// √(1 − η² (1 − cos²θ_i)).
         Textbook = "textbook Snell",
     }
-    /// x^ns. [rule 3]
+    /// The power x^ns. [rule 3]
     Power {
         /// pow(x, ns).
         Pow = "pow",
         /// exp(ns ln x).
         ExpLog = "exp of ln",
     }
-    /// The order in which lights are added. [rule 3]
+    /// The order in which the light of several lights is added. [rule 3]
     LightOrder {
-        /// As in the scene.
+        /// The order of the scene.
         Listed = "lights as listed",
-        /// From the last to the first.
+        /// From the last light to the first.
         Reversed = "lights reversed",
     }
 }
 
-/// One way of computing the picture that the rules describe.
+/// One way to compute the picture that the rules describe.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(missing_docs, reason = "each type says what its field decides")]
 pub struct Style {
@@ -128,13 +128,13 @@ pub struct Style {
     pub snell: Snell,
     pub power: Power,
     pub lights: LightOrder,
-    /// By how much eye rays miss the centres of their pixels, in pixels to the right and down.
+    /// Offset of eye rays from the centres of their pixels, in pixels to the right and down.
     /// [rule 1]
     pub nudge: [f64; 2],
 }
 
 impl Style {
-    /// The reference's own.
+    /// The reference's own style.
     pub const REFERENCE: Self = Self {
         robustness: Robustness::Certified,
         quadratic: Quadratic::NearestPoint,
@@ -149,8 +149,8 @@ impl Style {
         nudge: [0.0; 2],
     };
 
-    /// The reference's formulas, as a student writes them: plain, and rays leave surfaces by
-    /// RAY_EPSILON.
+    /// The reference's formulas without certification, as a student writes them. Rays leave
+    /// surfaces by RAY_EPSILON.
     pub const PLAIN: Self =
         Self { robustness: Robustness::Plain, start: Start::Interval, ..Self::REFERENCE };
 }

@@ -1,55 +1,55 @@
-//! The box. [rule 15]
+//! The axis-aligned box. [rule 15]
 
-use super::meeting::Meeting;
+use super::hit::ShapeHit;
 use super::settle;
-use crate::ray::Ray;
-use crate::real::Real;
+use crate::numbers::real::Real;
+use crate::numbers::vec3::Vec3;
+use crate::rays::ray::Ray;
 use crate::rules::{BoxRoots, Robustness, RuleSource};
-use crate::vec3::Vec3;
 
-/// min ≤ X ≤ max, whose surface is met.
+/// The surface of the box min ≤ X ≤ max.
 #[derive(Clone, Copy, Debug)]
 pub struct Cuboid<T> {
-    /// Least corner.
+    /// The least corner.
     pub min: Vec3<T>,
-    /// Greatest corner.
+    /// The greatest corner.
     pub max: Vec3<T>,
 }
 
 impl<T: Real> Cuboid<T> {
-    /// The first meeting in the ray's interval: where the ray enters, or where it leaves if the
-    /// entry does not count.
+    /// Returns the first hit in the ray's interval: where the ray enters, or where it leaves if the
+    /// entry does not count. `None` if neither counts.
     ///
-    /// The slabs of the three axes are cut with one another. A ray that runs along a slab is inside
-    /// or outside of it all along; to run within a face is to be inside. On an edge the face of the
-    /// lower axis is met.
+    /// The slabs of the three axes are intersected with one another. A ray that runs along a slab
+    /// is inside or outside of it all along; to run within a face is to be inside. On an edge, the
+    /// hit is on the face of the lower axis.
     #[inline(always)]
-    pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
+    pub fn intersect<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<ShapeHit<T>> {
         let ends = self.cut(ray, rules.get().style.robustness == Robustness::Certified)?;
         self.first(rules, ray, ends)
     }
 
-    /// Which of the places where the ray enters and leaves is met in its interval.
+    /// Returns the hit in the ray's interval, given where the ray enters and leaves.
     #[inline(always)]
     pub(super) fn first<R: RuleSource>(
         &self,
         rules: R,
         ray: &Ray<T>,
         ends: [(T, u32); 2],
-    ) -> Option<Meeting<T>> {
+    ) -> Option<ShapeHit<T>> {
         let [enter, leave] = ends;
         if ray.contains(enter.0) {
-            return Some(Meeting::with(enter.0, enter.1));
+            return Some(ShapeHit::with(enter.0, enter.1));
         }
         (rules.get().box_roots == BoxRoots::NearThenFar && ray.contains(leave.0))
-            .then(|| Meeting::with(leave.0, leave.1))
+            .then(|| ShapeHit::with(leave.0, leave.1))
     }
 
-    /// Where the ray's line enters and where it leaves: t and the face; `None` where it does
-    /// neither, or the box lies behind the ray.
+    /// Returns where the ray's line enters and where it leaves: t and the face. `None` where it
+    /// does neither, or the box lies behind the ray.
     ///
     /// A t is off by a difference and a quotient, 2u of itself, u half a ulp: which of two is the
-    /// greater is certain where they differ by more than 4u of either. 8u is asked for, and where
+    /// greater is certain where they differ by more than 4u of either. 8u is demanded, and where
     /// that leaves an order open, the second step is taken. The sign of a difference is certain.
     #[inline(always)]
     pub(super) fn cut(&self, ray: &Ray<T>, is_certified: bool) -> Option<[(T, u32); 2]> {
@@ -98,7 +98,8 @@ impl<T: Real> Cuboid<T> {
                 & ((first == last) | apart(enter, leave))
         };
         if is_certified && !is_certain() {
-            // taken apart, so that what is certain stays in registers
+            // Destructured and built again, so that the results of the certain case stay in
+            // registers.
             let [(enter, first), (leave, last)] = settle::cuboid(&self.min, &self.max, ray)?;
             return Some([(enter, first), (leave, last)]);
         }
@@ -108,7 +109,7 @@ impl<T: Real> Cuboid<T> {
         ])
     }
 
-    /// The same slab by slab, for a ray that runs along one.
+    /// Returns what [`Self::cut`] returns, slab by slab, for a ray that runs along one.
     #[cold]
     #[inline(never)]
     fn cut_one_by_one(&self, ray: &Ray<T>, is_certified: bool) -> Option<[(T, u32); 2]> {
@@ -136,14 +137,16 @@ impl<T: Real> Cuboid<T> {
         (enter.0 <= leave.0).then_some([enter, leave])
     }
 
-    /// The outward unit normal of a face.
+    /// Returns the outward unit normal of a face: `part` is twice the axis, plus 1 for the greater
+    /// of its two faces.
     pub fn normal(part: u32) -> Vec3<T> {
         let axis = Vec3::axis(part as usize / 2);
         if part % 2 == 1 { axis } else { -axis }
     }
 }
 
-/// Whether rounding cannot have put two parameters of faces in this order.
+/// Returns whether two parameters of faces differ by more than rounding, so that their order is
+/// certain.
 #[inline(always)]
 fn apart<T: Real>(a: T, b: T) -> bool {
     (a - b).abs() > a.abs() * (T::of(4.0) * T::ULP) + T::ULP * T::SAFE[0]
@@ -158,12 +161,12 @@ mod tests {
     use super::*;
     use crate::rules::Lecture;
 
-    /// With 0 ≤ x ≤ 1, 0 ≤ y ≤ 2, 0 ≤ z ≤ 3.
+    /// Checks a ray against the box 0 ≤ x ≤ 1, 0 ≤ y ≤ 2, 0 ≤ z ≤ 3.
     fn check(origin: [f64; 3], direction: [f64; 3], expected: Option<(f64, [f64; 3])>) {
         let vec = |v: [f64; 3]| Vec3::new(v[0], v[1], v[2]);
         let cuboid = Cuboid { min: vec([0.0; 3]), max: vec([1.0, 2.0, 3.0]) };
-        let met = cuboid.meet(Lecture, &Ray::leaving(Lecture, vec(origin), vec(direction)));
-        let found = met.map(|m| (m.t, Cuboid::normal(m.part)));
+        let hit = cuboid.intersect(Lecture, &Ray::leaving(Lecture, vec(origin), vec(direction)));
+        let found = hit.map(|m| (m.t, Cuboid::normal(m.part)));
         assert_eq!(
             found,
             expected.map(|(t, n)| (t, vec(n))),

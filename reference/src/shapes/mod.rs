@@ -1,64 +1,69 @@
-//! Bare shapes in object space: where a ray meets them, and the outward normal there. They know no
+//! Shapes in object space: where a ray intersects them, and the outward normal there. They know no
 //! materials.
 
 mod cuboid;
-mod meeting;
+mod hit;
 mod place;
 mod plane;
 mod round;
 mod settle;
+mod shear;
 mod sphere;
 mod square;
 mod triangle;
 mod triangle_formulas;
 
 pub use cuboid::Cuboid;
-pub use meeting::Meeting;
+pub use hit::ShapeHit;
 pub(crate) use place::on_triangle;
 pub use plane::Plane;
 pub use round::Round;
+pub use shear::Shear;
 pub use sphere::Sphere;
 pub use square::Square;
-pub(crate) use triangle::{Look, misses_certainly};
-pub use triangle::{Shear, Triangle, barycentric};
+pub(crate) use triangle::{FirstStep, misses_certainly};
+pub use triangle::{Triangle, barycentric};
 
-use crate::bounds::Bounds;
-use crate::ray::Ray;
-use crate::real::Real;
+use crate::numbers::bounds::Bounds;
+use crate::numbers::real::Real;
+use crate::numbers::vec3::Vec3;
+use crate::rays::ray::Ray;
 use crate::rules::{Robustness, RuleSource};
-use crate::vec3::Vec3;
 
-/// A shape that is no mesh.
+/// A shape other than a mesh, in object space.
 #[derive(Clone, Copy, Debug)]
 pub enum Solid<T> {
-    /// [rule 14]
+    /// A sphere. [rule 14]
     Sphere(Sphere<T>),
-    /// [rule 15]
+    /// A plane. [rule 15]
     Plane(Plane<T>),
-    /// [rule 15]
+    /// The unit square. [rule 15]
     Square(Square),
-    /// [rule 15]
+    /// An axis-aligned box. [rule 15]
     Cuboid(Cuboid<T>),
     /// A cylinder or a cone.
     Round(Round<T>),
 }
 
 impl<T: Real> Solid<T> {
-    /// The first meeting in the ray's interval.
+    /// Returns the first hit in the interval of `ray`, which is in object space; `None` for a miss.
+    /// t is in units of the length of the direction.
     #[inline(always)]
-    pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
+    pub fn intersect<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<ShapeHit<T>> {
         match self {
-            Self::Sphere(sphere) => sphere.meet(rules, ray),
-            Self::Plane(plane) => plane.meet(rules, ray),
-            Self::Square(square) => square.meet(rules, ray),
-            Self::Cuboid(cuboid) => cuboid.meet(rules, ray),
-            Self::Round(round) => round.meet(rules, ray),
+            Self::Sphere(sphere) => sphere.intersect(rules, ray),
+            Self::Plane(plane) => plane.intersect(rules, ray),
+            Self::Square(square) => square.intersect(rules, ray),
+            Self::Cuboid(cuboid) => cuboid.intersect(rules, ray),
+            Self::Round(round) => round.intersect(rules, ray),
         }
     }
 
-    /// Every crossing of the ray with it, told to `found` in order of t: `ray` in the space of the
-    /// shape, its interval that of the ray as it was cast, from which beginnings behind a crossing
-    /// are counted. [rule 6]
+    /// Calls `found` with t of every crossing of the ray with the surface, in ascending order.
+    /// [rule 6]
+    ///
+    /// `ray` is in the space of the shape, with the interval of `cast`. `cast` is the ray as it was
+    /// cast, in world space: from it follows where the rest of the ray behind a crossing begins.
     #[inline(always)]
     pub fn crossings<R: RuleSource>(
         &self,
@@ -79,24 +84,26 @@ impl<T: Real> Solid<T> {
                 {
                     cast.cross(
                         rules,
-                        |rest| cuboid.first(rules, rest, ends).map(|met| met.t),
+                        |rest| cuboid.first(rules, rest, ends).map(|hit| hit.t),
                         found,
                     );
                 }
             }
             Self::Plane(_) | Self::Square(_) => {
-                if let Some(met) = self.meet(rules, ray) {
-                    found(met.t);
+                if let Some(hit) = self.intersect(rules, ray) {
+                    found(hit.t);
                 }
             }
             Self::Round(round) => {
-                let first = |rest: &Ray<T>| round.meet(rules, &rest.along(ray)).map(|met| met.t);
+                let first =
+                    |rest: &Ray<T>| round.intersect(rules, &rest.along(ray)).map(|hit| hit.t);
                 cast.cross(rules, first, found);
             }
         }
     }
 
-    /// The outward unit normal at `point`, where `part` was met. [rule 11]
+    /// Returns the outward unit normal, in object space, at `point` of the part that was hit.
+    /// [rule 11]
     #[inline(always)]
     pub fn normal<R: RuleSource>(&self, rules: R, point: Vec3<T>, part: u32) -> Vec3<T> {
         match self {
@@ -108,7 +115,8 @@ impl<T: Real> Solid<T> {
         }
     }
 
-    /// The least box around it; `None` for a plane, which has no end.
+    /// Returns the least box around the shape, in object space; `None` for a plane, which has no
+    /// bounds.
     pub fn bounds(&self) -> Option<Bounds<T>> {
         match self {
             Self::Sphere(sphere) => Some(sphere.bounds()),

@@ -1,55 +1,61 @@
-//! The place of a hit: a point put back on the surface, and a bound of how far off it still is.
+//! Hit points: the point of a hit, moved back onto the surface, and a bound of how far off it still
+//! is.
 //!
 //! O + t d is off by what t and the sum lose, which grows with the distance that the ray has come.
-//! The point put back on the surface is off by what the formula of the surface loses, which does
-//! not. u is half of `ULP`; γ(n) = n u / (1 − n u), and n `ULP` is twice that.
+//! The point moved back onto the surface is off by what the formula of the surface loses, which
+//! does not grow. u is half of `ULP`; γ(n) = n u / (1 − n u), and n `ULP` is twice that.
 
-use super::{Cuboid, Meeting, Plane, Round, Solid, Sphere};
-use crate::ray::{Ray, Spot};
-use crate::real::Real;
+use super::{Cuboid, Plane, Round, ShapeHit, Solid, Sphere};
+use crate::numbers::real::Real;
+use crate::numbers::vec3::Vec3;
+use crate::rays::ray::{HitPoint, Ray};
 use crate::rules::{RuleSource, SphereNormal};
-use crate::vec3::Vec3;
 
 impl<T: Real> Solid<T> {
-    /// The place where `ray` meets it, in object space: the point, its error, the outward unit
-    /// normal there. [rule 11]
+    /// Returns the hit point of `ray`, in object space: the point, its error bound, and the outward
+    /// unit normal there. [rule 11]
     #[inline(always)]
-    pub fn place<R: RuleSource>(&self, rules: R, ray: &Ray<T>, met: &Meeting<T>) -> Spot<T> {
-        let at = ray.at(met.t);
+    pub fn place<R: RuleSource>(&self, rules: R, ray: &Ray<T>, hit: &ShapeHit<T>) -> HitPoint<T> {
+        let at = ray.at(hit.t);
         match self {
-            Self::Sphere(sphere) => sphere.place(rules, ray, met.t),
+            Self::Sphere(sphere) => sphere.place(rules, ray, hit.t),
             Self::Plane(plane) => plane.place(at),
-            // z = 0 exactly, and the rest of it lies within the plane
-            Self::Square(_) => Spot {
+            // z = 0 is exact, and the error of the rest lies within the plane
+            Self::Square(_) => HitPoint {
                 point: Vec3::new(at.x, at.y, T::ZERO),
                 error: Vec3::ZERO,
                 n_geom: Vec3::axis(2),
             },
-            Self::Cuboid(cuboid) => cuboid.place(at, met.part),
-            Self::Round(round) => round.place(at, met.part),
+            Self::Cuboid(cuboid) => cuboid.place(at, hit.part),
+            Self::Round(round) => round.place(at, hit.part),
         }
     }
 }
 
 impl<T: Real> Solid<T> {
-    /// The outward unit normal where `ray` meets it: at its place, or at the point along the ray by
-    /// rules that know no place.
+    /// Returns the outward unit normal at the hit of `ray`, in object space. By rules that move no
+    /// hits back onto surfaces, the normal is that at the point along the ray.
     #[inline(always)]
-    pub fn normal_where<R: RuleSource>(&self, rules: R, ray: &Ray<T>, met: &Meeting<T>) -> Vec3<T> {
+    pub fn normal_at_hit<R: RuleSource>(
+        &self,
+        rules: R,
+        ray: &Ray<T>,
+        hit: &ShapeHit<T>,
+    ) -> Vec3<T> {
         match rules.get().places_hits() {
-            true => self.place(rules, ray, met).n_geom,
-            false => self.normal(rules, ray.at(met.t), met.part),
+            true => self.place(rules, ray, hit).n_geom,
+            false => self.normal(rules, ray.at(hit.t), hit.part),
         }
     }
 }
 
 impl<T: Real> Sphere<T> {
-    /// C + r q for a vector q of unit length, whichever it is.
+    /// Returns C + r q for a unit vector q. The bound holds whichever vector q is.
     ///
     /// q takes γ(3) for the square of its length, half of that and one u for the root, one each for
     /// the quotient, q itself and r: γ(6) of r q. The last sum takes u of its result.
     #[inline(always)]
-    fn place<R: RuleSource>(&self, rules: R, ray: &Ray<T>, t: T) -> Spot<T> {
+    fn place<R: RuleSource>(&self, rules: R, ray: &Ray<T>, t: T) -> HitPoint<T> {
         let out = self.outwards(ray, t);
         let offset = out * self.radius;
         let point = self.center + offset;
@@ -57,43 +63,48 @@ impl<T: Real> Sphere<T> {
             SphereNormal::FromCentre => out,
             _ => self.normal(rules, point),
         };
-        Spot { point, error: (offset.abs() * T::of(6.0) + point.abs()) * T::ULP, n_geom }
+        HitPoint { point, error: (offset.abs() * T::of(6.0) + point.abs()) * T::ULP, n_geom }
     }
 }
 
 impl<T: Real> Plane<T> {
-    /// X + (k − N·X)/(N·N) N, where N·X = k but for the roundings of the sums: γ(8) (|k| + Σ |N_i
-    /// X_i|) along N, X the point along the ray. N need not be of unit length.
+    /// Returns X + (k − N·X)/(N·N) N, where X is the point along the ray.
+    ///
+    /// There N·X = k holds except for the roundings of the sums: γ(8) (|k| + Σ |N_i X_i|) along N.
+    /// N need not be of unit length.
     #[inline(always)]
-    fn place(&self, at: Vec3<T>) -> Spot<T> {
+    fn place(&self, at: Vec3<T>) -> HitPoint<T> {
         let n = self.normal;
         let inverse = T::ONE / n.dot(n);
         let point = at + n * ((self.k - n.dot(at)) * inverse);
         let terms = self.k.abs() + n.abs().dot(at.abs());
-        Spot { point, error: n.abs() * (terms * inverse * T::of(8.0) * T::ULP), n_geom: n }
+        HitPoint { point, error: n.abs() * (terms * inverse * T::of(8.0) * T::ULP), n_geom: n }
     }
 }
 
 impl<T: Real> Cuboid<T> {
-    /// The face's coordinate is exact, and the others lie within the face.
+    /// Returns the point on the face: the coordinate of the face is exact, and the errors of the
+    /// others lie within the face.
     #[inline(always)]
-    fn place(&self, at: Vec3<T>, part: u32) -> Spot<T> {
+    fn place(&self, at: Vec3<T>, part: u32) -> HitPoint<T> {
         let face = if part % 2 == 1 { self.max } else { self.min };
         let pick = |axis: u32, of: T, face: T| if part / 2 == axis { face } else { of };
         let point = Vec3::new(pick(0, at.x, face.x), pick(1, at.y, face.y), pick(2, at.z, face.z));
-        Spot { point, error: Vec3::ZERO, n_geom: Self::normal(part) }
+        HitPoint { point, error: Vec3::ZERO, n_geom: Self::normal(part) }
     }
 }
 
 impl<T: Real> Round<T> {
-    /// A cap's z is exact. On the side (x, y) comes to length r(z): γ(6) of it as on the sphere,
-    /// and what r(z) itself loses, three roundings of the slope and three more of the terms of
-    /// r(z).
+    /// Returns the point on a cap or on the side.
+    ///
+    /// z of a cap is exact. On the side, (x, y) is scaled to length r(z): it is off by γ(6) of it
+    /// as on the sphere, and by what r(z) itself loses, three roundings of the slope and three more
+    /// of the terms of r(z).
     #[inline(always)]
-    fn place(&self, at: Vec3<T>, part: u32) -> Spot<T> {
+    fn place(&self, at: Vec3<T>, part: u32) -> HitPoint<T> {
         if let Some(z) = self.cap_height(part) {
             let point = Vec3::new(at.x, at.y, z);
-            return Spot { point, error: Vec3::ZERO, n_geom: self.normal(point, part) };
+            return HitPoint { point, error: Vec3::ZERO, n_geom: self.normal(point, part) };
         }
         let (out, z) =
             (Vec3::new(at.x, at.y, T::ZERO), at.z.greatest(self.z_min).least(self.z_max));
@@ -103,7 +114,7 @@ impl<T: Real> Round<T> {
         let of_radius = self.bottom_radius.abs() + (radius - self.bottom_radius).abs();
         let loss = T::of(if self.bottom_radius == self.top_radius { 0.0 } else { 6.0 });
         let across = (out.abs() * T::of(6.0) + Vec3::ONE * (of_radius * loss)) * T::ULP;
-        Spot {
+        HitPoint {
             point,
             error: Vec3::new(across.x, across.y, T::ZERO),
             n_geom: self.normal(point, part),
@@ -111,19 +122,21 @@ impl<T: Real> Round<T> {
     }
 }
 
-/// α A + β B + γ C, off its plane by at most γ(4) for weights whose sum is not quite 1 and γ(5) for
-/// their products and sums, of the greatest of the sums of amounts: where a ray meets a triangle
-/// its coordinates mix.
+/// Returns α A + β B + γ C, the hit point on a triangle.
+///
+/// The point is off its plane by at most γ(4) for weights whose sum is not quite 1 and γ(5) for
+/// their products and sums, both of the greatest of the sums of magnitudes: where a ray hits a
+/// triangle, its coordinates mix.
 #[inline(always)]
 pub(crate) fn on_triangle<T: Real>(
     corners: &[Vec3<T>; 3],
     weights: Vec3<T>,
     n_geom: Vec3<T>,
-) -> Spot<T> {
+) -> HitPoint<T> {
     let [a, b, c] = corners;
     let (a, b, c) = (*a * weights.x, *b * weights.y, *c * weights.z);
     let terms = (a.abs() + b.abs() + c.abs()).max_element();
-    Spot { point: a + b + c, error: Vec3::ONE * (terms * T::of(9.0) * T::ULP), n_geom }
+    HitPoint { point: a + b + c, error: Vec3::ONE * (terms * T::of(9.0) * T::ULP), n_geom }
 }
 
 #[cfg(test)]
@@ -138,13 +151,16 @@ mod tests {
         for n in 1..1000 {
             // off the plane by what rounding leaves of some units
             let at = Vec3::new(f64::from(n), f64::from(n) * 1e-19, 1.0);
-            let spot = plane.place(at);
-            assert!(spot.point.y.abs() <= spot.error.y, "{spot:?} is off by more than it says");
-            let leaving = Ray::spawned(Lecture, &spot, Vec3::new(0.8, 0.6, 0.0));
+            let hit_point = plane.place(at);
+            assert!(
+                hit_point.point.y.abs() <= hit_point.error.y,
+                "{hit_point:?} is off by more than its bound"
+            );
+            let leaving = Ray::spawned(Lecture, &hit_point, Vec3::new(0.8, 0.6, 0.0));
             assert_eq!(
-                plane.meet(Lecture, &leaving),
+                plane.intersect(Lecture, &leaving),
                 None,
-                "{leaving:?} meets the plane that it leaves"
+                "{leaving:?} hits the plane that it leaves"
             );
         }
     }

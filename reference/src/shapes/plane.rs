@@ -1,27 +1,27 @@
 //! The plane. [rule 15]
 
-use super::meeting::Meeting;
+use super::hit::ShapeHit;
 use super::settle;
-use crate::ray::Ray;
-use crate::real::Real;
+use crate::numbers::real::Real;
+use crate::numbers::vec3::Vec3;
+use crate::rays::ray::Ray;
 use crate::rules::{PlaneFormula, PlaneSide, Robustness, RuleSource};
-use crate::vec3::Vec3;
 
-/// N·X = k, N a unit vector.
+/// The plane N·X = k, with a unit vector N.
 #[derive(Clone, Copy, Debug)]
 pub struct Plane<T> {
-    /// N.
+    /// The unit normal N.
     pub normal: Vec3<T>,
-    /// k.
+    /// The offset k of the plane along N.
     pub k: T,
 }
 
 impl<T: Real> Plane<T> {
-    /// The meeting in the ray's interval. [rule 15]
+    /// Returns the hit in the ray's interval; `None` for a miss. [rule 15]
     ///
-    /// A parallel ray never meets it, not even one that runs within it.
+    /// A parallel ray misses the plane, even one that runs within it.
     #[inline(always)]
-    pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
+    pub fn intersect<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<ShapeHit<T>> {
         if rules.get().plane == PlaneSide::FrontOnly && self.normal.dot(ray.direction) > T::ZERO {
             return None;
         }
@@ -30,10 +30,11 @@ impl<T: Real> Plane<T> {
             Robustness::Certified => self.certified(k, ray),
             Robustness::Plain => self.plain(rules, k, ray),
         }?;
-        ray.contains(t).then(|| Meeting::with(t, 0))
+        ray.contains(t).then(|| ShapeHit::with(t, 0))
     }
 
-    /// t = (k − N·P) / N·d; `None` for a parallel ray, and where t certainly does not count.
+    /// Returns t = (k − N·P) / N·d; `None` for a parallel ray, and where t certainly does not
+    /// count.
     ///
     /// With u half a ulp, N·d is off by 3u Σ|N_i d_i| at most and k − N·P by 4u (|k| + Σ|N_i P_i|);
     /// 8u is twice that. Where that leaves a sign open, or most digits of t cancel, the second step
@@ -58,7 +59,7 @@ impl<T: Real> Plane<T> {
         settle::plane(&self.normal, k, ray)
     }
 
-    /// t as students compute it; `None` for a parallel ray.
+    /// Returns t as students compute it; `None` for a parallel ray.
     #[inline(always)]
     fn plain<R: RuleSource>(&self, rules: R, k: T, ray: &Ray<T>) -> Option<T> {
         let slope = self.normal.dot(ray.direction);
@@ -75,12 +76,13 @@ mod tests {
     use super::*;
     use crate::rules::Lecture;
 
-    /// With the plane 0.6 x + 0.8 y = 2.
+    /// Checks a ray against the plane 0.6 x + 0.8 y = 2.
     fn check(origin: [f64; 3], direction: [f64; 3], expected: Option<f64>) {
         let vec = |v: [f64; 3]| Vec3::new(v[0], v[1], v[2]);
         let plane = Plane { normal: vec([0.6, 0.8, 0.0]), k: 2.0 };
-        let t =
-            plane.meet(Lecture, &Ray::leaving(Lecture, vec(origin), vec(direction))).map(|m| m.t);
+        let t = plane
+            .intersect(Lecture, &Ray::leaving(Lecture, vec(origin), vec(direction)))
+            .map(|m| m.t);
         match (t, expected) {
             (Some(t), Some(wanted)) => {
                 assert!((t - wanted).abs() < 1e-15, "from {origin:?}: {t} is not {wanted}")

@@ -1,49 +1,49 @@
-//! Cylinder and cone: both are a radius that goes linearly along z.
+//! Cylinder and cone: both have a radius that changes linearly along z.
 
-use super::meeting::Meeting;
+use super::hit::ShapeHit;
 use super::settle::Coil;
-use crate::bounds::Bounds;
-use crate::ray::Ray;
-use crate::real::Real;
-use crate::roots;
+use crate::numbers::bounds::Bounds;
+use crate::numbers::real::Real;
+use crate::numbers::roots;
+use crate::numbers::two::Two;
+use crate::numbers::vec3::Vec3;
+use crate::rays::ray::Ray;
 use crate::rules::{Quadratic, Robustness, RuleSource};
-use crate::two::Two;
-use crate::vec3::Vec3;
 
 const SIDE: u32 = 0;
 const BOTTOM: u32 = 1;
 const TOP: u32 = 2;
 
-/// What one word leaves open.
+/// The result of a formula that one word leaves open.
 struct Doubt;
 
-/// x² + y² = r(z)², z_min ≤ z ≤ z_max, r linear between its values at the ends.
+/// The surface x² + y² = r(z)², z_min ≤ z ≤ z_max, with r linear between its values at the ends.
 #[derive(Clone, Copy, Debug)]
 pub struct Round<T> {
-    /// r(z_min).
+    /// The radius r(z_min).
     pub bottom_radius: T,
-    /// r(z_max); not both are 0.
+    /// The radius r(z_max); the two radii are not both 0.
     pub top_radius: T,
-    /// Lower end.
+    /// The lower end.
     pub z_min: T,
-    /// Upper end, above `z_min`.
+    /// The upper end, above `z_min`.
     pub z_max: T,
     /// Whether discs close both ends.
     pub is_capped: bool,
 }
 
 impl<T: Real> Round<T> {
-    /// dr/dz.
+    /// Returns dr/dz.
     fn slope(&self) -> T {
         (self.top_radius - self.bottom_radius) / (self.z_max - self.z_min)
     }
 
-    /// r(z).
+    /// Returns r(z).
     pub(super) fn radius(&self, z: T) -> T {
         self.bottom_radius + self.slope() * (z - self.z_min)
     }
 
-    /// z of a cap; `None` for the side.
+    /// Returns z of a cap; `None` for the side.
     pub(super) fn cap_height(&self, part: u32) -> Option<T> {
         match part {
             BOTTOM => Some(self.z_min),
@@ -52,13 +52,14 @@ impl<T: Real> Round<T> {
         }
     }
 
-    /// The first meeting in the ray's interval; on a rim the side is met. The ends belong to it.
+    /// Returns the first hit in the ray's interval; `None` for a miss. On a rim, the hit is on the
+    /// side. The ends belong to the surface.
     #[inline(always)]
-    pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
-        self.first(rules, ray).map(|(t, part)| Meeting::with(t, part))
+    pub fn intersect<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<ShapeHit<T>> {
+        self.first(rules, ray).map(|(t, part)| ShapeHit::with(t, part))
     }
 
-    /// t of the first meeting, and its part.
+    /// Returns t of the first hit, and its part.
     #[inline(never)]
     fn first<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<(T, u32)> {
         let style = &rules.get().style;
@@ -71,25 +72,25 @@ impl<T: Real> Round<T> {
         self.nearest(self.side(rules, ray), caps)
     }
 
-    /// Both ends: part, z and radius.
+    /// Returns part, z and radius of both ends.
     fn caps(&self) -> [(u32, T, T); 2] {
         [(BOTTOM, self.z_min, self.bottom_radius), (TOP, self.z_max, self.top_radius)]
     }
 
-    /// The nearest of the meetings with the side and, if they are closed, with the ends.
+    /// Returns the nearest of the hits on the side and, if they are closed, on the ends.
     fn nearest(&self, side: Option<T>, caps: [(u32, Option<T>); 2]) -> Option<(T, u32)> {
-        let mut met = side.map(|t| (t, SIDE));
+        let mut hit = side.map(|t| (t, SIDE));
         for (part, t) in caps.into_iter().filter(|_| self.is_capped) {
             let cap = t.map(|t| (t, part));
-            met = match (met, cap) {
+            hit = match (hit, cap) {
                 (Some(side), Some(cap)) if cap.0 < side.0 => Some(cap),
                 (side, cap) => side.or(cap),
             };
         }
-        met
+        hit
     }
 
-    /// The first meeting, if no rounding can decide it.
+    /// Returns the first hit, if rounding cannot change it; otherwise the error is [`Doubt`].
     fn certified(&self, ray: &Ray<T>) -> Result<Option<(T, u32)>, Doubt> {
         let side = self.certified_side(ray)?;
         let [bottom, top] = self.caps();
@@ -99,8 +100,8 @@ impl<T: Real> Round<T> {
         Ok(self.nearest(side, [cap(bottom)?, cap(top)?]))
     }
 
-    /// The first meeting in two words: on a rim, where both are met as far as can be told, the
-    /// side.
+    /// Returns the first hit, computed in two words. On a rim, where even these cannot separate
+    /// side and end, the hit is on the side.
     #[cold]
     #[inline(never)]
     fn settled(&self, ray: &Ray<T>) -> Option<(T, u32)> {
@@ -118,13 +119,13 @@ impl<T: Real> Round<T> {
         first.map(|(t, part)| (coil.t(t), part))
     }
 
-    /// t of the first meeting with the side.
+    /// Returns t of the first hit on the side.
     ///
-    /// Let h = ‖(x, y)‖² + R², with R the amounts of the terms of r at the origin, and l the length
-    /// of (d_x, d_y) and of the growth of r, squared. With u half a ulp, r is off by 6u R and its
-    /// growth by 4u of itself, so the discriminant by 38u h l at most, c by 14u h and a by 10u l.
-    /// Twice that is asked for and more where few digits would be left, else the second step is
-    /// taken; likewise where z is as near to an end as it may be off.
+    /// Let h = ‖(x, y)‖² + R², with R the magnitudes of the terms of r at the origin, and l the
+    /// length of (d_x, d_y) and of the growth of r, squared. With u half a ulp, r is off by 6u R
+    /// and its growth by 4u of itself, so the discriminant by 38u h l at most, c by 14u h and a by
+    /// 10u l. The formula demands twice that, and more where few digits would be left; otherwise
+    /// the second step is taken. It is also taken where z is as near to an end as it may be off.
     #[inline(always)]
     fn certified_side(&self, ray: &Ray<T>) -> Result<Option<T>, Doubt> {
         let (o, d) = (ray.origin, ray.direction);
@@ -168,7 +169,7 @@ impl<T: Real> Round<T> {
         Ok(None)
     }
 
-    /// b² − a c, multiplied out: the fourth powers cancel on paper.
+    /// Returns b² − a c, multiplied out: the fourth powers cancel on paper.
     #[inline(always)]
     fn discriminant(&self, ray: &Ray<T>, radius: T, growth: T) -> T {
         let (o, d) = (ray.origin, ray.direction);
@@ -177,7 +178,7 @@ impl<T: Real> Round<T> {
         x * x + y * y - across * across
     }
 
-    /// t of the first meeting with the side as students compute it.
+    /// Returns t of the first hit on the side, as students compute it.
     fn side<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<T> {
         let (o, d) = (ray.origin, ray.direction);
         let (radius, slope) = (self.radius(o.z), self.slope());
@@ -199,8 +200,8 @@ impl<T: Real> Round<T> {
         roots.into_iter().find(is_on)
     }
 
-    /// The outward unit normal at `point`. At the tip of a cone, where there is none, that along
-    /// the axis.
+    /// Returns the outward unit normal at `point` of a part. The tip of a cone has none: the result
+    /// there is the outward direction along the axis.
     pub fn normal(&self, point: Vec3<T>, part: u32) -> Vec3<T> {
         let up = Vec3::axis(2);
         match part {
@@ -217,7 +218,7 @@ impl<T: Real> Round<T> {
         }
     }
 
-    /// The least box around it.
+    /// Returns the least box around the surface, in object space.
     pub fn bounds(&self) -> Bounds<T> {
         let radius = self.bottom_radius.greatest(self.top_radius);
         Bounds {
@@ -236,9 +237,10 @@ fn cap<T: Real>(ray: &Ray<T>, z: T, radius: T) -> Option<T> {
     (at.x * at.x + at.y * at.y <= radius * radius && ray.contains(t)).then_some(t)
 }
 
-/// t on an end, if no rounding can decide whether it is within the rim.
+/// Returns t on an end, if rounding cannot change whether it is within the rim; otherwise the error
+/// is [`Doubt`].
 ///
-/// With u half a ulp, a coordinate there is off by 4u of the amounts of its terms, so the
+/// With u half a ulp, a coordinate there is off by 4u of the magnitudes of its terms, so the
 /// comparison by 12u of their squares and the radius's.
 fn certified_cap<T: Real>(ray: &Ray<T>, z: T, radius: T) -> Result<Option<T>, Doubt> {
     let (o, d) = (ray.origin, ray.direction);
@@ -269,7 +271,8 @@ mod tests {
     ) {
         let vec = |v: [f64; 3]| Vec3::new(v[0], v[1], v[2]);
         let ray = Ray::leaving(Lecture, vec(origin), vec(direction));
-        let found = round.meet(Lecture, &ray).map(|m| (m.t, round.normal(ray.at(m.t), m.part)));
+        let found =
+            round.intersect(Lecture, &ray).map(|m| (m.t, round.normal(ray.at(m.t), m.part)));
         let (Some((t, n)), Some((wanted_t, wanted_n))) = (found, expected) else {
             assert_eq!(
                 found.is_some(),

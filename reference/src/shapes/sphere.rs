@@ -1,36 +1,46 @@
 //! The sphere. [rule 14]
 
-use super::meeting::Meeting;
+use super::hit::ShapeHit;
 use super::settle::Ball;
-use crate::bounds::Bounds;
-use crate::ray::Ray;
-use crate::real::Real;
-use crate::roots;
+use crate::numbers::bounds::Bounds;
+use crate::numbers::real::Real;
+use crate::numbers::roots;
+use crate::numbers::vec3::Vec3;
+use crate::rays::ray::Ray;
 use crate::rules::{Quadratic, Robustness, RuleSource, SphereNormal, SphereRoots};
-use crate::vec3::Vec3;
 
-/// ‖X − center‖ = radius.
+/// The sphere ‖X − center‖ = radius.
 #[derive(Clone, Copy, Debug)]
 pub struct Sphere<T> {
-    /// Center.
+    /// The centre.
     pub center: Vec3<T>,
-    /// Radius, not below 0.
+    /// The radius, at least 0.
     pub radius: T,
 }
 
 impl<T: Real> Sphere<T> {
-    /// The first meeting in the ray's interval: the near root, or the far one where the near one
-    /// does not count. [rule 14]
+    /// Returns the first hit in the ray's interval: the near root, or the far one where the near
+    /// one does not count. `None` for a miss. [rule 14]
     ///
-    /// A touching ray meets it once. A sphere without radius is met by the rays through its centre.
+    /// t is in units of the length of the ray's direction. A tangent ray hits the sphere once. A
+    /// sphere without radius is hit by the rays through its centre.
+    ///
+    /// ```
+    /// use reference::{numbers::vec3::Vec3, rays::ray::Ray, rules::Lecture, shapes::Sphere};
+    ///
+    /// let sphere = Sphere { center: Vec3::new(0.0, 0.0, -5.0), radius: 1.0 };
+    /// let ray = Ray::all_of(Vec3::ZERO, Vec3::new(0.0, 0.0, -2.0));
+    /// // (5 − 2 t)² = 1 at t = 2 and t = 3
+    /// assert_eq!(sphere.intersect(Lecture, &ray).map(|hit| hit.t), Some(2.0));
+    /// ```
     #[inline(always)]
-    pub fn meet<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
+    pub fn intersect<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<ShapeHit<T>> {
         let roots = self.roots(rules, ray)?;
-        self.first(rules, ray, roots).map(|t| Meeting::with(t, 0))
+        self.first(rules, ray, roots).map(|t| ShapeHit::with(t, 0))
     }
 
-    /// Where the ray's line meets it, in ascending order; `None` where it does not, or neither
-    /// counts.
+    /// Returns where the ray's line intersects the sphere, in ascending order; `None` where it does
+    /// not, or neither root counts.
     #[inline(always)]
     pub(super) fn roots<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<[T; 2]> {
         let style = &rules.get().style;
@@ -40,7 +50,7 @@ impl<T: Real> Sphere<T> {
         if is_certified { self.certified(ray) } else { self.plain(rules, ray) }
     }
 
-    /// Which of the roots is met in the ray's interval.
+    /// Returns the root that is the hit in the ray's interval.
     #[inline(always)]
     pub(super) fn first<R: RuleSource>(&self, rules: R, ray: &Ray<T>, roots: [T; 2]) -> Option<T> {
         match rules.get().sphere_roots {
@@ -50,19 +60,22 @@ impl<T: Real> Sphere<T> {
         }
     }
 
-    /// Both roots, by the point n of the ray's line that is nearest to the centre (Haines et al.,
-    /// Ray Tracing Gems, chapter 7), whose gap r² − ‖n‖² does not cancel where the sphere is small
-    /// and far away; `None` where there are none, or neither counts.
+    /// Returns both roots, computed from the point n of the ray's line that is nearest to the
+    /// centre. `None` means that there are none, or that neither counts.
+    ///
+    /// The gap r² − ‖n‖² does not cancel where the sphere is small and far away (Haines et al., Ray
+    /// Tracing Gems, chapter 7).
     ///
     /// With u half a ulp, rounding moves n by 2u‖f‖ + u‖n‖ across the ray, f from the centre to the
     /// origin. (What it moves it by along the ray changes ‖n‖² only in second order.) So the gap is
     /// off by 4u‖f‖‖n‖ + 6u‖n‖² + 2u r² + u‖f‖² at most; as ‖n‖ ≤ ‖f‖, twice that is below 24u
     /// (‖f‖² + r²). c = ‖f‖² − r² is off by 6u‖f‖² + 2u r² at most. Where that leaves a sign open,
-    /// or few digits of a root that may count, the second step is taken. A ray from outside that
-    /// turns its back on the centre is done at once: where rounding hides that b = −f·d is above 0,
-    /// by 4u‖f‖‖d‖ at most, b² is too small against (d·d) c for a root. So is one that passes the
-    /// sphere widely: b² is off by 10u‖f‖²(d·d), (d·d) c by 12u (d·d)(‖f‖² + r²) at most, and their
-    /// difference shows it without a division.
+    /// or few digits of a root that may count, the second step is taken.
+    ///
+    /// Two kinds of rays are decided at once. One starts outside and goes away from the centre:
+    /// where rounding hides that b = −f·d is above 0, by 4u‖f‖‖d‖ at most, b² is too small against
+    /// (d·d) c for a root. The other passes the sphere widely: b² is off by 10u‖f‖²(d·d), (d·d) c
+    /// by 12u (d·d)(‖f‖² + r²) at most, and their difference shows the miss without a division.
     #[inline(always)]
     fn certified(&self, ray: &Ray<T>) -> Option<[T; 2]> {
         let d = ray.direction;
@@ -92,14 +105,15 @@ impl<T: Real> Sphere<T> {
         self.settled(ray)
     }
 
-    /// Both roots in two words; taken apart, so that those which one word gives stay in registers.
+    /// Returns both roots, computed in two words. They are destructured and built again, so that
+    /// the roots of the first step stay in registers.
     #[inline(always)]
     fn settled(&self, ray: &Ray<T>) -> Option<[T; 2]> {
         let [near, far] = Ball::new(&self.center, &self.radius, ray)?.ts()?;
         Some([near, far])
     }
 
-    /// Both roots as students compute them, whatever rounding makes of them.
+    /// Returns both roots as students compute them, without a bound of their error.
     #[inline(always)]
     fn plain<R: RuleSource>(&self, rules: R, ray: &Ray<T>) -> Option<[T; 2]> {
         let from_center = ray.origin - self.center;
@@ -115,7 +129,7 @@ impl<T: Real> Sphere<T> {
                 roots::ascending(a, b, c, a * (self.radius * self.radius - nearest.dot(nearest)))
             }
             Quadratic::Textbook => roots::textbook(a, b, c),
-            // who forgets d·d does so in the usual discriminant
+            // a student's `a` without d·d goes into the usual discriminant
             Quadratic::NearestPoint | Quadratic::Stable => roots::ascending(a, b, c, b * b - a * c),
             Quadratic::Geometric => {
                 let middle = b / a;
@@ -125,11 +139,12 @@ impl<T: Real> Sphere<T> {
         }
     }
 
-    /// The outward unit normal where the ray meets it at `t`, however far it comes from.
+    /// Returns the outward unit normal at the hit of the ray at `t`, however far away the origin
+    /// is.
     ///
-    /// Where the origin is 64 radii away or more, the digits of the point that t alone gives would
-    /// be too few: it is worked out in two words. At a sphere without radius the direction against
-    /// the ray stands in for it.
+    /// Where the origin is 64 radii away or more, the point that t alone gives has too few digits:
+    /// it is computed in two words. For a sphere without radius, the result is the direction
+    /// against the ray, normalised.
     #[inline(always)]
     pub fn outwards(&self, ray: &Ray<T>, t: T) -> Vec3<T> {
         let from_center = ray.origin - self.center;
@@ -149,7 +164,7 @@ impl<T: Real> Sphere<T> {
         )
     }
 
-    /// The outward unit normal at a point of the sphere.
+    /// Returns the outward unit normal at a point of the sphere; NaN at the centre.
     #[inline(always)]
     pub fn normal<R: RuleSource>(&self, rules: R, point: Vec3<T>) -> Vec3<T> {
         match rules.get().sphere_normal {
@@ -159,7 +174,7 @@ impl<T: Real> Sphere<T> {
         }
     }
 
-    /// The least box around it.
+    /// Returns the least box around the sphere, in object space.
     pub fn bounds(&self) -> Bounds<T> {
         let reach = Vec3::ONE * self.radius;
         Bounds { min: self.center - reach, max: self.center + reach }
@@ -171,12 +186,12 @@ mod tests {
     use super::*;
     use crate::rules::Lecture;
 
-    /// With the unit sphere about (0, 0, -5).
+    /// Checks a ray against the unit sphere around (0, 0, -5).
     fn check(origin: [f64; 3], direction: [f64; 3], expected: Option<f64>) {
         let vec = |v: [f64; 3]| Vec3::new(v[0], v[1], v[2]);
         let sphere = Sphere { center: vec([0.0, 0.0, -5.0]), radius: 1.0 };
         let ray = Ray::leaving(Lecture, vec(origin), vec(direction));
-        let t = sphere.meet(Lecture, &ray).map(|m| m.t);
+        let t = sphere.intersect(Lecture, &ray).map(|m| m.t);
         let is_right = match (t, expected) {
             (Some(t), Some(wanted)) => (t - wanted).abs() <= 2.0 * f64::EPSILON * wanted,
             _ => t == expected,
@@ -189,7 +204,7 @@ mod tests {
         check([0.0; 3], [0.0, 0.0, -1.0], Some(4.0));
         check([0.0; 3], [0.0, 0.0, -2.0], Some(2.0)); // t is in units of d
         check([0.0; 3], [0.0, 0.0, 1.0], None); // behind
-        check([1.0, 0.0, 0.0], [0.0, 0.0, -1.0], Some(5.0)); // touching
+        check([1.0, 0.0, 0.0], [0.0, 0.0, -1.0], Some(5.0)); // tangent
         check([1.0000001, 0.0, 0.0], [0.0, 0.0, -1.0], None);
         check([0.0, 0.0, -5.0], [0.0, 0.0, -1.0], Some(1.0)); // from the centre, the far root
         // from the surface, never itself again

@@ -1,27 +1,27 @@
-//! The unit square of z = 0. [rule 15]
+//! The unit square in the plane z = 0. [rule 15]
 
-use super::meeting::Meeting;
+use super::hit::ShapeHit;
 use super::settle;
-use crate::bounds::Bounds;
-use crate::ray::Ray;
-use crate::real::Real;
+use crate::numbers::bounds::Bounds;
+use crate::numbers::real::Real;
+use crate::numbers::vec3::Vec3;
+use crate::rays::ray::Ray;
 use crate::rules::{Robustness, RuleSource, SquareSize};
-use crate::vec3::Vec3;
 
-/// |x| ≤ 0.5, |y| ≤ 0.5, z = 0; its border belongs to it; normal +z.
+/// The square |x| ≤ 0.5, |y| ≤ 0.5, z = 0, border included, with the normal +z.
 #[derive(Clone, Copy, Debug)]
 pub struct Square;
 
 impl Square {
-    /// The meeting in the ray's interval; a ray within the plane of the square never meets it.
-    /// [rule 15]
+    /// Returns the hit in the ray's interval; `None` for a miss. A ray within the plane of the
+    /// square misses it. [rule 15]
     #[inline(always)]
-    pub fn meet<T: Real, R: RuleSource>(self, rules: R, ray: &Ray<T>) -> Option<Meeting<T>> {
-        self.first(rules, ray).map(|t| Meeting::with(t, 0))
+    pub fn intersect<T: Real, R: RuleSource>(self, rules: R, ray: &Ray<T>) -> Option<ShapeHit<T>> {
+        self.first(rules, ray).map(|t| ShapeHit::with(t, 0))
     }
 
-    /// t of the meeting. All of it is the ray's alone: were it part of a search, it would be worked
-    /// out for every ray, whether or not there is a square.
+    /// Ray parameter of the hit. Never inlined: the whole computation depends only on the ray, so
+    /// the optimiser would hoist it out of the object loop and run it for scenes without a square.
     #[inline(never)]
     fn first<T: Real, R: RuleSource>(self, rules: R, ray: &Ray<T>) -> Option<T> {
         if ray.direction.z == T::ZERO {
@@ -41,10 +41,11 @@ impl Square {
         (is_inside && ray.contains(t)).then_some(t)
     }
 
-    /// Whether the ray's line passes within `half` of both axes, `at` for `t`.
+    /// Returns whether the ray's line passes within `half` of both axes; `at` is its point at `t`.
     ///
-    /// t, a product and a sum: with u half a ulp, a coordinate is off by 3u of the amounts of its
-    /// terms at most. Where that leaves it open, the second step is taken.
+    /// The point takes t, a product and a sum: with u half a ulp, a coordinate is off by 3u of the
+    /// magnitudes of its terms at most. Where that leaves the result open, the second step is
+    /// taken.
     #[inline(always)]
     fn certified<T: Real>(self, half: T, ray: &Ray<T>, t: T, at: Vec3<T>) -> bool {
         let doubt = |o: T, d: T| (o.abs() + (d * t).abs()) * (T::of(4.0) * T::ULP);
@@ -57,7 +58,7 @@ impl Square {
         (beyond_x < -doubt_x && beyond_y < -doubt_y) || settle::square(half, ray)
     }
 
-    /// The least box around it.
+    /// Returns the least box around the square, in object space.
     pub fn bounds<T: Real>() -> Bounds<T> {
         let corner = Vec3::new(T::HALF, T::HALF, T::ZERO);
         Bounds { min: -corner, max: corner }
@@ -73,7 +74,7 @@ mod tests {
         let vec = |v: [f64; 3]| Vec3::new(v[0], v[1], v[2]);
         let ray = Ray::leaving(Lecture, vec(origin), vec(direction));
         assert_eq!(
-            Square.meet(Lecture, &ray).map(|m| m.t),
+            Square.intersect(Lecture, &ray).map(|m| m.t),
             expected,
             "from {origin:?} along {direction:?}"
         );

@@ -1,16 +1,18 @@
-//! The triangle as students compute it: other formulas for what [`Triangle::meet`] does. [rule 16]
+//! The triangle as students intersect it: other formulas within [`Triangle::intersect`]. [rule 16]
 //! [rule 17]
 //!
-//! Each gives t and (α, β, γ) where the ray's line meets the triangle, or `None`: beside it, edge
-//! on, or without area. Without `tests_bc` the edge BC is not tested.
+//! Each formula returns t and (α, β, γ) where the ray's line intersects the triangle. `None` means
+//! that the line passes beside it, or that the triangle is seen edge on or has no area. Without
+//! `tests_bc`, the edge BC is not tested.
 
 use super::Triangle;
-use crate::ray::Ray;
-use crate::real::Real;
-use crate::vec3::Vec3;
+use crate::numbers::real::Real;
+use crate::numbers::vec3::Vec3;
+use crate::rays::ray::Ray;
 
 impl<T: Real> Triangle<T> {
-    /// The plane's Q, then ((B − A) × (Q − A))·N ≥ 0 and so on round, as rule 16 has it.
+    /// Intersects the plane in Q, then tests ((B − A) × (Q − A))·N ≥ 0 and so on round, as rule 16
+    /// has it.
     pub(super) fn edges(&self, ray: &Ray<T>, tests_bc: bool) -> Option<(T, Vec3<T>)> {
         let (t, q, n) = self.in_plane(ray)?;
         let [a, b, c] = self.corners;
@@ -20,7 +22,7 @@ impl<T: Real> Triangle<T> {
         is_inside(weights, tests_bc).then_some((t, weights))
     }
 
-    /// Möller and Trumbore 1997.
+    /// Uses the formulas of Möller and Trumbore, 1997.
     pub(super) fn moller_trumbore(&self, ray: &Ray<T>, tests_bc: bool) -> Option<(T, Vec3<T>)> {
         let [a, b, c] = self.corners;
         let (ab, ac) = (b - a, c - a);
@@ -37,7 +39,8 @@ impl<T: Real> Triangle<T> {
         is_inside(weights, tests_bc).then_some((ac.dot(q) * inverse, weights))
     }
 
-    /// The plane's Q, then areas without the axis along which N is longest, as rule 17 allows.
+    /// Intersects the plane in Q, then takes areas without the axis along which N is longest, as
+    /// rule 17 allows.
     pub(super) fn areas(&self, ray: &Ray<T>, tests_bc: bool) -> Option<(T, Vec3<T>)> {
         let (t, q, n) = self.in_plane(ray)?;
         let size = n.abs();
@@ -54,8 +57,8 @@ impl<T: Real> Triangle<T> {
         is_inside(weights, tests_bc).then_some((t, weights))
     }
 
-    /// t, Q and N, not normalised, where the ray's line meets the plane of the triangle; `None` for
-    /// a parallel ray.
+    /// Returns t, Q and N, not normalised, where the ray's line intersects the plane of the
+    /// triangle; `None` for a parallel ray.
     fn in_plane(&self, ray: &Ray<T>) -> Option<(T, Vec3<T>, Vec3<T>)> {
         let n = self.outwards();
         let slope = n.dot(ray.direction);
@@ -67,7 +70,8 @@ impl<T: Real> Triangle<T> {
     }
 }
 
-/// Borders belong to it; NaN does not.
+/// Returns whether the weights are those of a point in the triangle. Borders belong to it; NaN does
+/// not.
 fn is_inside<T: Real>(weights: Vec3<T>, tests_bc: bool) -> bool {
     (weights.x >= T::ZERO || !tests_bc) && weights.y >= T::ZERO && weights.z >= T::ZERO
 }

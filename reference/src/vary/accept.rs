@@ -1,4 +1,4 @@
-//! What must hold for a varied case: it is as telling and as fair as the one it was made from.
+//! The conditions for a varied case: it must be as telling and as fair as its original.
 
 use std::fmt;
 
@@ -7,113 +7,117 @@ use cases::stage::Case;
 use cases::{Light, Scene};
 use glam::DVec3;
 
+use crate::expect::variations::{Precision, Variation};
 use crate::expect::{Set, picture};
-use crate::misconceptions::{self, Misconception};
+use crate::rules::misconceptions::{self, Misconception};
 use crate::rules::{Epsilon, Rules};
-use crate::variations::{Precision, Variation};
 
-/// Light that is farther off than this differs: two 8-bit levels.
+/// Difference of light above which two pixels count as different: two 8-bit levels.
 const DIFFERENT: f64 = 2.0 / 255.0;
-/// A picture of which no more of the pixels differ might still be called right.
+/// Smallest share of pixels that must change before a mistake counts as visible. Below it, a wrong
+/// picture could still pass the judge.
 const SEEN: f64 = 0.005;
-/// What the varied case must keep of the share of pixels that show its stage's effect.
+/// Fraction of the original's share of pixels that a varied case must keep, for the stage's effect
+/// and for visible mistakes.
 const KEPT: f64 = 0.5;
-/// Right tracers may disagree on this share of the pixels.
+/// Share of contested pixels from which on a case is refused.
 const CONTESTED: f64 = 0.03;
 
-/// How closely a draw is looked at.
+/// The thoroughness with which a draw is checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Care {
-    /// By a handful of pictures: two right programs in the place of all that are legal.
+    /// With a handful of pictures: two correct programs instead of all legal variations.
     Quick,
-    /// Also by the pictures of all legal variations, some fifty.
+    /// With the pictures of all legal variations as well, about fifty.
     Whole,
 }
 
-/// What a draw that will do was measured at.
+/// The measured shares of an accepted draw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Measured {
     /// The share of pixels that show what the stage adds.
     pub(super) effect: f64,
-    /// The share of contested pixels, where it was asked for.
+    /// The share of contested pixels; `None` with [`Care::Quick`].
     pub(super) contested: Option<f64>,
 }
 
-/// What a case shows, as shares of its pixels.
+/// The features that a case shows, as shares of its pixels.
 #[derive(Clone, Debug)]
 pub(super) struct Shows {
-    /// The index of its stage.
+    /// The index of the stage.
     stage: usize,
-    /// Pixels that differ where what the stage adds is left out; in the first stage, from the bare
-    /// background.
+    /// Pixels that change without the effects that the stage adds. In the first stage, pixels that
+    /// differ from the background.
     pub(super) effect: f64,
-    /// For each rule that it names and can show broken: how, the most striking way first.
+    /// For each rule that the case names and whose breaking is visible: the mistakes with their
+    /// shares of changed pixels, in descending order.
     broken: Vec<(u8, Vec<(&'static Misconception, f64)>)>,
-    /// What the picture does not show, such as a red ball behind another: a case that hides
-    /// something is about that.
+    /// Materials and lights that the picture does not show, such as a red ball behind another. A
+    /// case may be about what it hides, so that a varied case must hide it too.
     hidden: Vec<Hidden>,
 }
 
-/// What no pixel shows, by its place in the scene's list.
+/// A material or light that no pixel shows, by its index in the scene's list.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Hidden {
     /// The material's own light.
     Material(usize),
-    /// What comes from the light directly.
+    /// The light that arrives directly from this source.
     Light(usize),
 }
 
-/// Why a draw will not do.
+/// The reasons for which a draw is refused.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Refusal {
-    /// It is no case: the first problem.
+    /// The draw is not a valid case; the first problem.
     Invalid(String),
-    /// It calls for other effects.
+    /// The draw calls for other effects than its original.
     Effects,
-    /// What the stage adds shows on too few pixels: this share, where that is wanted.
+    /// The effect of the stage shows on too few pixels: their share, and the share that is
+    /// required.
     Effect(f64, f64),
-    /// The rule could be broken and nobody would see it.
+    /// Breaking this rule would not be visible.
     Rule(u8),
-    /// What the original hides is in the picture: this, on that share of the pixels.
+    /// The picture shows something that the original hides: its name, and the share of pixels.
     Bared(String, f64),
-    /// A right program differs on too many pixels: what it does, and on what share.
+    /// A correct program differs on too many pixels: its freedom, and the share of pixels.
     Unfair(&'static str, f64),
-    /// Right tracers disagree on too large a share of the pixels.
+    /// Correct tracers disagree on too large a share of the pixels.
     Contested(f64),
 }
 
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Invalid(why) => write!(f, "it is no case: {why}"),
-            Self::Effects => write!(f, "it calls for other effects than the case it is made from"),
+            Self::Invalid(why) => write!(f, "it is not a valid case: {why}"),
+            Self::Effects => write!(f, "it calls for other effects than its original"),
             Self::Effect(share, wanted) => {
                 let (share, wanted) = (100.0 * share, 100.0 * wanted);
                 write!(
                     f,
-                    "what the stage adds shows on {share:.1} % of the pixels, {wanted:.1} % are \
-                        wanted"
+                    "what the stage adds shows on {share:.1} % of the pixels; at least \
+                        {wanted:.1} % are required"
                 )
             }
-            Self::Rule(rule) => write!(f, "rule {rule} could be broken and nobody would see it"),
+            Self::Rule(rule) => write!(f, "breaking rule {rule} would not be visible"),
             Self::Bared(what, share) => {
                 write!(
                     f,
-                    "{what}, which must not be seen, is, on {:.2} % of the pixels",
+                    "{what}, which must stay hidden, shows on {:.2} % of the pixels",
                     100.0 * share
                 )
             }
             Self::Unfair(who, share) => {
                 write!(
                     f,
-                    "{who} is off on {:.2} % of the pixels, at most {:.1} % are fair",
+                    "{who} changes {:.2} % of the pixels; at most {:.1} % are allowed",
                     100.0 * share,
                     100.0 * SEEN
                 )
             }
             Self::Contested(share) => write!(
                 f,
-                "right tracers disagree on {:.1} % of the pixels, less than {:.0} % are wanted",
+                "correct tracers disagree on {:.1} % of the pixels; less than {:.0} % is allowed",
                 100.0 * share,
                 100.0 * CONTESTED
             ),
@@ -122,7 +126,8 @@ impl fmt::Display for Refusal {
 }
 
 impl Refusal {
-    /// Refusals of one kind count together.
+    /// Returns whether both refusals have the same kind and, for [`Refusal::Rule`], the same rule.
+    /// The messages count like refusals together.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Rule(one), Self::Rule(other)) => one == other,
@@ -132,8 +137,8 @@ impl Refusal {
 }
 
 impl Shows {
-    /// What `case` of the stage with index `n` shows, rendered a few dozen times by the rules of
-    /// `set`.
+    /// Returns the features that `case` of the stage with index `n` shows by the rules of `set`.
+    /// The case is rendered a few dozen times.
     pub(super) fn of(set: &Set, n: usize, case: &Case) -> Self {
         let (rules, right) = (&set.rules, picture(&case.scene, &set.rules, case.scene.effects));
         let of_rule = |rule: u8| {
@@ -157,11 +162,11 @@ impl Shows {
         Self { stage: n, effect: differing(&right, &set.without(n, case)), broken, hidden }
     }
 
-    /// What `varied` is measured at, where it is as telling and as fair as `original`, whose shows
-    /// these are.
+    /// Returns the measured shares of `varied` if it is as telling and as fair as `original`, the
+    /// case from which `self` was made.
     ///
     /// # Errors
-    /// What does not hold.
+    /// The first condition that does not hold.
     pub(super) fn kept_by(
         &self,
         set: &Set,
@@ -203,7 +208,7 @@ impl Shows {
 }
 
 impl Hidden {
-    /// The share of pixels that show it.
+    /// Returns the share of pixels that show it.
     fn bared(self, scene: &Scene, rules: &Rules, right: &Image) -> f64 {
         let mut scene = scene.clone();
         match self {
@@ -230,13 +235,16 @@ impl Hidden {
     }
 }
 
-/// The pixels that differ where the program makes the mistake.
+/// Returns the share of pixels that change if a program makes the mistake.
 fn broken(case: &Case, wrong: &Misconception, rules: &Rules, right: &Image) -> f64 {
     differing(right, &picture(&case.scene, &wrong.in_student_style(rules), case.scene.effects))
 }
 
-/// Right programs of another precision or another epsilon differ on no more pixels than none would
-/// see.
+/// Checks that correct programs of another precision or another epsilon change no more than a share
+/// [`SEEN`] of the pixels.
+///
+/// # Errors
+/// The first program that changes more.
 fn fair(case: &Case, rules: &Rules, right: &Image) -> Result<(), Refusal> {
     let coarse = Rules { epsilon: Epsilon::Fixed(1e-3), ..rules.plain() };
     let single = Variation {
@@ -256,7 +264,8 @@ fn fair(case: &Case, rules: &Rules, right: &Image) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// The share of pixels that differ in a channel, as far as a picture shows it.
+/// Returns the share of pixels that differ in a channel of the displayed picture, where light is
+/// clamped to 0 to 1.
 fn differing(one: &Image, other: &Image) -> f64 {
     let shown = |light: &DVec3| light.clamp(DVec3::ZERO, DVec3::ONE);
     let differ = |(a, b): &(&DVec3, &DVec3)| (shown(a) - shown(b)).abs().max_element() > DIFFERENT;

@@ -1,21 +1,22 @@
-//! The mesh files that a case names: they go along with it, below its own folder.
+//! The mesh files that a case names. They are copied with it, to below its own folder.
 
 use std::path::{Path, PathBuf};
 
 use toml_edit::visit_mut::{VisitMut, visit_table_like_mut};
 use toml_edit::{DocumentMut, Item, TableLike, Value};
 
-/// A file that goes along, by its path from the folder of the file that names it.
+/// A file that is copied with a case. Its paths are relative to the folder of the file that names
+/// it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Asset {
-    /// Where it is now; may go up.
+    /// The current path, which may go up with `..`.
     pub from: PathBuf,
-    /// Where it goes; never up.
+    /// The new path, which never goes up.
     pub to: PathBuf,
 }
 
-/// The mesh files that `document` names, a case or a file of checks, in which their names are
-/// changed to where they go.
+/// Returns the mesh files that `document`, a case or a file of checks, names. The names in the
+/// document are changed to the new paths.
 pub fn take_along(document: &mut DocumentMut) -> Vec<Asset> {
     let mut taking = Taking(vec![]);
     taking.visit_document_mut(document);
@@ -41,7 +42,7 @@ impl VisitMut for Taking {
     }
 }
 
-/// `path` with a folder `up` for every step up, so that no two files come to lie at one place.
+/// Returns `path` with a folder `up` for each `..`, so that two different paths stay different.
 fn below(path: &Path) -> PathBuf {
     path.components()
         .map(|part| if part.as_os_str() == ".." { "up".as_ref() } else { part.as_os_str() })

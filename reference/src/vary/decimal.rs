@@ -1,18 +1,18 @@
-//! Numbers as they stand in a file: whole units of a power of ten, so that sums are exact, short,
-//! and the same on every machine.
+//! Numbers as written in a file: whole units of a power of ten. Sums are exact, short, and the same
+//! on every machine.
 
 use std::fmt;
 
 use toml_edit::Value;
 
-use crate::stream::Stream;
+use crate::numbers::stream::Stream;
 
-/// A bound allows at least this many moves to either side.
+/// Least number of possible moves to either side within a bound.
 const LEAST_MOVES: f64 = 20.0;
-/// The most decimals of a move.
+/// Largest number of decimals of a move.
 const MOST_DECIMALS: u32 = 12;
 
-/// units · 10^−decimals.
+/// The number units · 10^−decimals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Decimal {
     units: i128,
@@ -20,10 +20,11 @@ pub(super) struct Decimal {
 }
 
 impl Decimal {
-    /// No move at all.
+    /// The number 0, which moves nothing.
     pub(super) const ZERO: Self = Self { units: 0, decimals: 0 };
 
-    /// The number that stands in a file; `None` for what is no number.
+    /// Returns the number in a file, or `None` if the value is no finite number or has too many
+    /// digits.
     pub(super) fn of(value: &Value) -> Option<Self> {
         let number = value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))?;
         // Rust prints the shortest digits that give the same number again, and never an exponent.
@@ -33,7 +34,7 @@ impl Decimal {
         Some(Self { units, decimals: u32::try_from(fraction.len()).ok()? })
     }
 
-    /// A move by at most `bound` either way; none where that is 0.
+    /// Returns a random move by at most `bound` either way; 0 if the bound is 0.
     pub(super) fn drawn(bound: f64, stream: &mut Stream) -> Self {
         let (mut decimals, mut scale) = (0, 1.0);
         while bound * scale < LEAST_MOVES && decimals < MOST_DECIMALS {
@@ -43,19 +44,19 @@ impl Decimal {
         Self { units: i128::from(stream.within(most)), decimals }.shortened()
     }
 
-    /// The nearest floating-point number.
+    /// Returns the nearest floating-point number.
     pub(super) fn get(self) -> f64 {
         self.to_string().parse().unwrap_or(f64::NAN)
     }
 
-    /// The sum; `None` where it has too many digits.
+    /// Returns the sum, or `None` if it has too many digits.
     pub(super) fn plus(self, other: Self) -> Option<Self> {
         let decimals = self.decimals.max(other.decimals);
         let units = self.scaled(decimals)?.checked_add(other.scaled(decimals)?)?;
         Some(Self { units, decimals }.shortened())
     }
 
-    /// The product; `None` where it has too many digits.
+    /// Returns the product, or `None` if it has too many digits.
     pub(super) fn times(self, other: Self) -> Option<Self> {
         let units = self.units.checked_mul(other.units)?;
         Some(Self { units, decimals: self.decimals + other.decimals }.shortened())
@@ -72,7 +73,7 @@ impl Decimal {
         self
     }
 
-    /// As it is written in a file: whole numbers without a point.
+    /// Returns the number as a value for a file. Whole numbers have no decimal point.
     pub(super) fn written(self) -> Value {
         match (self.decimals, i64::try_from(self.units)) {
             (0, Ok(whole)) => Value::from(whole),

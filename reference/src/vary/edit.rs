@@ -1,4 +1,4 @@
-//! Moving the numbers of a case file within their bounds: comments, order and layout stay.
+//! Changes the numbers of a case file within their bounds. Comments, order and layout stay.
 
 use std::collections::BTreeMap;
 
@@ -7,15 +7,15 @@ use glam::DVec3;
 use toml_edit::{Array, DocumentMut, Item, TableLike, Value};
 
 use super::decimal::Decimal;
-use crate::stream::Stream;
+use crate::numbers::stream::Stream;
 
-/// The keys of `[vary]` that move something, with how many numbers each has moved.
+/// The number of values that each key of `[vary]` has changed, for the keys that changed any.
 pub(super) type Moved = BTreeMap<&'static str, usize>;
 
-/// Moves the numbers of `case` once; says how many each key of its `[vary]` has moved.
+/// Changes the numbers of `case` once. Returns how many each key of its `[vary]` has changed.
 ///
 /// # Errors
-/// A number with too many digits to be moved exactly.
+/// A sentence on a number with too many digits to be moved exactly.
 pub(super) fn jitter(
     case: &mut DocumentMut,
     bounds: &Bounds,
@@ -45,7 +45,7 @@ pub(super) fn jitter(
     Ok(mover.moved)
 }
 
-/// The tables in the list `key`, which may be written either way.
+/// Returns the tables in the list `key`, which may be written as `[[key]]` or as inline tables.
 pub(super) fn tables<'a>(table: &'a mut dyn TableLike, key: &str) -> Vec<&'a mut dyn TableLike> {
     match table.get_mut(key) {
         Some(Item::ArrayOfTables(tables)) => {
@@ -60,12 +60,12 @@ pub(super) fn tables<'a>(table: &'a mut dyn TableLike, key: &str) -> Vec<&'a mut
     }
 }
 
-/// The table under `key`.
+/// Returns the table under `key`.
 fn inner<'a>(table: &'a mut dyn TableLike, key: &str) -> Option<&'a mut dyn TableLike> {
     table.get_mut(key).and_then(Item::as_table_like_mut)
 }
 
-/// The list under `key`.
+/// Returns the list under `key`.
 fn list<'a>(table: &'a mut dyn TableLike, key: &str) -> Option<&'a mut Array> {
     table.get_mut(key).and_then(Item::as_array_mut)
 }
@@ -81,7 +81,7 @@ impl Mover<'_> {
         self.bounds.keep.iter().any(|kept| kept == name)
     }
 
-    /// Adds `by` to a number, for the sake of the key `because` of `[vary]`.
+    /// Adds `by` to a number, and counts it for the key `because` of `[vary]`.
     fn add(&mut self, value: &mut Value, by: Decimal, because: &'static str) -> Result<(), String> {
         let Some(number) = Decimal::of(value) else { return Ok(()) };
         let sum = number.plus(by).ok_or_else(|| {
@@ -96,7 +96,8 @@ impl Mover<'_> {
         Ok(())
     }
 
-    /// Moves a number by what is drawn; not at all where the bound is 0.
+    /// Adds a random number within `bound` to a number. A bound of 0 changes nothing and draws
+    /// nothing.
     fn shift(
         &mut self,
         value: &mut Value,
@@ -110,7 +111,7 @@ impl Mover<'_> {
         self.add(value, by, because)
     }
 
-    /// Moves a number by at most a share of itself.
+    /// Changes a number by at most a share of itself.
     fn stretch(
         &mut self,
         value: &mut Value,
@@ -148,8 +149,8 @@ impl Mover<'_> {
             .try_for_each(|(value, bound)| self.shift(value, bound, because))
     }
 
-    /// Moves the channels: 0 and 1 are meant exactly and stay, no channel crosses 1, and dark ones
-    /// keep half of themselves.
+    /// Changes the channels of a colour. 0 and 1 are meant exactly and stay, no channel crosses 1,
+    /// and a dark channel keeps at least half of its value.
     fn colour(&mut self, table: &mut dyn TableLike, key: &str) -> Result<(), String> {
         let Some(channels) = list(table, key) else { return Ok(()) };
         for channel in channels.iter_mut() {
@@ -214,7 +215,7 @@ impl Mover<'_> {
         tables(object, "group").into_iter().try_for_each(|object| self.object(object))
     }
 
-    /// A step of a list of transforms.
+    /// Changes a step of a list of transforms.
     fn step(&mut self, step: &mut dyn TableLike) -> Result<(), String> {
         self.point(step, "translate", "translate", self.bounds.translate)?;
         if let Some(turn) = inner(step, "rotate") {
@@ -239,7 +240,7 @@ impl Mover<'_> {
         Ok(())
     }
 
-    /// Moves an object as a whole where its place stands in the file.
+    /// Moves an object as a whole if its position is written in the file.
     fn place(&mut self, object: &mut dyn TableLike) -> Result<(), String> {
         if self.bounds.objects == DVec3::ZERO {
             return Ok(());
@@ -275,7 +276,7 @@ impl Mover<'_> {
             .try_for_each(|(value, (by, _))| self.add(value, by, "objects"))
     }
 
-    /// N·(X − by) = k moves k by N·by.
+    /// Moves a plane by `by`: N·(X − by) = k adds N·by to k.
     fn carry_plane(&mut self, plane: &mut dyn TableLike, by: [Decimal; 3]) -> Result<(), String> {
         let Some(normal) = list(plane, "normal") else { return Ok(()) };
         let along = normal

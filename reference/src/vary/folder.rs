@@ -1,4 +1,4 @@
-//! Folders of stages: the cases to vary are read from one, a varied set is written as another.
+//! Reads the cases to vary from a folder of stages, and writes a varied set as another one.
 
 use std::fs;
 use std::io;
@@ -14,12 +14,12 @@ use toml_edit::DocumentMut;
 use super::{Asset, Care, Original, Varied, take_along};
 use crate::expect::Set;
 
-/// The cases of a folder, by whether their numbers may be moved.
+/// The cases of a folder, by whether their numbers may be changed.
 #[derive(Clone, Debug)]
 pub struct Originals {
     /// The cases with a `[vary]`.
     pub varying: Vec<Original>,
-    /// The ids of the cases without one, which a varied set has unchanged.
+    /// The ids of the cases without one. A varied set contains them unchanged.
     pub constant: Vec<String>,
 }
 
@@ -27,11 +27,11 @@ fn case_path(folder: &Path, id: &str) -> PathBuf {
     folder.join(format!("{id}.toml"))
 }
 
-/// Returns the cases of the `set` that was read from `folder`, ready to be varied; calls `done`
+/// Returns the cases of the `set` that was read from `folder`, prepared for varying. Calls `done`
 /// after each.
 ///
 /// # Errors
-/// All that keeps a case with a `[vary]` from being varied, a paragraph each.
+/// The reasons for which a case with a `[vary]` cannot be varied, a paragraph each.
 pub fn originals(folder: &Path, set: &Set, done: impl Fn() + Sync) -> Result<Originals, String> {
     let stages = set.stages.iter().enumerate();
     let cases = stages.flat_map(|(n, stage)| stage.cases.iter().map(move |case| (n, case)));
@@ -48,10 +48,10 @@ pub fn originals(folder: &Path, set: &Set, done: impl Fn() + Sync) -> Result<Ori
     Ok(Originals { varying: all(read.collect())?, constant })
 }
 
-/// Returns the cases of `set` under `seed`; calls `done` after each.
+/// Returns the varied cases of `set` under `seed`. Calls `done` after each.
 ///
 /// # Errors
-/// Which cases will not do, and why, a paragraph each.
+/// The cases without an accepted draw, with the reasons, a paragraph each.
 pub fn draw(
     originals: &[Original],
     set: &Set,
@@ -66,7 +66,7 @@ pub fn draw(
     all(originals.par_iter().map(draw).collect())
 }
 
-/// All values, or all that went wrong.
+/// Returns all values, or all errors, a paragraph each.
 fn all<T>(results: Vec<Result<T, String>>) -> Result<Vec<T>, String> {
     let (mut values, mut wrong) = (vec![], vec![]);
     for result in results {
@@ -78,10 +78,10 @@ fn all<T>(results: Vec<Result<T, String>>) -> Result<Vec<T>, String> {
     if wrong.is_empty() { Ok(values) } else { Err(wrong.join("\n")) }
 }
 
-/// Why a varied set was not written.
+/// The reasons for which a varied set was not written.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteSetError {
-    /// What the set is made from cannot be read.
+    /// A file from which the set is made cannot be read.
     #[error("{0}")]
     Source(String),
     /// The set cannot be written.
@@ -89,15 +89,15 @@ pub enum WriteSetError {
     Write(#[from] WriteError),
 }
 
-/// A set of stages that is written, but not yet at its place. It goes away unless it is published.
+/// A set of stages in a temporary folder. It is deleted when dropped unless it is published.
 #[derive(Debug)]
 pub struct Draft {
     part: TempDir,
 }
 
 impl Draft {
-    /// Writes a set to a temporary folder beside `out`: the `varied` cases of the `set` that was
-    /// read from `folder`, its `constant` ones as they are, its unit checks and its course.
+    /// Writes a set to a temporary folder beside `out`. It has the `varied` cases of the `set` that
+    /// was read from `folder`, its `constant` cases unchanged, its unit checks and its course.
     ///
     /// # Errors
     /// [`WriteSetError`].
@@ -129,7 +129,7 @@ impl Draft {
             put(&path, varied.text.as_bytes())?;
             take(&case_path(folder, &varied.case.id), &path, &varied.assets)?;
         }
-        // The set has a file of its own, so that one beside `out` decides nothing.
+        // The set has its own course file, so that one beside `out` decides nothing.
         let course = match course::path_of(folder) {
             Some(path) => fs::read(&path).map_err(|why| unread(&path, &why))?,
             None => b"# The choices of the lecture.\n".to_vec(),
@@ -143,16 +143,16 @@ impl Draft {
         self.part.path().join("stages")
     }
 
-    /// Moves the set to `out`, which does not exist or is an empty folder.
+    /// Moves the set to `out`, which must be an empty folder or not exist.
     ///
     /// # Errors
-    /// What the file system says; `out` is then as it was.
+    /// The error of the file system. `out` is then unchanged.
     pub fn publish(self, out: &Path) -> Result<(), WriteError> {
         fs::rename(self.stages(), out).map_err(|source| WriteError::untouched(out, source))
     }
 }
 
-/// Writes the stage's own file and its unit checks, which stay as they are.
+/// Writes the stage's own file and its unit checks, which are not varied.
 fn write_stage(from: &Path, to: &Path) -> Result<(), WriteSetError> {
     let file = "stage.toml";
     put(&to.join(file), source(&from.join(file))?.as_bytes())?;
@@ -170,8 +170,8 @@ fn write_stage(from: &Path, to: &Path) -> Result<(), WriteSetError> {
     Ok(())
 }
 
-/// Copies a case or a file of checks with the meshes that it names. The text stays the same, to the
-/// byte, unless a mesh moves.
+/// Copies a case or a file of checks with the meshes that it names. The text stays the same, byte
+/// for byte, unless a mesh moves.
 fn copy(from: &Path, to: &Path) -> Result<(), WriteSetError> {
     let text = source(from)?;
     let mut document: DocumentMut = text.parse().map_err(|why| unread(from, &why))?;

@@ -1,9 +1,9 @@
-//! Other cases of the same kind: the numbers of a case moved within the bounds of its `[vary]`, so
-//! that nothing can be hard-coded.
+//! Varied cases: the numbers of a case are changed within the bounds of its `[vary]`, so that
+//! nothing can be hard-coded.
 //!
-//! A draw counts only where the case stays as telling and as fair as it was; else it is drawn
-//! again. The same seed gives the same bytes on every machine, and the draws of one case do not
-//! depend on those of another.
+//! A draw is accepted only if the case stays as telling and as fair as its original; otherwise the
+//! case is drawn again. The same seed gives the same bytes on every machine. The draws of one case
+//! do not depend on those of another.
 
 mod accept;
 mod assets;
@@ -18,15 +18,15 @@ use cases::{Course, Effects};
 use toml_edit::DocumentMut;
 
 use crate::expect::Set;
-use crate::stream::Stream;
+use crate::numbers::stream::Stream;
 pub use accept::Care;
 use accept::{Measured, Refusal, Shows};
 pub use assets::{Asset, take_along};
 
-/// So many draws that will not do are enough: the bounds are too wide.
+/// Number of refused draws after which the bounds are reported as too wide.
 pub const MOST_DRAWS: u32 = 50;
 
-/// A case from which others are made.
+/// A case from which varied cases are made.
 #[derive(Clone, Debug)]
 pub struct Original {
     case: Case,
@@ -34,33 +34,33 @@ pub struct Original {
     path: PathBuf,
     document: DocumentMut,
     shows: Shows,
-    /// Index of its stage.
+    /// The index of the stage.
     stage: usize,
 }
 
-/// A case made from another.
+/// A varied case.
 #[derive(Clone, Debug)]
 pub struct Varied {
-    /// The file.
+    /// The text of the file.
     pub text: String,
-    /// The mesh files that it needs.
+    /// The mesh files that the case needs.
     pub assets: Vec<Asset>,
-    /// What it resolves to.
+    /// The case that the file resolves to.
     pub case: Case,
-    /// How often it was drawn.
+    /// The number of draws up to the accepted one.
     pub n_draws: u32,
-    /// The share of its pixels that show what its stage adds; in the first stage, anything but
-    /// background.
+    /// The share of pixels that show what the stage adds. In the first stage, pixels that differ
+    /// from the background.
     pub shows: f64,
-    /// The share of contested pixels, where it was asked for.
+    /// The share of contested pixels; `None` with [`Care::Quick`].
     pub contested: Option<f64>,
 }
 
-/// Returns `case` of the lecture's course, whose file at `path` holds `text`, with its numbers
-/// moved once under `seed`, whether the result is as telling as the original or not.
+/// Returns `case` of the lecture's course with its numbers changed once under `seed`. The file of
+/// the case at `path` has the contents `text`. The result may be less telling than the original.
 ///
 /// # Errors
-/// A case that does not say how far its numbers may be moved, or a draw that is no case.
+/// The case has no `[vary]`, a number has too many digits, or the result is not a valid case.
 pub fn draw_any(
     case: &Case,
     path: &Path,
@@ -80,16 +80,16 @@ pub fn draw_any(
 }
 
 impl Original {
-    /// The case of the stage with index `n` of `set` whose file at `path` holds `text`. Renders it
-    /// a few dozen times.
+    /// Returns the case of the stage with index `n` of `set`, prepared for varying. The file of the
+    /// case at `path` has the contents `text`. The case is rendered a few dozen times.
     ///
     /// # Errors
-    /// A case without bounds, or a key of them that moves nothing.
+    /// The case has no `[vary]`, one of its keys changes nothing, or a number has too many digits.
     pub fn new(set: &Set, n: usize, case: &Case, path: &Path, text: &str) -> Result<Self, String> {
         let id = &case.id;
         let bounds = case.bounds.clone().ok_or_else(|| {
             format!(
-                "{id} does not say how far its numbers may be moved: add a table `[vary]` \
+                "{id} has no `[vary]`, which bounds the changes of its numbers: add one \
                 (docs/scene-format.md)"
             )
         })?;
@@ -103,7 +103,7 @@ impl Original {
             .map(|(key, _)| key);
         if let Some(key) = keys.into_iter().find(|key| *key != "keep" && !moved.contains_key(key)) {
             return Err(format!(
-                "{id}: in `[vary]`, `{key}` moves nothing that stands in the file: leave it out"
+                "{id}: in `[vary]`, `{key}` moves nothing in the file: leave it out"
             ));
         }
         if moved.is_empty() {
@@ -115,21 +115,22 @@ impl Original {
         Ok(Self { case: case.clone(), bounds, path: path.to_owned(), document, shows, stage: n })
     }
 
-    /// Id of the case.
+    /// Returns the id of the case.
     pub fn id(&self) -> &str {
         &self.case.id
     }
 
-    /// The share of its pixels that show what its stage adds.
+    /// Returns the share of the case's pixels that show what its stage adds.
     pub fn shows(&self) -> f64 {
         self.shows.effect
     }
 
-    /// The case under `seed`: the first draw that is as telling and as fair as the original, in the
-    /// same `set`.
+    /// Returns the case under `seed`: the first draw that is as telling and as fair as the
+    /// original, in the same `set`.
     ///
     /// # Errors
-    /// Why none of [`MOST_DRAWS`] was.
+    /// The reasons for which none of [`MOST_DRAWS`] draws was accepted, or a number with too many
+    /// digits.
     pub fn vary(&self, set: &Set, seed: u64, care: Care) -> Result<Varied, String> {
         let id = &self.case.id;
         let mut stream = Stream::new(seed, id);
@@ -161,7 +162,7 @@ impl Original {
         ))
     }
 
-    /// What a draw resolves to, where it will do.
+    /// Returns the case that a draw resolves to, if it is accepted, and its measured shares.
     fn accept(&self, set: &Set, text: &str, care: Care) -> Result<(Case, Measured), Refusal> {
         let stage = &set.stages[self.stage];
         let parsed = stage::parse_case(&self.path, text, &stage.id, stage.allows, &set.course);

@@ -1,42 +1,42 @@
-//! The catalogue of hard cases, read from `data/hard-cases.json`.
+//! Reads the catalogue of hard cases, `data/hard-cases.json`.
 
-#![allow(dead_code, reason = "no test needs all of it")]
+#![allow(dead_code, reason = "no test uses all of it")]
 
 use reference::hard::Question;
 use reference::hard::exact::Exact;
 use reference::hard::question::Line;
 use serde_json::Value;
 
-/// A case whose answer is that of one function of a shape or of optics.
+/// A case that is one call of a function of a shape or of optics.
 pub(crate) struct Hard {
     pub(crate) id: String,
     pub(crate) question: Question,
-    /// Whether something is hit, transmitted, invertible.
+    /// Whether the answer is a hit: the ray hits, is transmitted, or the matrix is invertible.
     pub(crate) is_hit: bool,
-    /// The same for inputs in single precision.
+    /// Whether the answer is a hit for inputs that are rounded to single precision.
     pub(crate) is_hit_in_single: bool,
     pub(crate) t: Option<f64>,
     pub(crate) vector: Option<[f64; 3]>,
     pub(crate) weights: Option<[f64; 3]>,
-    /// Relative condition number; none where only the decision counts.
+    /// The relative condition number. `None` if only the decision counts.
     pub(crate) kappa: Option<f64>,
-    /// The case on the other side of a shared edge.
+    /// The id of the case on the other side of a shared edge.
     pub(crate) pair: Option<String>,
 }
 
-/// The whole file's cases.
+/// Returns all cases of the file.
 pub(crate) fn all() -> Vec<Value> {
     let text = include_str!("../data/hard-cases.json");
     let file: Value = serde_json::from_str(text).expect("the catalogue is JSON");
     file["cases"].as_array().expect("a list of cases").clone()
 }
 
-/// The cases of one function.
+/// Returns the cases of one function.
 pub(crate) fn of(function: &str) -> Vec<Value> {
     all().into_iter().filter(|case| case["function"] == function).collect()
 }
 
-/// The cases that are one question to one function.
+/// Returns the cases that are one call of one function.
 pub(crate) fn hard() -> Vec<Hard> {
     all()
         .iter()
@@ -103,15 +103,16 @@ fn question(case: &Value) -> Option<Question> {
         "transform_normal" => Question::Normal { rows: rows(), normal: three(given("N")) },
         "transformed_sphere" => Question::TransformedSphere {
             line: line(),
-            rows: rows().map(|row| row.map(|x| 2.0 * x)), // the unit sphere has twice our radius
+            // The unit sphere of the catalogue has twice the radius of rule 14's.
+            rows: rows().map(|row| row.map(|x| 2.0 * x)),
             translation: three(given("translate")),
         },
         _ => return None,
     })
 }
 
-/// P − Q, which must be exact: planes are given by a point there, by k here, and N·Q would be
-/// rounded.
+/// Returns P − Q, and checks that it is exact. The catalogue gives planes by a point, and a
+/// question by k = N·Q, which would be rounded.
 fn moved(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|n| {
         let off = p[n] - q[n];
@@ -120,14 +121,14 @@ fn moved(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
     })
 }
 
-/// The case's id.
+/// Returns the id of a case.
 pub(crate) fn id(case: &Value) -> String {
     case["id"].as_str().expect("an id").to_owned()
 }
 
-/// A number: decimal, `a/b`, or a hex float.
+/// Parses a number: a decimal, `a/b`, or a hex float.
 pub(crate) fn number(value: &Value) -> f64 {
-    let text = value.as_str().unwrap_or_else(|| panic!("{value} is no text with a number"));
+    let text = value.as_str().unwrap_or_else(|| panic!("{value} is not a text with a number"));
     if let Some((above, below)) = text.split_once('/') {
         return decimal(above) / decimal(below);
     }
@@ -136,20 +137,21 @@ pub(crate) fn number(value: &Value) -> f64 {
 }
 
 fn decimal(text: &str) -> f64 {
-    text.parse().unwrap_or_else(|_| panic!("`{text}` is no number"))
+    text.parse().unwrap_or_else(|_| panic!("`{text}` is not a number"))
 }
 
-/// A hex float without its `0x`, say `1.8p+1`; std reads none.
+/// Parses a hex float without its `0x`, such as `1.8p+1`. The standard library has no parser for
+/// these.
 fn hexadecimal(text: &str) -> f64 {
     let (digits, exponent) = text.split_once('p').expect("an exponent");
     let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
     let mantissa = u64::from_str_radix(&format!("{whole}{fraction}"), 16).expect("hex digits");
     let exponent: i32 = exponent.parse().expect("a power of two");
-    reference::real::scaled(mantissa as f64, exponent - 4 * fraction.len() as i32)
+    reference::numbers::real::scaled(mantissa as f64, exponent - 4 * fraction.len() as i32)
 }
 
-/// Three numbers.
+/// Parses a list of three numbers.
 pub(crate) fn three(value: &Value) -> [f64; 3] {
-    let list = value.as_array().unwrap_or_else(|| panic!("{value} is no list"));
+    let list = value.as_array().unwrap_or_else(|| panic!("{value} is not a list"));
     [0, 1, 2].map(|n| number(&list[n]))
 }

@@ -1,6 +1,5 @@
-//! What several tests need: scenes from text, and numbers that look random but are the same each
-//! time.
-#![allow(dead_code, reason = "no test needs all of it")]
+//! Shared by the tests: scenes from text, and reproducible random numbers.
+#![allow(dead_code, reason = "no test uses all of it")]
 
 pub(crate) mod program;
 pub(crate) mod random;
@@ -8,12 +7,12 @@ pub(crate) mod random;
 use cases::film::Image;
 use cases::{Light, Scene, scene};
 use glam::{DAffine3, DVec3};
-use reference::real::Real;
-use reference::render::{Options, render};
+use reference::numbers::real::Real;
 use reference::rules::Lecture;
+use reference::trace::render::{Options, render};
 use reference::world::World;
 
-/// The scene of a TOML text without `[render]` and camera, which are added.
+/// Parses a scene from TOML text without `[render]` and camera, which are added.
 pub(crate) fn scene(text: &str) -> Scene {
     let head = "[render]\nsize = [24, 18]\nmax_depth = 3\n[scene.camera]\neye = [0, 0, 4]\n\
         look_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 40\n";
@@ -28,11 +27,11 @@ pub(crate) fn scene(text: &str) -> Scene {
     }
 }
 
-/// A small generator (xorshift).
+/// A small random number generator (xorshift). The seed must not be 0.
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
-    /// From −1 to 1.
+    /// Returns a number from −1 to 1.
     pub(crate) fn signed(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -40,12 +39,12 @@ impl Random {
         (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
 
-    /// From 0 to 1.
+    /// Returns a number from 0 to 1.
     pub(crate) fn share(&mut self) -> f64 {
         self.signed().abs()
     }
 
-    /// A vector of unit length.
+    /// Returns a unit vector.
     pub(crate) fn unit(&mut self) -> glam::DVec3 {
         loop {
             let v = glam::DVec3::new(self.signed(), self.signed(), self.signed());
@@ -56,7 +55,7 @@ impl Random {
     }
 }
 
-/// A scene of one object, all white; its frame is the identity unless the map says otherwise.
+/// Returns a scene of one white object with the given transform.
 pub(crate) fn lone(
     shape: cases::Shape,
     meshes: Vec<cases::Mesh>,
@@ -72,8 +71,8 @@ pub(crate) fn lone(
     scene
 }
 
-/// A closed mesh around the origin: a sphere of `n` bands and `n` columns whose vertices lie at the
-/// distances that `radius` gives.
+/// Returns a closed mesh around the origin: a sphere of `n` bands and `n` columns, whose vertices
+/// have the distances that `radius` returns.
 pub(crate) fn globe(n: u32, mut radius: impl FnMut() -> f64) -> cases::Mesh {
     use cases::maths::{cos, sin};
     use std::f64::consts::PI;
@@ -101,16 +100,16 @@ pub(crate) fn globe(n: u32, mut radius: impl FnMut() -> f64) -> cases::Mesh {
     cases::Mesh { vertices, triangles, normals: None }
 }
 
-/// Units of length, in scene units: from tiny to huge.
+/// Units of length in scene units, from tiny to huge.
 pub(crate) const SCALES: [f64; 5] = [1e-6, 1e-3, 1.0, 1e3, 1e6];
 
-/// The picture of a scene, by the rules of the lecture.
+/// Renders a scene by the rules of the lecture.
 pub(crate) fn picture<T: Real>(scene: &Scene) -> Image {
     let world = World::<T>::new(scene);
     render(&world, Lecture, &Options::of(&world), |_| {}).0
 }
 
-/// The scene at another place.
+/// Returns the scene translated by `by`.
 pub(crate) fn moved(scene: &Scene, by: DVec3) -> Scene {
     let mut scene = scene.clone();
     scene.camera.eye += by;

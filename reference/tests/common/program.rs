@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-/// A sphere before a camera, under one light.
+/// A scene of a sphere before a camera, under one light.
 pub(crate) const SCENE: &str = r#"
 [render]
 size = [8, 6]
@@ -23,7 +23,7 @@ sphere = {}
 material = "m"
 "#;
 
-/// Runs the program in `folder`.
+/// Runs the program in `folder`, with `input` on its standard input.
 pub(crate) fn run(folder: &Path, args: &[&str], input: &str) -> Output {
     let mut child = Command::new(env!("CARGO_BIN_EXE_reference"))
         .current_dir(folder)
@@ -33,12 +33,13 @@ pub(crate) fn run(folder: &Path, args: &[&str], input: &str) -> Output {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    // a program that reads nothing may be gone
+    // A program that reads nothing may have ended.
     let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
     child.wait_with_output().unwrap()
 }
 
-/// A folder with `scene.toml` and the stages `stages/01_one` (a case and a check).
+/// Returns a folder with `scene.toml`, and with a case and a check in `stages/01_one` and in
+/// `cases/stages/01_one`.
 pub(crate) fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let write = |name: &str, text: &str| {
@@ -62,7 +63,7 @@ pub(crate) fn folder() -> tempfile::TempDir {
     folder
 }
 
-/// A unit check whose answer on paper is `t`.
+/// Returns a unit check whose answer on paper is `t`.
 pub(crate) fn check(t: &str) -> String {
     format!(
         "[[check]]\nname = \"ahead\"\nabout = \"a\"\nrules = [14]\n\
@@ -72,7 +73,8 @@ pub(crate) fn check(t: &str) -> String {
     )
 }
 
-/// Fails unless the program ended with the exit `code` and `said` stands in its error stream.
+/// Checks that the program ended with the exit code `code`, and that its error stream contains
+/// `said`.
 #[track_caller]
 pub(crate) fn expect(output: &Output, code: i32, said: &str) {
     let errors = String::from_utf8_lossy(&output.stderr);

@@ -1,4 +1,5 @@
-//! Random scenes and random courses, as texts, so that they go through the readers like any other.
+//! Random scenes and courses. They are written as text, so that they pass through the parsers like
+//! any other.
 
 use std::fmt::Write;
 
@@ -8,27 +9,27 @@ use cases::{Scene, scene};
 
 use super::Random;
 
-/// The sides of the pictures.
+/// The width and the height of the pictures.
 const SIZE: [u32; 2] = [16, 12];
 
 impl Random {
-    /// A whole number below `n`.
+    /// Returns an integer from 0 to n − 1.
     pub(crate) fn below(&mut self, n: usize) -> usize {
         ((self.share() * n as f64) as usize).min(n - 1)
     }
 
-    /// One of the items.
+    /// Returns one of the items, all equally likely.
     pub(crate) fn pick<'a, T>(&mut self, items: &'a [T]) -> &'a T {
         &items[self.below(items.len())]
     }
 
-    /// Whether something happens that happens so often.
+    /// Returns `true` with the probability `share`.
     pub(crate) fn is(&mut self, share: f64) -> bool {
         self.share() < share
     }
 }
 
-/// A legal course: a value for every key, as often the lecture's as each other one.
+/// Returns a legal course: a value for every key. The values of a choice are equally likely.
 pub(crate) fn course(random: &mut Random) -> Course {
     let mut text = String::new();
     for decision in DECISIONS {
@@ -37,8 +38,8 @@ pub(crate) fn course(random: &mut Random) -> Course {
             Legal::Range { least, most, .. } => {
                 (least * cases::maths::pow(most / least, random.share())).to_string()
             }
-            // What programs always simulate changes the effects that a stage allows, and no scene
-            // of its own.
+            // The effects that programs always simulate change the effects that a stage allows.
+            // They change no scene by itself.
             Legal::Effects => continue,
         };
         let _ = writeln!(text, "{} = {value}", decision.key);
@@ -46,15 +47,16 @@ pub(crate) fn course(random: &mut Random) -> Course {
     course::parse("random course", &text).unwrap_or_else(|problems| panic!("{problems}"))
 }
 
-/// A scene of one to five objects, with the effects that it calls for under `course`: lone ones,
-/// eyes inside objects, black lamps and black materials are frequent, since they call for less.
+/// Returns a scene of one to five objects, with the effects that it calls for under `course`.
+/// Single objects, eyes inside objects, black lamps and black materials are frequent, because they
+/// call for fewer effects.
 pub(crate) fn scene(random: &mut Random, course: &Course) -> Scene {
     let text = text(random);
     let read = scene::parse("random scene", &text, std::path::Path::new(""), course);
     read.unwrap_or_else(|problems| panic!("{text}\n{problems}"))
 }
 
-/// The same scene with `effects`, and no others.
+/// Returns the scene with exactly `effects`.
 pub(crate) fn with(scene: &Scene, effects: Effects) -> Scene {
     Scene { effects, ..scene.clone() }
 }
@@ -98,7 +100,7 @@ fn vector(random: &mut Random, size: f64) -> String {
     format!("[{x}, {y}, {z}]")
 }
 
-/// A colour that is black with that share.
+/// Returns a colour, which is black with the probability `black`.
 fn colour(random: &mut Random, black: f64) -> String {
     if random.is(black) {
         return "[0, 0, 0]".to_owned();

@@ -1,6 +1,6 @@
-//! What several tests on the price of accuracy need.
+//! Shared by the tests of the cost of accuracy.
 
-/// Glass before a mirroring floor, a lamp.
+/// A ball of glass above a reflective floor, with a lamp.
 pub(crate) const SCENE: &str = r#"
 [render]
 size = [12, 9]
@@ -23,7 +23,8 @@ plane = { normal = [0, 1, 0], k = -0.7 }
 material = "wall"
 "#;
 
-/// Every element is closed in its order, and every `&` begins an entity.
+/// Checks that every element of `svg` is closed in the right order, and that every `&` begins an
+/// entity.
 pub(crate) fn well_formed(svg: &str) {
     let mut open = Vec::new();
     for tag in svg.split('<').skip(1) {

@@ -1,15 +1,17 @@
-//! The box (a word that Rust keeps for itself). Stage 01.
+//! The box. The file is called `cuboid` because `box` is a reserved word in Rust. Stage 01.
 
 use cases::{Ray, SurfaceHit};
 use glam::DVec3;
 
-/// Nearest hit of `ray` with the surface of the box `min` ≤ X ≤ `max`, or `None`. [rule 15]
+/// Returns the nearest hit of `ray` with the surface of the box `min` ≤ X ≤ `max`, or `None`.
+/// [rule 15]
 ///
 /// - `ray`, corners and hit are in the same frame. The direction may have any length but zero and
-///   is not to be normalised; some of its components may be 0. [rule 20]
+///   must not be normalised; some of its components may be 0. [rule 20]
 /// - A ray that starts inside hits the side through which it leaves. [rule 2]
-/// - The sides belong to the box: a ray that runs within one hits the box where it reaches it.
-/// - `normal` is one of ±x, ±y, ±z and points outwards, from inside as well. [rule 11]
+/// - The sides belong to the box: a ray that runs within a side hits the box where it reaches the
+///   side.
+/// - `normal` is one of ±x, ±y, ±z and points outwards, even if the ray starts inside. [rule 11]
 pub fn intersect_box(ray: &Ray, min: DVec3, max: DVec3) -> Option<SurfaceHit> {
     // The ray is in the box while it is between the two sides of each of the three pairs: from the
     // last entry to the first exit.
@@ -44,7 +46,7 @@ pub fn intersect_box(ray: &Ray, min: DVec3, max: DVec3) -> Option<SurfaceHit> {
     }
 }
 
-/// The unit vector of an axis, in the sense in which the ray runs along it.
+/// Returns the unit vector of an axis, in the direction in which the ray runs along it.
 fn along(ray: &Ray, axis: usize) -> DVec3 {
     DVec3::AXES[axis] * ray.direction[axis].signum()
 }

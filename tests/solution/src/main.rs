@@ -1,10 +1,10 @@
 //! A Whitted ray tracer, one function at a time. Given: nothing to write here; start with
 //! `../README.md`.
 
-// Until every function is written, some arguments, helpers and imports are not used yet.
+// Until every function is written, some arguments, helpers and imports are unused.
 #![allow(unused_variables, unused_imports, dead_code)]
 
-// Yours, in the order of the stages.
+// Files to write, in the order of the stages.
 mod camera;
 mod cuboid;
 mod light;
@@ -24,7 +24,7 @@ mod transform;
 
 mod smooth;
 
-// Given.
+// Given files.
 mod object;
 mod probe;
 mod round;

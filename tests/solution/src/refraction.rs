@@ -10,22 +10,22 @@ use crate::trace::{Path, trace};
 /// Index of refraction of the air around every object. [rule 9]
 pub const AIR_INDEX: f64 = 1.0003;
 
-/// (η_i, η_t): the index on the side of the ray, and on the other side. [rule 9]
+/// Returns (η_i, η_t): the index on the side of the ray, and on the other side. [rule 9]
 ///
-/// - Entering, the ray comes from air and goes into a material of that `index`; leaving (`inside`),
-///   the other way round.
+/// - A ray that enters comes from air and goes into a material of that `index`. A ray that leaves
+///   (`inside`) goes the other way.
 pub fn indices(inside: bool, index: f64) -> (f64, f64) {
     if inside { (index, AIR_INDEX) } else { (AIR_INDEX, index) }
 }
 
-/// T, the direction of the refracted ray: a unit vector, or `None` for total internal reflection.
-/// [rule 8] [rule 10]
+/// Returns T, the direction of the refracted ray, a unit vector, or `None` for total internal
+/// reflection. [rule 8] [rule 10]
 ///
 /// - `direction` d and `normal` N are unit vectors in the same frame; d points towards the surface,
-///   N is turned against it (d·N ≤ 0).
+///   and N is turned against it (d·N ≤ 0).
 /// - η_i sin θ_i = η_t sin θ_t; T lies in the plane of d and N, on the other side of the surface.
 /// - No ray is transmitted beyond the critical angle; exactly at it one is, along the surface.
-/// - Equal indices: T = d.
+/// - If both indices are equal, T = d.
 pub fn refract(direction: DVec3, normal: DVec3, eta_i: f64, eta_t: f64) -> Option<DVec3> {
     let eta_ratio = eta_i / eta_t;
     let cos_i = -direction.dot(normal);
@@ -34,14 +34,14 @@ pub fn refract(direction: DVec3, normal: DVec3, eta_i: f64, eta_t: f64) -> Optio
         .then(|| eta_ratio * direction + (eta_ratio * cos_i - cos_t_squared.sqrt()) * normal)
 }
 
-/// The light that comes through the surface to the viewer: kt · trace(Q, T), or black where no ray
-/// is transmitted. [rule 8]
+/// Returns the light that comes through the surface to the viewer: kt · trace(Q, T), or black if no
+/// ray is transmitted. [rule 8]
 ///
 /// - `at` is in world space: its point is Q, `at.inside` says on which side the ray is, and
 ///   `at.refracted_direction(eta_i, eta_t)` is T. Products are channel by channel.
-/// - `path` is that of the ray that came here; the refracted ray's is
+/// - `path` is that of the ray that hit the surface; the refracted ray's is
 ///   `path.extended(RayKind::Refracted, kt)`.
-/// - Called only where kt is not black and the ray `goes_on`.
+/// - The function is called only if kt is not black and the ray `goes_on`.
 pub fn refracted_light(scene: &Scene, at: &Surface, path: &Path) -> DVec3 {
     let kt = at.material.kt;
     let (eta_i, eta_t) = indices(at.inside, at.material.index);

@@ -6,16 +6,16 @@ use glam::DVec3;
 use crate::light::to_light;
 use crate::object::intersect_object;
 
-/// S, the share of `light` that reaches `point`, a colour: (1, 1, 1) if nothing is in the way,
-/// black behind an opaque object. [rule 5] [rule 6]
+/// Returns S, the share of `light` that reaches `point`, as a colour. It is (1, 1, 1) if nothing is
+/// in the way, and black behind an opaque object. [rule 5] [rule 6]
 ///
-/// - `point` is in world space, on a surface: the shadow ray starts there, and must not meet that
+/// - `point` is in world space, on a surface. The shadow ray starts there, and must not hit that
 ///   surface at t = 0. [rule 21]
-/// - Only what lies between counts: RAY_EPSILON < t < t_light, which is infinite for a directional
-///   light. `Ray::until` says so.
+/// - Only objects in between count: RAY_EPSILON < t < t_light, which is infinite for a directional
+///   light. `Ray::until` gives this interval.
 /// - Each time the ray crosses a surface, S is multiplied by the kt of that object's material: once
 ///   through a glass pane, twice through a solid glass ball, wherever the light comes from.
-/// - A scene whose effects lack `tinted_shadows` has no such coloured light: there every surface
+/// - A scene whose effects lack `tinted_shadows` has no coloured light of this kind: every surface
 ///   blocks.
 pub fn shadow_attenuation(scene: &Scene, light: &Light, point: DVec3) -> DVec3 {
     let tinted = scene.effects.has(Effect::TintedShadows);
@@ -31,7 +31,7 @@ pub fn shadow_attenuation(scene: &Scene, light: &Light, point: DVec3) -> DVec3 {
             && let Some(hit) = intersect_object(scene, index, &ray)
         {
             share *= kt;
-            // The interval is open: this leaves the surface just met behind, and nothing else.
+            // The interval is open: this excludes the hit that was just found, and nothing else.
             ray.t_min = hit.t;
         }
     }

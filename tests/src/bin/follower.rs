@@ -1,4 +1,4 @@
-//! The reference as a submission: `tests/courses.rs` grades it in courses that it follows by
+//! The reference as a submission. `tests/courses.rs` grades it in courses that it follows by
 //! `--course FILE`.
 
 fn main() -> std::process::ExitCode {

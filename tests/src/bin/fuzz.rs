@@ -21,7 +21,7 @@ struct Arguments {
     /// Seconds for all parsers together
     #[arg(long, value_name = "N", default_value_t = 60.0)]
     seconds: f64,
-    /// What the mutations are drawn by
+    /// The seed of the mutations
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     /// One parser
@@ -50,7 +50,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// What the parsers failed at.
+/// Returns the failures of the parsers.
 fn fuzz(arguments: &Arguments) -> Result<Vec<String>, String> {
     let parsers = chosen(arguments.only.as_deref())?;
     let time = |n: usize| {
@@ -75,7 +75,7 @@ fn fuzz(arguments: &Arguments) -> Result<Vec<String>, String> {
     Ok(failures.collect::<Vec<_>>().into_iter().flatten().collect())
 }
 
-/// Prints a row on a parser, and returns what it failed at.
+/// Prints a row on a parser, and returns its failure, if any.
 fn of_one(parser: &Parser, time: Duration, seed: u64) -> Option<String> {
     match session::run(parser, time, seed) {
         Ok(session::Report { counts, slowest_s, peak_bytes }) => {

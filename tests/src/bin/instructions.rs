@@ -10,7 +10,7 @@ use tests::instructions::{self, Budget, Scene};
 /// with tests/instructions.toml
 #[derive(Parser)]
 struct Arguments {
-    /// Write the counts into the file in the place of what stands there
+    /// Replace the counts in the file
     #[arg(long)]
     bless: bool,
 }
@@ -29,7 +29,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// What keeps the counts from the budget.
+/// Returns the complaints about counts beyond the budget; empty if there are none.
 fn check(arguments: &Arguments) -> Result<String, String> {
     let path = instructions::path();
     let unreadable = |why: std::io::Error| format!("{}: {why}", path.display());

@@ -1,5 +1,5 @@
-//! Judges the judge: tries all variants of the solution, lets other judges see the same pictures,
-//! and writes `docs/judging.md`.
+//! Judges the judge: grades all variants of the solution, compares with other judges on the same
+//! pictures, and writes `docs/judging.md`.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -10,22 +10,22 @@ use tests::bars::{self, Naming, Tally};
 use tests::lab::{self, Lab, Trial};
 use tests::{page, peers, variants, workspace};
 
-/// Tries the variants of tests/mutants and says which right ones lost points and which wrong ones
-/// did not.
+/// Grades the variants of tests/mutants, and lists the correct ones that lost points and the wrong
+/// ones that did not.
 #[derive(Parser)]
 struct Arguments {
-    /// Only variants whose names hold this
+    /// Only variants with this in their names
     only: Option<String>,
-    /// Write the page here, with what other judges say: they are installed below target/peers
+    /// Write the page here, with the verdicts of other judges (installed below target/peers)
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Only every so many of them, by name; the tests take every third
+    /// Only every N-th of them, by name; the tests take every third
     #[arg(long, value_name = "N", default_value_t = 1)]
     every: usize,
     /// Programs that are built and graded at once [default: as many as there are cores]
     #[arg(long, short, value_name = "N")]
     jobs: Option<usize>,
-    /// Say of every variant which checks it lost
+    /// List the checks that each variant lost
     #[arg(long)]
     verbose: bool,
 }
@@ -44,7 +44,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// What keeps the grader from its bars.
+/// Returns the faults that keep the grader from its bars.
 fn judge(arguments: &Arguments) -> Result<Vec<String>, String> {
     let mut variants = variants::all()?;
     if let Some(only) = &arguments.only {
@@ -70,8 +70,8 @@ fn judge(arguments: &Arguments) -> Result<Vec<String>, String> {
     let tally = Tally::of_this_grader(&trials);
     let naming = Naming::of(&trials);
     println!(
-        "{} right programs, {} failed; {} wrong ones, {} passed; {} of {} caught in their own \
-            stage; {} of {} called by name",
+        "{} correct programs, {} failed; {} bugs, {} passed; {} of {} caught first in their own \
+         stage; {} of {} named as their mistake",
         tally.n_right,
         tally.false_fails.len(),
         tally.n_wrong,
@@ -82,7 +82,7 @@ fn judge(arguments: &Arguments) -> Result<Vec<String>, String> {
         naming.n_known,
     );
     if let Some(out) = &arguments.out {
-        let tools = peers::ask(&folder, &trials)?;
+        let tools = peers::run_tools(&folder, &trials)?;
         let text = page::page(&trials, &tools);
         cases::files::write(out, text.as_bytes()).map_err(|why| why.to_string())?;
     }

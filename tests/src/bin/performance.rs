@@ -16,7 +16,7 @@ struct Arguments {
     /// Write the scenes and their meshes into this folder, and measure nothing
     #[arg(long, value_name = "DIR")]
     scenes: Option<PathBuf>,
-    /// How often each is measured, all taking turns
+    /// The number of rounds in which all are measured, taking turns
     #[arg(
         long,
         value_name = "N",
@@ -43,7 +43,7 @@ struct Arguments {
 enum Section {
     /// Whole scenes, beside POV-Ray, Tachyon and Mitsuba
     Pictures,
-    /// What rays meet in meshes, building trees, and how that grows, beside Embree and crates
+    /// Ray queries and tree building for meshes, and how their cost grows, beside Embree and crates
     Search,
     /// Whole commands, beside ODiff and dify
     Small,
@@ -70,11 +70,9 @@ fn act(arguments: &Arguments) -> Result<(), String> {
         return scenes::write(folder);
     }
     if cfg!(debug_assertions) {
-        return Err(
-            "compiled without optimisation, times say nothing: `cargo run --release -p tests \
+        return Err("times are meaningless without optimisation: `cargo run --release -p tests \
                 --bin performance`"
-                .to_owned(),
-        );
+            .to_owned());
     }
     let report = measure(arguments)?;
     if let Some(path) = &arguments.json {
@@ -83,13 +81,13 @@ fn act(arguments: &Arguments) -> Result<(), String> {
     }
     write(&report, arguments.out.as_deref())?;
     let bars = bars::bars(&report);
-    let missed: Vec<_> = bars.iter().filter(|bar| !bar.is_met).collect();
-    eprintln!("{} of {} bars are met", bars.len() - missed.len(), bars.len());
-    missed.iter().for_each(|bar| eprintln!("not met: {}: {}", bar.asked, bar.figure));
+    let missed: Vec<_> = bars.iter().filter(|bar| !bar.is_reached).collect();
+    eprintln!("{} of {} bars are reached", bars.len() - missed.len(), bars.len());
+    missed.iter().for_each(|bar| eprintln!("not reached: {}: {}", bar.requirement, bar.figure));
     Ok(())
 }
 
-/// The sections that are asked for; all, where none is named.
+/// Measures the requested sections, or all of them if none is named.
 fn measure(arguments: &Arguments) -> Result<Report, String> {
     let machine = Machine::this();
     let bench = Bench::open(usize::from(arguments.rounds))?;
@@ -105,7 +103,7 @@ fn measure(arguments: &Arguments) -> Result<Report, String> {
     })
 }
 
-/// The page, and the picture that it shows, beside it.
+/// Writes the page, and beside it the picture that it shows.
 fn write(report: &Report, out: Option<&Path>) -> Result<(), String> {
     let Some(out) = out else {
         print!("{}", page::page(report, "performance-growth.svg"));

@@ -3,10 +3,10 @@
 //! | module | |
 //! |---|---|
 //! | [`mutate`] | changes good files at random |
-//! | `parser` | what a parser is, and what it did with files |
+//! | `parser` | the interface of a parser, and its results on files |
 //! | `scraps` | pieces of each format |
 //! | [`seeds`] | the good files |
-//! | [`parsers`] | the parsers, and what each promises |
+//! | [`parsers`] | the parsers, and their promises |
 //! | [`session`] | processes that read for a given time, within limits |
 
 pub mod mutate;
@@ -25,7 +25,7 @@ use crate::dice::Dice;
 /// Reads the seeds and `n` mutations of them, drawn by `seed`, in this process.
 ///
 /// # Panics
-/// Where a seed is refused, a parser panics or a promise is broken; the message has the input.
+/// Panics with the input if a seed is refused, a parser panics or a promise is broken.
 pub fn read_some(parser: &Parser, n: u64, seed: u64) -> Counts {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let read = |bytes: &[u8]| {

@@ -3,7 +3,7 @@
 use super::Parser;
 use crate::dice::Dice;
 
-/// A mutation has at most this many bytes.
+/// The maximum size of a mutation, in bytes.
 const MOST_BYTES: usize = 256 << 10;
 
 /// Numbers and marks that trouble parsers of any format.
@@ -166,7 +166,7 @@ fn repeat(bytes: &mut Vec<u8>, at: usize, dice: &mut Dice) {
 /// Changes nothing: the format has no checksums.
 pub fn no_repair(_bytes: &mut [u8]) {}
 
-/// Corrects the CRC of every chunk of a PNG.
+/// Corrects the CRC of every chunk of a PNG. Other bytes are left unchanged.
 pub fn png_crcs(bytes: &mut [u8]) {
     let mut at = 8;
     while bytes.starts_with(b"\x89PNG") && at + 12 <= bytes.len() {

@@ -1,4 +1,4 @@
-//! The parsers of foreign bytes, and what each of them promises.
+//! The parsers of foreign bytes, and the promises of each.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -24,7 +24,7 @@ use super::mutate::{no_repair, png_crcs, tar_sums};
 use super::scraps::{ARCHIVE, EXR, JSON, OBJ, PFM, PLY, PNG, TOML};
 use super::{Parser, Read, seeds};
 
-/// A message has at most this many bytes, however long the file is.
+/// The maximum length of a message in bytes, however long the file is.
 const MOST_SAID: usize = 128 << 10;
 
 /// Returns all parsers.
@@ -53,7 +53,8 @@ pub fn all() -> [Parser; 19] {
     ]
 }
 
-/// Counts what was read. A refusal must be a message of bounded length that is harmless to print.
+/// Turns the result of a parser into [`Read`]. A refusal must have a message of bounded length that
+/// is harmless to print.
 fn outcome<T>(result: Result<T, Problems>) -> Read {
     match result {
         Ok(_) => Read::Accepted,
@@ -78,7 +79,7 @@ fn put(folder: &Path, name: &str, bytes: &[u8]) -> std::path::PathBuf {
     path
 }
 
-/// A stage that allows every effect.
+/// The text of a stage that allows every effect.
 static STAGE: LazyLock<String> = LazyLock::new(|| {
     let allows: Vec<&str> = Effects::ALL.iter().map(Effect::name).collect();
     format!("title = \"T\"\nabout = \"A.\"\nallows = {allows:?}\nneeds = []\nunit_points = 10\n")
@@ -94,7 +95,7 @@ fn case(bytes: &[u8], folder: &Path) -> Read {
     outcome(loaded)
 }
 
-/// A scene that was accepted is accepted again as a program gets it.
+/// Checks that an accepted scene is accepted again in the JSON form that programs get.
 fn is_kept(scene: &Scene) {
     let json = scene::json::to_string(scene);
     let again =
@@ -122,7 +123,7 @@ fn manifest(bytes: &[u8], folder: &Path) -> Read {
     handed_in(&folder.join("manifest"))
 }
 
-/// Reads a submission. The machine is not to blame for anything that is handed in.
+/// Reads a submission. No hand-in may be reported as a failure of the machine.
 fn handed_in(path: &Path) -> Read {
     match submission::read(path, &TEMPLATE) {
         Ok(_) => Read::Accepted,
@@ -176,7 +177,7 @@ fn of_probe(bytes: &[u8], _folder: &Path) -> Read {
     read
 }
 
-/// Reads a picture as the judge does and as `compare` does, which must agree.
+/// Reads a picture whole, as the judge does, and row by row, as `compare` does. Both must agree.
 fn picture(bytes: &[u8], _folder: &Path) -> Read {
     let (width, height) = seeds::SIZE;
     let is_small = most_bytes(&bytes[..bytes.len().min(4096)]).is_ok();
@@ -245,7 +246,7 @@ fn mesh(bytes: &[u8], folder: &Path, name: &str) -> Read {
     flat
 }
 
-/// A mesh holds what a scene promises.
+/// Checks that a mesh keeps the promises of a scene.
 fn is_sound(mesh: &cases::Mesh) {
     let n = mesh.vertices.len();
     assert!(!mesh.triangles.is_empty() && mesh.vertices.iter().all(|vertex| vertex.is_finite()));
@@ -278,7 +279,7 @@ fn fronts(bytes: &[u8], _folder: &Path) -> Read {
     json(bytes, front::fronts_from_str)
 }
 
-/// A record that is read can be shown in every form.
+/// Checks that a readable record can be shown in every form.
 fn record(bytes: &[u8], _folder: &Path) -> Read {
     let record = match serde_json::from_slice::<Record>(bytes) {
         Ok(record) => record,

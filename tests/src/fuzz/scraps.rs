@@ -1,4 +1,4 @@
-//! Pieces of each format, which mutations insert.
+//! Pieces of each format that mutations insert.
 
 pub(super) const TOML: &[&[u8]] = &[
     b"[",

@@ -1,4 +1,4 @@
-//! Good files of every format, small enough to be changed and read thousands of times a second.
+//! Valid files of every format, small enough to be changed and read thousands of times a second.
 
 use std::fs;
 use std::io::{Cursor, Write};
@@ -13,11 +13,11 @@ use cases::{Course, course, scene, stage};
 
 use crate::{files, public_stages};
 
-/// The size of the pictures.
+/// The width and height of the pictures.
 pub const SIZE: (u32, u32) = (7, 5);
 
-/// Files below `folder` of the workspace that end in `.ending`, have at most `most` bytes and are
-/// called as `is_one` says.
+/// Returns the files below `folder` of the workspace that end in `.ending`, have at most `most`
+/// bytes, and have paths that satisfy `is_one`.
 fn found(folder: &str, ending: &str, most: usize, is_one: impl Fn(&Path) -> bool) -> Vec<Vec<u8>> {
     let paths = files(folder, ending).into_iter().filter(|path| is_one(path));
     let read =
@@ -25,25 +25,25 @@ fn found(folder: &str, ending: &str, most: usize, is_one: impl Fn(&Path) -> bool
     read.filter(|bytes| bytes.len() <= most).collect()
 }
 
-/// Cases without mesh files, since they are read at another place.
+/// Returns cases without mesh files, because another parser reads those.
 pub fn cases() -> Vec<Vec<u8>> {
     let all = found("cases/stages", "toml", 16 << 10, stage::is_case);
     all.into_iter().filter(|bytes| !bytes.windows(6).any(|at| at == b"file =")).collect()
 }
 
-/// Files of unit checks without mesh files.
+/// Returns files of unit checks without mesh files.
 pub fn checks() -> Vec<Vec<u8>> {
     let is_check = |path: &Path| path.parent().is_some_and(|folder| folder.ends_with("checks"));
     let all = found("cases/stages", "toml", 16 << 10, is_check);
     all.into_iter().filter(|bytes| !bytes.windows(6).any(|at| at == b"file =")).collect()
 }
 
-/// Files about stages.
+/// Returns the `stage.toml` files.
 pub fn stages() -> Vec<Vec<u8>> {
     found("cases/stages", "toml", 16 << 10, |path| path.ends_with("stage.toml"))
 }
 
-/// A course of each key, and one of several.
+/// Returns a course for each deviation in one key, and one with several.
 pub fn courses() -> Vec<Vec<u8>> {
     let several = "# Another course\nhighlight = \"phong\"\nindex_of_air = 1.0\n\
         always_simulated = [\"shadows\"]\n";
@@ -51,7 +51,7 @@ pub fn courses() -> Vec<Vec<u8>> {
     single.chain([several.to_owned()]).map(String::into_bytes).collect()
 }
 
-/// Manifests of submissions, without one that is wrong on purpose.
+/// Returns manifests of submissions, without one that is wrong on purpose.
 pub fn manifests() -> Vec<Vec<u8>> {
     let is_right = |path: &Path| {
         path.ends_with("submission.toml") && !path.ends_with("bad_toml/submission.toml")
@@ -59,7 +59,7 @@ pub fn manifests() -> Vec<Vec<u8>> {
     found("tests/submissions", "toml", 4 << 10, is_right)
 }
 
-/// Resolved scenes.
+/// Returns resolved scenes as JSON.
 pub fn scenes() -> Vec<Vec<u8>> {
     let paths = files("cases/stages", "toml").into_iter().filter(|path| stage::is_case(path));
     let scenes = paths.filter_map(|path| stage::load_scene(&path, &Course::default()).ok());
@@ -69,7 +69,7 @@ pub fn scenes() -> Vec<Vec<u8>> {
         .collect()
 }
 
-/// Outputs of `probe`: a few right answers each.
+/// Returns outputs of `probe` with a few correct answers each.
 pub fn replies() -> Vec<Vec<u8>> {
     let all = answers();
     let lines = all.iter().map(|answer| {
@@ -80,7 +80,7 @@ pub fn replies() -> Vec<Vec<u8>> {
     lines.chunks(5).map(|lines| lines.concat().into_bytes()).collect()
 }
 
-/// The stored answers to the unit checks of the first stage, by id.
+/// Returns the stored answers to the unit checks of the first stage, by id.
 pub fn answers() -> std::collections::BTreeMap<String, cases::answer::CheckAnswer> {
     let exam = grader::exam::Exam::load(&public_stages()).unwrap_or_else(|why| panic!("{why}"));
     exam.stages[0].units.clone()
@@ -92,19 +92,19 @@ fn picture() -> Image {
     })
 }
 
-/// PNG files of 8 and 16 bits.
+/// Returns PNG files of 8 and 16 bits.
 pub fn pngs() -> Vec<Vec<u8>> {
     [Kind::Png, Kind::DeepPng]
         .map(|kind| encode(kind, &picture()).expect("a picture is written"))
         .into()
 }
 
-/// A PFM file.
+/// Returns a PFM file.
 pub fn pfms() -> Vec<Vec<u8>> {
     vec![encode(Kind::Pfm, &picture()).expect("a picture is written")]
 }
 
-/// Stored answers to an image case, and a plain EXR file.
+/// Returns stored answers to an image case, and a plain EXR file.
 pub fn exrs() -> Vec<Vec<u8>> {
     let answer = ImageAnswer::exact(picture(), 2.0, 3);
     let digest = Digest::of_mistakes(&Course::default());
@@ -128,12 +128,12 @@ fn meshes(ending: &str) -> Vec<Vec<u8>> {
     found("cases/tests/meshes", ending, 4 << 10, is_read)
 }
 
-/// Wavefront files.
+/// Returns Wavefront files.
 pub fn objs() -> Vec<Vec<u8>> {
     meshes("obj")
 }
 
-/// PLY files, text and binary.
+/// Returns PLY files, text and binary.
 pub fn plys() -> Vec<Vec<u8>> {
     meshes("ply")
 }
@@ -146,7 +146,7 @@ const FILES: [(&str, &str); 4] = [
     ("mine/.git/config", "[core]\n"),
 ];
 
-/// Archives of a submission, stored and deflated.
+/// Returns archives of a submission, stored and deflated.
 pub fn zip() -> Vec<Vec<u8>> {
     let archive = |method| {
         let options = zip::write::SimpleFileOptions::default().compression_method(method);
@@ -160,7 +160,7 @@ pub fn zip() -> Vec<Vec<u8>> {
     [zip::CompressionMethod::Stored, zip::CompressionMethod::Deflated].map(archive).into()
 }
 
-/// An archive of a submission.
+/// Returns a tar archive of a submission.
 pub fn tar() -> Vec<Vec<u8>> {
     let mut builder = tar::Builder::new(vec![]);
     for (name, text) in FILES {
@@ -172,7 +172,7 @@ pub fn tar() -> Vec<Vec<u8>> {
     vec![builder.into_inner().expect("an archive is ended")]
 }
 
-/// The same, compressed.
+/// Returns the tar archive of a submission, compressed.
 pub fn tar_gz() -> Vec<Vec<u8>> {
     let compressed = |bytes: Vec<u8>| {
         let mut encoder = flate2::write::GzEncoder::new(vec![], flate2::Compression::fast());
@@ -182,7 +182,7 @@ pub fn tar_gz() -> Vec<Vec<u8>> {
     tar().into_iter().map(compressed).collect()
 }
 
-/// Stored answers to unit checks.
+/// Returns stored answers to unit checks.
 pub fn check_answers() -> Vec<Vec<u8>> {
     let all: Vec<_> = answers().into_values().collect();
     let text =
@@ -190,17 +190,17 @@ pub fn check_answers() -> Vec<Vec<u8>> {
     all.chunks(8).map(|answers| text(answers).into_bytes()).collect()
 }
 
-/// The list of mistakes.
+/// Returns the lists of mistakes.
 pub fn mistakes() -> Vec<Vec<u8>> {
     found("cases/stages", "json", 256 << 10, |path| path.ends_with("mistakes.answers.json"))
 }
 
-/// What accuracy costs.
+/// Returns the stored costs of accuracy.
 pub fn fronts() -> Vec<Vec<u8>> {
     found("cases/stages", "json", 256 << 10, |path| path.ends_with("fronts.json"))
 }
 
-/// Grade records.
+/// Returns grade records.
 pub fn records() -> Vec<Vec<u8>> {
     found("tests/submissions", "json", 64 << 10, |path| path.ends_with("record.json"))
 }

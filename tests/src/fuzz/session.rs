@@ -1,7 +1,7 @@
-//! A session: a process for each parser, which reads mutations for a given time.
+//! A session runs a process for each parser, which reads mutations for a given time.
 //!
-//! The process writes each input to a file before it reads it. If it panics, overflows its stack,
-//! exceeds its memory or does not come back, that file is the input to blame, and is kept.
+//! The process writes each input to a file before it reads it. If the process panics, overflows its
+//! stack, exceeds its memory or does not return, that file is the input to blame, and is kept.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -16,21 +16,21 @@ use super::{Counts, Parser, Read, mutate};
 use crate::dice::Dice;
 use crate::workspace;
 
-/// Address space of a process that reads. Every parser is to stay far below it.
+/// The address space of a process that reads. Every parser should stay far below it.
 const MOST_MEMORY: u64 = 1 << 30;
-/// CPU time for one input, of at most 256 KiB.
+/// The maximum CPU time for one input of at most 256 KiB.
 const MOST_CPU: Duration = Duration::from_secs(5);
-/// A process that is this much late does not come back.
+/// The delay after which a process counts as hung.
 const GRACE: Duration = Duration::from_secs(60);
-/// The names of the files of a process in its folder.
+/// The names of the files in the folder of a process.
 const INPUT: &str = "input";
 const REPORT: &str = "report.json";
 const ERRORS: &str = "errors";
 
-/// What a process that came to its end reports.
+/// The report of a process that reached its end.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Report {
-    /// How many mutations were read.
+    /// The number of mutations that were read.
     pub counts: Counts,
     /// The longest CPU time for one input, in seconds.
     pub slowest_s: f64,
@@ -41,7 +41,7 @@ pub struct Report {
 /// Reads mutations in this process for `time`, and writes the report to `folder`.
 ///
 /// # Panics
-/// Where a parser panics, breaks a promise or takes too long.
+/// Panics if a parser panics, breaks a promise or takes too long.
 pub fn read_for(parser: &Parser, time: Duration, seed: u64, folder: &Path) {
     let limit = Rlimit { current: Some(MOST_MEMORY), maximum: Some(MOST_MEMORY) };
     setrlimit(Resource::As, limit).expect("the memory of a process can be limited");
@@ -60,10 +60,10 @@ pub fn read_for(parser: &Parser, time: Duration, seed: u64, folder: &Path) {
     fs::write(folder.join(REPORT), text).expect("the report can be written");
 }
 
-/// Reads one input in this process, from a file that [`run`] has kept.
+/// Reads one input in this process, from a file that [`run`] kept.
 ///
 /// # Errors
-/// A file that cannot be read.
+/// Returns an error if the file cannot be read.
 pub fn read_one(parser: &Parser, input: &Path) -> Result<Read, String> {
     let bytes = fs::read(input).map_err(|why| format!("{}: {why}", input.display()))?;
     let folder = tempfile::tempdir().map_err(|why| why.to_string())?;
@@ -84,7 +84,8 @@ fn cpu() -> Duration {
     Duration::new(now.tv_sec.unsigned_abs(), now.tv_nsec as u32)
 }
 
-/// The largest resident size of this process, as Linux tells it; 0 elsewhere.
+/// Returns the largest resident size of this process in bytes, as Linux reports it, or 0 on other
+/// systems.
 fn peak_bytes() -> u64 {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
@@ -95,7 +96,8 @@ fn peak_bytes() -> u64 {
 /// Runs a process of this program that reads mutations for `time`.
 ///
 /// # Errors
-/// A paragraph on the input that a parser failed at, and how to try it again.
+/// Returns a paragraph with the input at which a parser failed, and the command that tries it
+/// again.
 pub fn run(parser: &Parser, time: Duration, seed: u64) -> Result<Report, String> {
     let folder = tempfile::tempdir().map_err(|why| why.to_string())?;
     let errors = folder.path().join(ERRORS);
@@ -115,8 +117,7 @@ pub fn run(parser: &Parser, time: Duration, seed: u64) -> Result<Report, String>
         let text = fs::read_to_string(folder.path().join(REPORT)).map_err(|why| why.to_string())?;
         return serde_json::from_str(&text).map_err(|why| why.to_string());
     }
-    let how =
-        status.map_or_else(|| "it does not come back".to_owned(), |status| status.to_string());
+    let how = status.map_or_else(|| "it did not return".to_owned(), |status| status.to_string());
     let said = fs::read_to_string(&errors).unwrap_or_default();
     let kept = keep(parser, &folder.path().join(INPUT))?;
     let (name, kept) = (parser.name, kept.display());
@@ -127,7 +128,7 @@ pub fn run(parser: &Parser, time: Duration, seed: u64) -> Result<Report, String>
     ))
 }
 
-/// Waits for the process; `None` if it had to be killed.
+/// Waits for the process. Returns `None` if it had to be killed.
 fn wait(mut command: Command, most: Duration) -> Result<Option<ExitStatus>, String> {
     let start = Instant::now();
     let mut child = command.spawn().map_err(|why| why.to_string())?;
@@ -143,7 +144,7 @@ fn wait(mut command: Command, most: Duration) -> Result<Option<ExitStatus>, Stri
     }
 }
 
-/// Keeps an input below `target/fuzz`.
+/// Copies an input to a new file below `target/fuzz`, and returns its path.
 fn keep(parser: &Parser, input: &Path) -> Result<PathBuf, String> {
     let folder = workspace().join("target/fuzz");
     let kept =

@@ -1,5 +1,5 @@
-//! The bars: what speed is asked for, what was reached, and what is known of the ones that were
-//! not.
+//! The bars: the required speeds, the measured ones, and the known reasons for bars that are not
+//! reached.
 
 use serde::Serialize;
 
@@ -13,47 +13,48 @@ use super::search::{self, Library, SHOWN};
 use super::series::exponent;
 use super::small::{self, OURS, what};
 
-/// A bar.
+/// A required speed, and the measured one.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Bar {
-    /// What is asked for.
-    pub asked: String,
-    /// What was reached, with its unit.
+    /// The requirement, in words.
+    pub requirement: String,
+    /// The measured value with its unit.
     pub figure: String,
-    /// Whether that is enough.
-    pub is_met: bool,
-    /// What is known of why not; nothing where it is met.
-    pub why: &'static str,
+    /// True if the bar is reached.
+    pub is_reached: bool,
+    /// The known reason why the bar is not reached; empty if it is reached or no reason is known.
+    pub reason: &'static str,
 }
 
-/// What keeps us from bars that ask for what the words on the left say.
+/// The reasons why bars are not reached. Each applies to bars that contain the text on the left,
+/// and the first match counts. The reasons hold no numbers: a measurement would not update these
+/// texts.
 const WHY: [(&str, &str); 7] = [
     (
         "building the tree",
-        "three fifths go into splits along three axes, the rest into laying triangles out side by \
-            side",
+        "splits along three axes take most of the time, and the layout of the triangles the rest",
     ),
     ("packets of 16", "triangles are decided in f64, each with a bound of the error"),
     (
         "Embree",
         "each node waits for the one before it, and triangles are decided in f64 with a bound of \
-            the error",
+         the error",
     ),
     ("LLVM", "its kernels are f32 and shade whole wavefronts at once"),
     (
         "glass",
-        "rays from a surface go one by one, and triangles are decided in f64 with a bound of the \
-            error",
+        "rays from a surface are traced one by one, and triangles are decided in f64 with a bound \
+         of the error",
     ),
     (
         "POV-Ray",
-        "all but eye rays go one by one, and a bound of the error is worked out for every answer \
-            (accuracy.md)",
+        "all but eye rays are traced one by one, and a bound of the error is computed for every \
+         answer (accuracy.md)",
     ),
-    ("160×120", "tracing: the rest of the process takes 1.7 ms"),
+    ("160×120", "most of the time is tracing, not the rest of the process"),
 ];
 
-/// All bars of the sections that were measured.
+/// Returns the bars of all sections that were measured.
 pub fn bars(report: &Report) -> Vec<Bar> {
     let mut all = vec![];
     if let Some(rows) = &report.pictures {
@@ -69,36 +70,39 @@ pub fn bars(report: &Report) -> Vec<Bar> {
     all
 }
 
-/// A ratio that is to be at least `least`.
-fn at_least(asked: String, least: f64, ratio: f64) -> Bar {
-    bar(format!("{asked}: ≥ {least} times"), format!("{ratio:.2} times"), ratio >= least)
+/// Returns the bar for a ratio that must be at least `least`.
+fn at_least(requirement: String, least: f64, ratio: f64) -> Bar {
+    bar(format!("{requirement}: ≥ {least} times"), format!("{ratio:.2} times"), ratio >= least)
 }
 
-fn bar(asked: String, figure: String, is_met: bool) -> Bar {
-    let known = WHY.iter().find(|(word, _)| asked.contains(word)).map_or("", |(_, why)| *why);
-    Bar { asked, figure, is_met, why: if is_met { "" } else { known } }
+fn bar(requirement: String, figure: String, is_reached: bool) -> Bar {
+    let known =
+        WHY.iter().find(|(word, _)| requirement.contains(word)).map_or("", |(_, reason)| *reason);
+    Bar { requirement, figure, is_reached, reason: if is_reached { "" } else { known } }
 }
 
 fn rendering(rows: &[pictures::Row]) -> Vec<Bar> {
     let mut bars = vec![];
     for row in rows.iter().filter(|row| row.easier.is_none()) {
-        let asked = |what: &str| format!("{}: {what} as fast as {}", row.scene, row.renderer);
+        let requirement = |what: &str| format!("{}: {what} as fast as {}", row.scene, row.renderer);
         let is = |renderer: Renderer| row.renderer == renderer.name();
         let least = if is(Renderer::Pov) { 8.0 } else { 1.0 };
         let counts = is(Renderer::Pov) || is(Renderer::Tachyon) || is(Renderer::MitsubaLlvm);
         bars.extend(
-            row.times.filter(|_| counts).map(|times| at_least(asked("rendering"), least, times)),
+            row.times
+                .filter(|_| counts)
+                .map(|times| at_least(requirement("rendering"), least, times)),
         );
         bars.extend(
             row.whole_times
                 .filter(|_| is(Renderer::Pov))
-                .map(|times| at_least(asked("whole process"), 3.0, times)),
+                .map(|times| at_least(requirement("whole process"), 3.0, times)),
         );
     }
     bars
 }
 
-/// Reading the largest mesh.
+/// Returns the bar for reading the largest mesh. `None` unless we and a peer were measured.
 fn reading(rows: &[pictures::Row]) -> Option<Bar> {
     let read = |row: &pictures::Row| row.read_s.filter(|_| row.scene == "mesh_1m");
     let ours = rows.iter().filter(|row| row.renderer == Renderer::Ours.name()).find_map(read)?;
@@ -121,25 +125,26 @@ fn searching(rows: &[search::Row]) -> Vec<Bar> {
             continue;
         };
         let (Some(together), Some(packets)) =
-            (find(Library::OursTogether), find(Library::EmbreePackets))
+            (find(Library::OursPackets), find(Library::EmbreePackets))
         else {
             continue;
         };
         for (k, least) in [1.0, 1.0, 0.8, 0.8].into_iter().enumerate() {
-            let asked = format!("{mesh}: {} rays as fast as Embree robust, one by one", NAMES[k]);
-            bars.push(at_least(asked, least, ours.mrays[k] / robust.mrays[k]));
+            let requirement =
+                format!("{mesh}: {} rays as fast as Embree robust, one by one", NAMES[k]);
+            bars.push(at_least(requirement, least, ours.mrays[k] / robust.mrays[k]));
         }
-        let asked = format!("{mesh}: primary rays as fast as Embree's packets of 16");
-        bars.push(at_least(asked, 1.0, together.mrays[0] / packets.mrays[0]));
+        let requirement = format!("{mesh}: primary rays as fast as Embree's packets of 16");
+        bars.push(at_least(requirement, 1.0, together.mrays[0] / packets.mrays[0]));
         let slower = ours.build_s / plain.build_s;
-        let asked = format!("{mesh}: building the tree takes ≤ 1.5 times as long as Embree");
-        bars.push(bar(asked, format!("{slower:.2} times"), slower <= 1.5));
+        let requirement = format!("{mesh}: building the tree takes ≤ 1.5 times as long as Embree");
+        bars.push(bar(requirement, format!("{slower:.2} times"), slower <= 1.5));
     }
     bars
 }
 
-/// Names of what grows, and the exponents p of n^p; the last is that of n log n over the same
-/// sizes.
+/// Returns the quantities that grow, each with its exponent p of n^p. The last entry is the
+/// exponent of n log n over the same sizes.
 pub fn exponents(rows: &[search::Row]) -> Vec<(&'static str, f64)> {
     let ours: Vec<&search::Row> = rows.iter().filter(|row| row.library == Library::Ours).collect();
     let of = |y: &dyn Fn(&search::Row) -> f64| {
@@ -199,8 +204,12 @@ fn waiting(rows: &[small::Row]) -> Vec<Bar> {
 
 fn uncalled(row: &effects::Row) -> Bar {
     let effects = row.deleted.iter().map(|effect| effect.name()).collect::<Vec<_>>().join(", ");
-    let asked = format!("{}: within 2 % of a kernel without {effects}", row.scene);
-    bar(asked, format!("{:+.1} %", (row.chosen_ratio - 1.0) * 100.0), row.chosen_ratio <= 1.02)
+    let requirement = format!("{}: within 2 % of a kernel without {effects}", row.scene);
+    bar(
+        requirement,
+        format!("{:+.1} %", (row.chosen_ratio - 1.0) * 100.0),
+        row.chosen_ratio <= 1.02,
+    )
 }
 
 #[cfg(test)]
@@ -209,17 +218,20 @@ mod tests {
 
     #[test]
     fn a_bar_is_met_from_its_own_value_on_and_says_why_only_if_not() {
-        let asked = || "82k: random rays as fast as Embree robust".to_owned();
+        let requirement = || "82k: random rays as fast as Embree robust".to_owned();
         assert_eq!(
-            (at_least(asked(), 0.8, 0.8).is_met, at_least(asked(), 0.8, 0.8).why),
+            (
+                at_least(requirement(), 0.8, 0.8).is_reached,
+                at_least(requirement(), 0.8, 0.8).reason
+            ),
             (true, "")
         );
-        let missed = at_least(asked(), 0.8, 0.79);
+        let missed = at_least(requirement(), 0.8, 0.79);
         assert!(
-            !missed.is_met && missed.why.contains("f64") && missed.figure == "0.79 times",
+            !missed.is_reached && missed.reason.contains("f64") && missed.figure == "0.79 times",
             "{missed:?}"
         );
-        assert!(!at_least(asked(), 0.8, f64::NAN).is_met);
+        assert!(!at_least(requirement(), 0.8, f64::NAN).is_reached);
     }
 
     #[test]

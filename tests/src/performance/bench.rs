@@ -1,4 +1,4 @@
-//! Where a benchmark works, how often, and whom it tells.
+//! The setting of a benchmark: its folders, its rounds, and its progress messages.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,22 +7,22 @@ use std::process::Command;
 use super::{child, renderers, scenes};
 use crate::workspace;
 
-/// What all measurements share.
+/// The parts that all measurements share.
 #[derive(Clone, Debug)]
 pub struct Bench {
-    /// Where the scenes are.
+    /// The folder of the scenes.
     pub scenes: PathBuf,
-    /// Where the peers are installed.
+    /// The folder in which the peers are installed.
     pub peers: PathBuf,
-    /// How often each is measured.
+    /// The number of rounds in which everything is measured.
     pub n_rounds: usize,
 }
 
 impl Bench {
-    /// Builds our own programs, installs the peers, writes the scenes.
+    /// Builds our own programs, installs the peers, and writes the scenes.
     ///
     /// # Errors
-    /// What cannot be built, installed or written.
+    /// Returns an error if something cannot be built, installed or written.
     pub fn open(n_rounds: usize) -> Result<Self, String> {
         let peers = renderers::peers();
         fs::create_dir_all(&peers).map_err(|why| format!("{}: {why}", peers.display()))?;
@@ -48,27 +48,28 @@ impl Bench {
         Ok(bench)
     }
 
-    /// A folder of its own for a scene and a program.
+    /// Returns the path of a folder for the pair of a scene and a program. The folder may not
+    /// exist.
     pub fn folder(&self, scene: &str, program: &str) -> PathBuf {
         let tame: String = program.chars().filter(char::is_ascii_alphanumeric).collect();
         self.peers.join("work").join(scene).join(tame)
     }
 
-    /// A program of ours, as the workspace builds it.
+    /// Returns the path of one of our programs in the workspace's release build.
     pub fn program(&self, name: &str) -> PathBuf {
         workspace().join("target/release").join(name)
     }
 
-    /// Tells whoever waits what is being done.
+    /// Prints the current step on the error stream.
     pub fn say(&self, what: &str) {
         eprintln!("{what}");
     }
 }
 
-/// `path` made where it is missing.
+/// Creates the folder `path` if it is missing, and returns it.
 ///
 /// # Errors
-/// What the file system says.
+/// Returns the error of the file system, with the path.
 pub fn made(path: &Path) -> Result<&Path, String> {
     fs::create_dir_all(path).map(|()| path).map_err(|why| format!("{}: {why}", path.display()))
 }

@@ -1,4 +1,5 @@
-//! Programs run to their end, and what that took; the only unsafe code here is the call that tells.
+//! Runs programs to their end and measures their time. The only unsafe code here is the call that
+//! returns the time.
 #![allow(unsafe_code)]
 
 use std::ffi::OsStr;
@@ -8,31 +9,31 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
-/// What a program took and said.
+/// The time and the output of a program.
 #[derive(Clone, Debug)]
 pub struct Spent {
-    /// By the clock on the wall.
+    /// Wall time, in seconds.
     pub wall_s: f64,
-    /// User and system time of it and of what it waited for.
+    /// User and system time of the program and of the children that it waited for, in seconds.
     pub cpu_s: f64,
-    /// What it wrote, both streams in one.
+    /// The output, both streams in one.
     pub said: String,
 }
 
-/// Runs a program to its end. What it writes goes to a file in `folder`, so that nobody has to read
-/// along.
+/// Runs a program to its end. Its output goes to a file in `folder`, so that nobody has to read a
+/// pipe meanwhile.
 ///
 /// # Errors
-/// A program that cannot be run, or that fails, with the end of what it said.
+/// Returns an error if the program cannot be run, or if it fails, with the end of its output.
 pub fn run(command: &mut Command, folder: &Path) -> Result<Spent, String> {
     run_to(command, folder, &[0])
 }
 
-/// [`run`] of a program that may end with any of these codes; with any code at all, where none is
-/// named.
+/// Runs a program like [`run`], but accepts each of the exit codes in `codes`, or any exit code if
+/// `codes` is empty.
 ///
 /// # Errors
-/// As [`run`]; another code is a failure.
+/// Returns the same errors as [`run`]. Any other exit code is a failure.
 pub fn run_to(command: &mut Command, folder: &Path, codes: &[i32]) -> Result<Spent, String> {
     let name = command.get_program().to_string_lossy().into_owned();
     let wrong = |why: io::Error| format!("{name}: {why}");
@@ -57,7 +58,7 @@ pub fn run_to(command: &mut Command, folder: &Path, codes: &[i32]) -> Result<Spe
     Ok(Spent { wall_s, cpu_s, said })
 }
 
-/// Waits for the child; its status, and its CPU seconds.
+/// Waits for the child, and returns its status and its CPU seconds.
 fn wait(pid: u32) -> io::Result<(i32, f64)> {
     let mut status = 0;
     // SAFETY: rusage is plain data, for which zeros are valid.
@@ -84,7 +85,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_a_program_took_and_said_is_told() {
+    fn time_and_output_are_returned() {
         let folder = tempfile::tempdir().expect("a folder");
         let shell = |script: &str| run(Command::new("sh").args(["-c", script]), folder.path());
         let spent = shell("echo out; echo err >&2; sleep 0.05").expect("it succeeds");

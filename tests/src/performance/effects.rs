@@ -1,4 +1,4 @@
-//! What an effect costs where a scene does not call for it, beside a kernel from which it is
+//! The cost of an effect that a scene does not call for, compared with a kernel from which it is
 //! deleted.
 
 use reference::cost::measure::Outside;
@@ -8,22 +8,22 @@ use rustix::time::{ClockId, clock_gettime};
 
 use super::bench::Bench;
 
-/// Pictures are small: so many times the rounds of the other sections.
+/// The factor on the rounds of the other sections, because the pictures are small.
 const TIMES_THE_ROUNDS: usize = 10;
 
-/// Renders each scene by each kernel, in turn, on one thread; CPU seconds.
+/// Renders each scene by each kernel in turn on one thread, and returns CPU seconds.
 ///
 /// # Errors
-/// Threads that cannot be started.
+/// Returns an error if threads cannot be started or there are no rounds.
 pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
     bench.say("effects that are not called for");
     let pool =
         rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(|why| why.to_string())?;
     let rows = pool.install(|| price(TIMES_THE_ROUNDS * bench.n_rounds, &mut Processor));
-    rows.ok_or_else(|| "no round was asked for".to_owned())
+    rows.ok_or_else(|| "there are no rounds".to_owned())
 }
 
-/// The processor's clock, which nobody stops.
+/// The CPU clock of this process. The measurement is never interrupted.
 struct Processor;
 
 impl Outside for Processor {

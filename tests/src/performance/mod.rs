@@ -1,4 +1,5 @@
-//! The benchmark beside other renderers: scenes, peers, measurements, and the page made of them.
+//! The benchmark beside other renderers: scenes, peers, measurements, and the page with the
+//! results.
 
 pub mod bars;
 pub mod bench;

@@ -1,7 +1,8 @@
-//! The page `docs/performance.md`, and the picture beside it.
+//! Writes the page `docs/performance.md`, and the picture beside it.
 
 use std::fmt::Write as _;
 
+use pages::figures::figure;
 use reference::cost::plot::{self, Place, Plot, Point, Shape};
 
 use super::bars::{self, Bar};
@@ -12,10 +13,22 @@ use super::scenes::SIZE;
 use super::search::{self, Library, SHOWN};
 use super::{effects, small};
 
-/// The page, in Markdown; `picture` is the file name of what [`growth`] draws.
+/// The paragraph on the ratios that count.
+const RATIOS: &str = "\
+A ratio counts only if both do the same work. A renderer that does less work (it lacks a feature, or
+follows one branch of a path where this reference follows two) is marked in its row, and its ratio
+counts for no bar. A renderer that casts more rays for the same picture is compared in rays per
+second as well, and the smaller ratio counts: a ray that need not be cast is saved work, but not
+speed. This reference computes in f64 and intersects every triangle watertight. Where it computes in
+f32, the row says so.
+
+";
+
+/// Returns the page in Markdown. `picture` is the file name of the picture from [`growth`].
 pub fn page(report: &Report, picture: &str) -> String {
     let mut out = head(report);
     out += &bar_table(&bars::bars(report));
+    out += RATIOS;
     out += &report.pictures.as_deref().map_or_else(String::new, rendering);
     out += &report.search.as_deref().map_or_else(String::new, |rows| searching(rows, picture));
     out += &report.small.as_deref().map_or_else(String::new, commands);
@@ -26,18 +39,10 @@ pub fn page(report: &Report, picture: &str) -> String {
 fn head(report: &Report) -> String {
     let machine = &report.machine;
     format!(
-        "# Speed, beside others\n\nMade by `cargo run --release -p tests --bin performance -- \
-            --out docs/performance.md`, which installs the others (`tests/peers/renderers`); do \
-            not edit.\nMeasured on: {}, {} threads, {}, {:.0} GiB, {}; medians of {} rounds in \
-            which all take turns{}.\n\n\
-         A ratio counts only where both do the same work. A renderer that does less (it lacks a \
-         feature, or follows one branch\n\
-         of a path where this reference follows two) is marked in its row, and its ratio counts \
-         for no bar. A renderer that casts\n\
-         more rays for the same picture is compared in rays a second as well, and the smaller \
-         ratio counts: a ray that need not be\n\
-         cast is saved work, but no speed. This reference computes in f64 and decides every \
-         triangle watertight; where it computes\nin f32, the row says so.\n\n",
+        "# Speed beside other renderers\n\nMade by `cargo run --release -p tests --bin performance \
+         -- --out docs/performance.md`,\nwhich installs the others (`tests/peers/renderers`); do \
+         not edit.\n\nMeasured on: {}, {} threads, {}, {:.0} GiB, {}; medians of {} rounds in \
+         which all take turns{}.\n\n",
         machine.processor,
         machine.n_threads,
         if machine.vectors.is_empty() {
@@ -57,20 +62,20 @@ fn head(report: &Report) -> String {
 }
 
 fn bar_table(bars: &[Bar]) -> String {
-    let n_met = bars.iter().filter(|bar| bar.is_met).count();
+    let n_reached = bars.iter().filter(|bar| bar.is_reached).count();
     let mut out = format!(
-        "## Bars\n\n{n_met} of {} are met.\n\n| bar | figure | met | why not |\n\
-            |---|---:|---|---|\n",
+        "## Bars\n\n{n_reached} of {} bars are reached.\n\n| bar | figure | reached | reason |\n\
+         |---|---:|---|---|\n",
         bars.len()
     );
     for bar in bars {
         let _ = writeln!(
             out,
             "| {} | {} | {} | {} |",
-            bar.asked,
+            bar.requirement,
             bar.figure,
-            if bar.is_met { "yes" } else { "**no**" },
-            bar.why
+            if bar.is_reached { "yes" } else { "**no**" },
+            bar.reason
         );
     }
     out + "\n"
@@ -79,19 +84,28 @@ fn bar_table(bars: &[Bar]) -> String {
 fn rendering(rows: &[pictures::Row]) -> String {
     let (width, height) = SIZE;
     let mut out = format!(
-        "## Whole scenes\n\n{width}×{height} pixels, one ray each; `performance --scenes DIR` \
-            writes the scenes. whitted: three spheres (mirror, glass, dull) on a checkered floor \
-            of triangles, one light, depth 5. spheres: 1,000 stretched, turned and\n\
-            moved spheres, a point and a directional light. mesh: a stone of 81,920 or 1,310,720 \
-            triangles, smooth normals, one light. glass: the smaller stone of glass, reflection \
-            and refraction to depth 8.\n\n\
-         Rendering alone: CPU seconds on one thread, without start, reading and building trees; \
-         Tachyon tells seconds by the clock. Mitsuba renders in a warm process, the others once \
-         in a cold one. Whole: from start to PNG on disk, by the clock,\n\
-         {WHOLE_THREADS} threads. Times: how many times as fast this reference is. Rays in \
-         thousands: eye + shadow + reflected + refracted, as the renderer counts them (~: as they \
-         follow from how it works).\n\n\
-         | scene | renderer | | render s | times | reading s | whole s | times | rays | less \
+        "\
+## Whole scenes
+
+All pictures have {width}×{height} pixels, with one ray each. `performance --scenes DIR` writes the
+scenes:
+
+- whitted: three spheres (mirror, glass, dull) on a checkered floor of triangles, one light, depth 5
+- spheres: 1,000 stretched, turned and moved spheres, a point and a directional light
+- mesh: a stone of 81,920 or 1,310,720 triangles with smooth normals, one light
+- glass: the smaller stone of glass, reflection and refraction to depth 8
+
+The columns are:
+
+- *render s*: CPU seconds of rendering alone on one thread, without start, reading and building
+  trees. Tachyon reports wall time. Mitsuba renders in a warm process, the others once in a cold
+  one.
+- *times*: how many times as fast this reference is.
+- *whole s*: wall time from start to PNG on disk, on {WHOLE_THREADS} threads.
+- *rays*: eye + shadow + reflected + refracted rays in thousands, as the renderer counts them
+  (~: as they follow from its algorithm).
+
+| scene | renderer | | render s | times | reading s | whole s | times | rays | less \
          work, counts for no bar |\n|---|---|---|---:|---:|---:|---:|---:|---:|---|\n"
     );
     for row in rows {
@@ -105,11 +119,11 @@ fn rendering(rows: &[pictures::Row]) -> String {
             row.scene,
             row.renderer,
             row.precision,
-            figure(Some(row.render_s)),
-            figure(row.times),
-            figure(row.read_s),
-            figure(row.whole_s),
-            figure(row.whole_times),
+            measured(Some(row.render_s)),
+            measured(row.times),
+            measured(row.read_s),
+            measured(row.whole_s),
+            measured(row.whole_times),
             row.easier.unwrap_or_default(),
         );
     }
@@ -118,15 +132,19 @@ fn rendering(rows: &[pictures::Row]) -> String {
 
 fn searching(rows: &[search::Row], picture: &str) -> String {
     let mut out = format!(
-        "## What a ray meets\n\nMillion rays a second on one thread, the same rays for all, read \
-            from a file: those through the pixels; from what they meet to the light (anything in \
-            the way ends the search); from there in random directions; and from anywhere to \
-            anywhere\nin a box about the mesh. Different: answers that are not ours (met or \
-            missed, or a distance by more than a thousandth), of all sets. Building: CPU \
-            milliseconds on one thread. Bytes a triangle: tree, corners and what else the library \
-            keeps. Packets hold\nprimary rays through 4 × 4 pixels; other rays come 16 at a time \
-            as they stand in the file, to this reference one by one.\n\n\
-         | mesh | | {} | different | of | building ms | bytes a triangle |\n\
+        "\
+## Ray queries
+
+The table gives millions of rays per second on one thread. All libraries trace the same rays, which
+are read from a file. Primary rays go through the pixels. Shadow rays go from their hits to the
+light, and any hit ends the search. Diffuse rays start there in random directions. Random rays run
+between random points of a box about the mesh. *Different* counts answers that differ from ours (hit
+or miss, or a distance by more than a thousandth) over all sets. Building time is in CPU
+milliseconds on one thread. Bytes a triangle are those of the tree, the corners and whatever else
+the library keeps. Packets hold primary rays through 4 × 4 pixels. Other rays are passed in the
+order of the file, 16 at a time; to this reference, one by one.
+
+| mesh | | {} | different | of | building ms | bytes a triangle |\n\
          |---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n",
         NAMES.join(" | "),
     );
@@ -139,7 +157,7 @@ fn searching(rows: &[search::Row], picture: &str) -> String {
             row.mrays.map(|mrays| format!("{mrays:.2}")).join(" | "),
             row.n_different.iter().sum::<usize>(),
             row.n_rays.iter().sum::<usize>(),
-            figure(Some(row.build_s * 1e3)),
+            measured(Some(row.build_s * 1e3)),
             row.bytes.map_or("–".to_owned(), |bytes| format!(
                 "{:.0}",
                 bytes as f64 / row.n_triangles as f64
@@ -151,9 +169,11 @@ fn searching(rows: &[search::Row], picture: &str) -> String {
         "\n## How cost grows\n\n![Building and searching, from a thousand to a million \
             triangles]({picture})\n\n"
     );
-    out += "The exponents p of n^p that fit best over these sizes; n log n itself is fitted the \
-        same way. Larger meshes do not fit the caches of the processor, which no tree makes up \
-        for.\n\n";
+    out += "\
+The table has the exponents p of n^p that fit best over these sizes; n log n is fitted in the same
+way. Larger meshes do not fit the caches of the processor, which no tree can compensate.
+
+";
     out += "| | exponent |\n|---|---:|\n";
     for (name, p) in bars::exponents(rows) {
         let _ = writeln!(out, "| {name} | {p:.2} |");
@@ -161,7 +181,7 @@ fn searching(rows: &[search::Row], picture: &str) -> String {
     out + "\n"
 }
 
-/// Building and searching against the number of triangles, as SVG.
+/// Returns the SVG of the times for building and searching against the number of triangles.
 pub fn growth(rows: &[search::Row]) -> String {
     let exponents = bars::exponents(rows);
     let series = |shape: Shape, which: usize, of: &dyn Fn(&search::Row) -> f64| {
@@ -178,7 +198,7 @@ pub fn growth(rows: &[search::Row]) -> String {
                 "{}, {} triangles: {}",
                 row.name,
                 row.n_triangles,
-                figure(Some(of(row)))
+                measured(Some(of(row)))
             ),
         };
         let shown =
@@ -197,7 +217,7 @@ pub fn growth(rows: &[search::Row]) -> String {
     };
     let shapes = [Shape::Circle, Shape::Triangle, Shape::Square, Shape::Diamond];
     let rays = Plot {
-        title: "What a ray meets".to_owned(),
+        title: "Ray queries".to_owned(),
         x: x(),
         y: "nanoseconds a ray, one thread".to_owned(),
         line: None,
@@ -213,11 +233,11 @@ pub fn growth(rows: &[search::Row]) -> String {
 }
 
 fn commands(rows: &[small::Row]) -> String {
-    let mut out = "## Whole commands\n\nAs processes, from start to end.\n\n\
-        | | | CPU ms | ms by the clock | |\n|---|---|---:|---:|---|\n"
+    let mut out = "## Whole commands\n\nEach command is measured as a process, from start to \
+        end.\n\n| | | CPU ms | wall ms | |\n|---|---|---:|---:|---|\n"
         .to_owned();
     for row in rows {
-        let (cpu, wall) = (figure(Some(row.cpu_s * 1e3)), figure(Some(row.wall_s * 1e3)));
+        let (cpu, wall) = (measured(Some(row.cpu_s * 1e3)), measured(Some(row.wall_s * 1e3)));
         let _ = writeln!(
             out,
             "| {} | {} | {cpu} | {wall} | {} |",
@@ -230,18 +250,23 @@ fn commands(rows: &[small::Row]) -> String {
 }
 
 fn uncalled(rows: &[effects::Row]) -> String {
-    let mut out = "## Effects that are not called for\n\n\
-        A scene rendered by a kernel from which every effect that it does not call for is \
-        deleted, by the one that is chosen for it, and by one that can do everything; CPU \
-        milliseconds on one thread.\nThe pictures are the same. docs/decisions/006-kernels.md has \
-        the same in instructions, which do not tremble.\n\n\
-        | scene | not called for | deleted | chosen | can do everything | chosen / deleted | \
-        everything / deleted |\n|---|---|---:|---:|---:|---:|---:|\n"
-        .to_owned();
+    let mut out = "\
+## Effects that are not called for
+
+Each scene is rendered by three kernels: one from which every effect that it does not call for is
+deleted, the one that is chosen for it, and one that can do everything. Times are CPU milliseconds
+on one thread. The pictures are the same. docs/decisions/006-kernels.md has the counts of
+instructions, which have less noise.
+
+| scene | not called for | deleted | chosen | can do everything | chosen / deleted | \
+everything / deleted |
+|---|---|---:|---:|---:|---:|---:|
+"
+    .to_owned();
     for row in rows {
         let deleted = row.deleted.iter().map(|effect| effect.name()).collect::<Vec<_>>().join(", ");
-        let [exact, chosen, able] =
-            [row.deleted_s, row.chosen_s, row.able_s].map(|times| figure(Some(times.median * 1e3)));
+        let [exact, chosen, able] = [row.deleted_s, row.chosen_s, row.able_s]
+            .map(|times| measured(Some(times.median * 1e3)));
         let _ = writeln!(
             out,
             "| {} | {deleted} | {exact} | {chosen} | {able} | {:.3} | {:.3} |",
@@ -251,15 +276,12 @@ fn uncalled(rows: &[effects::Row]) -> String {
     out + "\n"
 }
 
-/// With three digits that count; a dash for what is not there.
-fn figure(x: Option<f64>) -> String {
+/// Formats a measured number: a dash for `None`, and `?` if it is not finite.
+fn measured(x: Option<f64>) -> String {
     match x {
         None => "–".to_owned(),
         Some(x) if !x.is_finite() => "?".to_owned(),
-        Some(x) if x.abs() >= 99.95 => format!("{x:.0}"),
-        Some(x) if x.abs() >= 9.995 => format!("{x:.1}"),
-        Some(x) if x.abs() >= 0.9995 => format!("{x:.2}"),
-        Some(x) => format!("{x:.3}"),
+        Some(x) => figure(x),
     }
 }
 
@@ -334,12 +356,9 @@ mod tests {
     }
 
     #[test]
-    fn figures_have_three_digits() {
-        for (x, text) in
-            [(123.4, "123"), (12.34, "12.3"), (1.234, "1.23"), (0.1234, "0.123"), (f64::NAN, "?")]
-        {
-            assert_eq!(figure(Some(x)), text);
+    fn what_was_not_measured_is_no_number() {
+        for (x, text) in [(Some(12.34), "12.3"), (Some(f64::NAN), "?"), (None, "–")] {
+            assert_eq!(measured(x), text);
         }
-        assert_eq!(figure(None), "–");
     }
 }

@@ -1,4 +1,4 @@
-//! Whole scenes, rendered by all.
+//! Measures whole scenes with all renderers.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -13,41 +13,41 @@ use super::renderers::{Renderer, Took};
 use super::series::{median, times_as_fast};
 use super::{child, rays};
 
-/// The scenes that are rendered, by the names of their files.
+/// The names of the files of the scenes.
 pub const SCENES: [&str; 5] = ["whitted", "spheres", "mesh_82k", "mesh_1m", "glass"];
 
-/// Threads of a whole process.
+/// The number of threads of a whole process.
 pub const WHOLE_THREADS: usize = 2;
 
-/// A renderer and a scene: medians over the rounds.
+/// A renderer and a scene, with medians over the rounds.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
-    /// Of [`SCENES`].
+    /// The scene, one of [`SCENES`].
     pub scene: String,
-    /// For people.
+    /// The name of the renderer for people.
     pub renderer: &'static str,
-    /// What it computes with.
+    /// The precision of its arithmetic.
     pub precision: &'static str,
-    /// CPU seconds of rendering alone, on one thread.
+    /// The CPU seconds of rendering alone, on one thread.
     pub render_s: f64,
-    /// Seconds of reading the scene.
+    /// The seconds of reading the scene.
     pub read_s: Option<f64>,
-    /// Seconds by the clock from start to picture on disk, on [`WHOLE_THREADS`]; not of what
-    /// renders several times in a process.
+    /// The wall time in seconds from start to picture on disk, on [`WHOLE_THREADS`]. `None` for a
+    /// renderer that renders several times in a process.
     pub whole_s: Option<f64>,
-    /// Rays from the eye, shadow rays, reflected and refracted ones.
+    /// The number of eye rays, shadow rays, reflected rays and refracted rays.
     pub rays: Option<[u64; 4]>,
-    /// Whether it counts its rays itself; else they follow from how it works.
+    /// True if the renderer counts its rays itself; otherwise they are derived from its algorithm.
     pub is_counted: bool,
-    /// Why it does less work than we do, if so.
+    /// The reason why the renderer does less work than we do, if it does.
     pub easier: Option<&'static str>,
-    /// How many times as fast we render.
+    /// The factor by which we render faster.
     pub times: Option<f64>,
-    /// How many times as fast our whole process is.
+    /// The factor by which our whole process is faster.
     pub whole_times: Option<f64>,
 }
 
-/// What the rounds told of one renderer.
+/// The results of one renderer in all rounds.
 #[derive(Default)]
 struct Rounds {
     one: Vec<Took>,
@@ -57,7 +57,7 @@ struct Rounds {
 /// Renders every scene with every renderer, round by round, ours first.
 ///
 /// # Errors
-/// A scene that cannot be read, a renderer that is missing or fails.
+/// Returns an error if a scene cannot be read, or a renderer is missing or fails.
 pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
     let mut rows = vec![];
     for name in SCENES {
@@ -66,7 +66,7 @@ pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
             .map_err(|why| why.to_string())?;
         let mut rounds: BTreeMap<Renderer, Rounds> = BTreeMap::new();
         let asked: Vec<Renderer> =
-            Renderer::ALL.into_iter().filter(|renderer| renderer.is_asked(&scene)).collect();
+            Renderer::ALL.into_iter().filter(|renderer| renderer.is_run(&scene)).collect();
         asked.iter().try_for_each(|renderer| put(bench, name, *renderer, &scene))?;
         for round in 0..bench.n_rounds {
             for renderer in asked.iter().copied() {
@@ -94,7 +94,7 @@ fn put(bench: &Bench, name: &str, renderer: Renderer, scene: &Scene) -> Result<(
         .map_err(wrong)
 }
 
-/// Seconds by the clock of a process that does nothing but make one picture.
+/// Returns the wall time in seconds of a process that makes one picture. `None` for Mitsuba.
 fn whole_s(
     bench: &Bench,
     renderer: Renderer,
@@ -154,14 +154,14 @@ fn render_s(of: &Rounds) -> f64 {
     median(&of.one.iter().map(|took| took.render_s).collect::<Vec<_>>())
 }
 
-/// Rays of a renderer that does not count them, on a scene without mirrors and glass. Tachyon casts
-/// a shadow ray where a light is before the surface, as we do; Mitsuba one to each light, wherever
-/// it is.
+/// Returns the number of rays of a renderer that does not count them, on a scene without mirrors
+/// and glass. Tachyon casts a shadow ray if a light is in front of the surface, as we do. Mitsuba
+/// casts one to each light, wherever it is.
 fn derived(renderer: Renderer, scene: &Scene, ours: Option<[u64; 4]>) -> Option<[u64; 4]> {
     match renderer {
         Renderer::MitsubaLlvm | Renderer::MitsubaScalar => {
             let n_eye = u64::from(scene.render.width) * u64::from(scene.render.height);
-            Some([n_eye, rays::n_met(scene) * scene.lights.len() as u64, 0, 0])
+            Some([n_eye, rays::n_hits(scene) * scene.lights.len() as u64, 0, 0])
         }
         _ => ours,
     }

@@ -1,9 +1,9 @@
-//! Triangles as a binary PLY file in single precision, which every renderer here can read.
+//! Encodes triangles as a binary PLY file in single precision, which every renderer here can read.
 
 use cases::Mesh;
 
-/// The bytes of the file: x, y, z, and nx, ny, nz where the mesh has normals, each a float; three
-/// corners a face.
+/// Returns the bytes of the file. A vertex has x, y, z, and also nx, ny, nz if the mesh has
+/// normals, each as a float. A face has three corners.
 pub fn encode(mesh: &Mesh) -> Vec<u8> {
     let normals = mesh.normals.as_deref();
     let mut out = header(mesh).into_bytes();

@@ -1,39 +1,39 @@
-//! Rays made beforehand, the same for every program that looks for what they meet, and the file
-//! that holds them.
+//! Precomputed rays, the same for every program that traces them, and their file format.
 
 use std::f64::consts::TAU;
 
 use cases::glam::DVec3;
 use cases::{Light, Scene, maths};
-use reference::camera::Lens;
-use reference::ray::Ray;
+use reference::numbers::vec3::Vec3;
+use reference::rays::camera::Lens;
+use reference::rays::ray::Ray;
 use reference::rules::Lecture;
-use reference::vec3::Vec3;
 use reference::world::World;
 
 use crate::dice::Dice;
 
-/// How far a new ray starts from the surface it leaves, in scene units: far beyond what single
-/// precision loses.
+/// The distance from a surface at which a new ray starts, in scene units. It is far beyond the
+/// rounding of single precision.
 const OFF: f64 = 1e-3;
 
 /// Rays of one kind.
 #[derive(Clone, Debug)]
 pub struct Set {
-    /// Its name.
+    /// The name of the set.
     pub name: &'static str,
-    /// Whether only it matters whether something lies in the way.
+    /// True if any hit ends the search.
     pub is_any_hit: bool,
-    /// Origin, direction and length, in single precision, so that all get the same.
+    /// The origin, direction and length of each ray, in single precision, so that all programs
+    /// trace the same rays.
     pub rays: Vec<[f32; 7]>,
 }
 
 /// The names of the sets, in order.
 pub const NAMES: [&str; 4] = ["primary", "shadow", "diffuse", "random"];
 
-/// The four sets for a scene of one light and one mesh: eye rays, row by row; shadow rays from what
-/// they meet; rays in random directions above it; and rays from anywhere to anywhere in a box about
-/// the mesh.
+/// Returns the four sets for a scene of one light and one mesh. They are eye rays, row by row;
+/// shadow rays from their hits; rays in random directions above the hits; and rays between random
+/// points of a box about the mesh.
 pub fn sets(scene: &Scene) -> [Set; 4] {
     let world = World::<f64>::new(scene);
     let eye: Vec<Ray<f64>> = eye_rays(scene).collect();
@@ -72,8 +72,8 @@ pub fn sets(scene: &Scene) -> [Set; 4] {
     ]
 }
 
-/// The places of the primary rays of a picture, 16 after 16 those through 4 × 4 pixels: packets
-/// that are wide and high, for all who ask by packets.
+/// Returns the indices of the primary rays of a picture, ordered by blocks of 4 × 4 pixels. All
+/// programs with packets trace these packets of 16.
 pub fn in_blocks((width, height): (u32, u32)) -> Vec<usize> {
     let blocks =
         (0..height / 4).flat_map(|row| (0..width / 4).map(move |column| (4 * column, 4 * row)));
@@ -81,13 +81,13 @@ pub fn in_blocks((width, height): (u32, u32)) -> Vec<usize> {
     blocks.flat_map(|(i, j)| (0..16).map(move |k| place(i + k % 4, j + k / 4))).collect()
 }
 
-/// How many eye rays of a scene meet something.
-pub fn n_met(scene: &Scene) -> u64 {
+/// Returns the number of eye rays of a scene that hit something.
+pub fn n_hits(scene: &Scene) -> u64 {
     let world = World::<f64>::new(scene);
     eye_rays(scene).filter(|ray| world.first(Lecture, ray, &mut ()).is_some()).count() as u64
 }
 
-/// One through the middle of every pixel, row by row. [rule 1]
+/// Returns a ray through the centre of every pixel, row by row. [rule 1]
 fn eye_rays(scene: &Scene) -> impl Iterator<Item = Ray<f64>> {
     let (width, height) = (scene.render.width, scene.render.height);
     let lens = Lens::<f64>::new(Lecture, &scene.camera, width, height);
@@ -99,22 +99,22 @@ fn packed(from: DVec3, direction: DVec3, length: f64) -> [f32; 7] {
     [from.x, from.y, from.z, direction.x, direction.y, direction.z, length].map(|x| x as f32)
 }
 
-/// A point of the unit sphere, evenly.
+/// Returns a uniformly distributed point on the unit sphere.
 fn sphere(dice: &mut Dice) -> DVec3 {
     let (z, angle) = (dice.between(-1.0, 1.0), dice.between(0.0, TAU));
     let r = (1.0 - z * z).sqrt();
     DVec3::new(r * maths::cos(angle), r * maths::sin(angle), z)
 }
 
-/// The ray as the reference takes it.
+/// Returns the ray as the reference takes it.
 pub fn ray(packed: &[f32; 7]) -> Ray<f64> {
     let [x, y, z, dx, dy, dz, length] = packed.map(f64::from);
     let v = |x, y, z| Vec3::of(DVec3::new(x, y, z));
     Ray { t_max: length, ..Ray::all_of(v(x, y, z), v(dx, dy, dz)) }
 }
 
-/// The file: for each set whether it is any-hit, and how many rays it has, two 32-bit numbers; then
-/// its rays. All little-endian.
+/// Returns the bytes of the file. Each set has two 32-bit numbers (1 if it is any-hit, else 0, and
+/// the number of rays), then its rays. All numbers are little-endian.
 pub fn encode(sets: &[Set]) -> Vec<u8> {
     let mut out = vec![];
     for set in sets {
@@ -125,8 +125,8 @@ pub fn encode(sets: &[Set]) -> Vec<u8> {
     out
 }
 
-/// The sets of such a file, by the names of [`NAMES`]; `None` where it is cut or there are more or
-/// fewer sets.
+/// Returns the sets of a file, with the names in [`NAMES`]. `None` if the file is cut, or has more
+/// or fewer sets.
 pub fn decode(mut bytes: &[u8]) -> Option<Vec<Set>> {
     let mut sets = vec![];
     for name in NAMES {
@@ -145,9 +145,9 @@ pub fn decode(mut bytes: &[u8]) -> Option<Vec<Set>> {
     bytes.is_empty().then_some(sets)
 }
 
-/// How many of two programs' answers differ: one meets something and the other does not, or their
-/// distances differ by more than a thousandth. A miss is infinite; of an any-hit set anything
-/// finite is a hit.
+/// Returns the number of answers that differ between two programs: a hit against a miss, or
+/// distances that differ by more than a thousandth. A miss is infinite; in an any-hit set every
+/// finite value is a hit.
 pub fn n_different(set: &Set, ours: &[f32], theirs: &[f32]) -> usize {
     let differ = |(a, b): (&f32, &f32)| {
         a.is_finite() != b.is_finite()

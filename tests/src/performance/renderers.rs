@@ -1,4 +1,4 @@
-//! The renderers that are compared: how each is asked for a picture, and what it says of it.
+//! The renderers that are compared, the commands that run them, and the parsers of their output.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -11,7 +11,7 @@ use super::child::{self, Spent};
 use super::export::{self, File};
 use crate::workspace;
 
-/// A renderer.
+/// A renderer of the comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[allow(missing_docs, reason = "their names say it")]
 pub enum Renderer {
@@ -22,26 +22,26 @@ pub enum Renderer {
     MitsubaScalar,
 }
 
-/// What a renderer took for one picture.
+/// The cost of one picture.
 #[derive(Clone, Debug)]
 pub struct Took {
-    /// CPU seconds of rendering alone; of Tachyon, which does not tell, by the clock, at most those
-    /// of the process.
+    /// The CPU seconds of rendering alone. Tachyon reports only wall time, which is capped by the
+    /// CPU time of the process.
     pub render_s: f64,
-    /// Seconds of reading the scene, where it tells.
+    /// The seconds of reading the scene, if the renderer reports them.
     pub read_s: Option<f64>,
-    /// Rays by its own count: from the eye, shadow, reflected and refracted, where it counts.
+    /// The number of eye, shadow, reflected and refracted rays, if the renderer counts them.
     pub rays: Option<[u64; 4]>,
-    /// Of the whole process.
+    /// The time and the output of the whole process.
     pub spent: Spent,
 }
 
 impl Renderer {
-    /// All of them, ours first.
+    /// All renderers, ours first.
     pub const ALL: [Self; 5] =
         [Self::Ours, Self::Pov, Self::Tachyon, Self::MitsubaLlvm, Self::MitsubaScalar];
 
-    /// For people.
+    /// Returns the name for people.
     pub fn name(self) -> &'static str {
         match self {
             Self::Ours => "this reference",
@@ -52,12 +52,12 @@ impl Renderer {
         }
     }
 
-    /// What it computes with.
+    /// Returns the precision of its arithmetic.
     pub fn precision(self) -> &'static str {
         if matches!(self, Self::MitsubaLlvm | Self::MitsubaScalar) { "f32" } else { "f64" }
     }
 
-    /// Why its picture of `scene` is less work than ours, if it is.
+    /// Returns the reason why its picture of `scene` is less work than ours, if it is.
     pub fn easier(self, scene: &Scene) -> Option<&'static str> {
         let any = |of: fn(&cases::Material) -> DVec3| {
             scene.materials.iter().any(|m| of(m) != DVec3::ZERO)
@@ -71,22 +71,23 @@ impl Renderer {
             Self::MitsubaLlvm | Self::MitsubaScalar if spawns => {
                 Some("one branch at random, reflected or refracted")
             }
-            _ if is_moved => Some("spheres in the place of ellipsoids"),
+            _ if is_moved => Some("spheres instead of ellipsoids"),
             _ => None,
         }
     }
 
-    /// Whether it is worth asking: Tachyon takes a minute for a stone of glass that it does not
-    /// refract.
-    pub fn is_asked(self, scene: &Scene) -> bool {
+    /// Returns whether the renderer is run on `scene`. Tachyon is not run on a large mesh of glass,
+    /// which takes a minute and which it does not refract.
+    pub fn is_run(self, scene: &Scene) -> bool {
         let has_large_mesh = scene.meshes.iter().any(|mesh| mesh.triangles.len() > 10_000);
         self != Self::Tachyon || self.easier(scene).is_none() || !has_large_mesh
     }
 
-    /// The scene in its own format; ours are the files as they are.
+    /// Returns the scene in the renderer's own format. The list is empty for ours, which reads the
+    /// files as they are.
     ///
     /// # Errors
-    /// See the exporters.
+    /// Returns the errors of the exporters.
     pub fn export(self, scene: &Scene) -> Result<Vec<File>, String> {
         match self {
             Self::Ours => Ok(vec![]),
@@ -96,11 +97,12 @@ impl Renderer {
         }
     }
 
-    /// One picture on so many threads; `scene` is our file, `folder` holds what was exported, and
-    /// takes the picture.
+    /// Renders one picture on `threads` threads. `scene` is our file. `folder` holds the exported
+    /// files, and receives the picture.
     ///
     /// # Errors
-    /// A renderer that is missing or fails, or does not say what it should.
+    /// Returns an error if the renderer is missing or fails, or if its output lacks the expected
+    /// numbers.
     pub fn render(
         self,
         peers: &Path,
@@ -110,13 +112,13 @@ impl Renderer {
     ) -> Result<Took, String> {
         let mut command = self.command(peers, scene, threads)?;
         let spent = child::run(command.current_dir(folder), folder)?;
-        let silent = || format!("{} does not say what it took:\n{}", self.name(), spent.said);
+        let silent = || format!("the output of {} lacks its times:\n{}", self.name(), spent.said);
         let took = |render_s, read_s, rays| Took { render_s, read_s, rays, spent: spent.clone() };
         match self {
             Self::Pov => {
                 pov(&spent.said).map(|(render_s, read_s, rays)| took(render_s, read_s, Some(rays)))
             }
-            // it tells seconds by the clock: what others took of the processor is not its fault
+            // Tachyon reports wall time, which must not count the time that other processes took.
             Self::Tachyon => tachyon(&spent.said)
                 .map(|(render_s, read_s)| took(render_s.min(spent.cpu_s), Some(read_s), None)),
             _ => json(&spent.said).map(|(render_s, read_s, rays)| took(render_s, read_s, rays)),
@@ -165,18 +167,19 @@ impl Renderer {
     }
 }
 
-/// Where the peers are installed.
+/// Returns the folder in which the peers are installed.
 pub fn peers() -> PathBuf {
     workspace().join("target/renderers")
 }
 
-/// The number behind `label` in some line.
+/// Returns the number after the first `label` in the output.
 fn after(said: &str, label: &str) -> Option<f64> {
     let rest = said.split_once(label)?.1.trim_start();
     rest.split(|c: char| !(c.is_ascii_digit() || c == '.')).next()?.parse().ok()
 }
 
-/// CPU seconds of tracing, of parsing, and rays, from POV-Ray's statistics.
+/// Returns the CPU seconds of tracing and of parsing, and the numbers of rays, from POV-Ray's
+/// statistics.
 fn pov(said: &str) -> Option<(f64, Option<f64>, [u64; 4])> {
     let cpu_s = |label: &str| after(said.split_once(label)?.1, "thread(s) with");
     let count = |label: &str| after(said, label).map_or(0, |n| n as u64);
@@ -185,20 +188,20 @@ fn pov(said: &str) -> Option<(f64, Option<f64>, [u64; 4])> {
     Some((cpu_s("Trace Time:")?, cpu_s("Parse Time:"), rays))
 }
 
-/// Seconds by the clock of tracing, and of reading.
+/// Returns the wall time of tracing and of reading, in seconds.
 fn tachyon(said: &str) -> Option<(f64, f64)> {
     Some((after(said, "Ray Tracing Time:")?, after(said, "Scene Parsing Time:")?))
 }
 
-type Told = (f64, Option<f64>, Option<[u64; 4]>);
+type Reported = (f64, Option<f64>, Option<[u64; 4]>);
 
-/// What our own worker and our script for Mitsuba print last.
-fn json(said: &str) -> Option<Told> {
-    let told: Value = serde_json::from_str(said.lines().last()?).ok()?;
-    let count = |key: &str| told[key].as_u64();
+/// Parses the last line that our own worker and our script for Mitsuba print.
+fn json(said: &str) -> Option<Reported> {
+    let reported: Value = serde_json::from_str(said.lines().last()?).ok()?;
+    let count = |key: &str| reported[key].as_u64();
     let rays = ["eye", "shadow", "reflected", "refracted"].map(count);
     let rays = rays.iter().all(Option::is_some).then(|| rays.map(Option::unwrap_or_default));
-    Some((told["render_cpu_s"].as_f64()?, told["read_s"].as_f64(), rays))
+    Some((reported["render_cpu_s"].as_f64()?, reported["read_s"].as_f64(), rays))
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! What a run of the benchmark found.
+//! The results of a run of the benchmark.
 
 use std::fs;
 
@@ -7,45 +7,46 @@ use serde::Serialize;
 use super::effects;
 use super::{pictures, search, small};
 
-/// Everything that was measured; a section that was left out is `None`.
+/// All measurements; a section that was left out is `None`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
-    /// Version of this form.
+    /// The version of this format.
     pub schema: u32,
-    /// On what.
+    /// The machine on which the benchmark ran.
     pub machine: Machine,
-    /// How often each was measured.
+    /// The number of rounds.
     pub n_rounds: usize,
-    /// Whole scenes.
+    /// Rendering of whole scenes.
     pub pictures: Option<Vec<pictures::Row>>,
-    /// What rays meet in meshes, and building the trees.
+    /// Ray queries in meshes, and building their trees.
     pub search: Option<Vec<search::Row>>,
-    /// Whole commands.
+    /// Whole commands, from start to end.
     pub small: Option<Vec<small::Row>>,
-    /// Effects that are not called for.
+    /// Costs of effects that are not called for.
     pub effects: Option<Vec<effects::Row>>,
 }
 
-/// On what it is measured.
+/// The machine of a measurement.
 #[derive(Clone, Debug, Serialize)]
 pub struct Machine {
-    /// Model of the processor, as the system names it.
+    /// The model of the processor, as the system names it.
     pub processor: String,
-    /// Threads that run at once.
+    /// The number of threads that run at once.
     pub n_threads: usize,
-    /// Memory in GiB.
+    /// The memory in GiB.
     pub memory_gib: f64,
-    /// The system.
+    /// The operating system.
     pub system: String,
-    /// Programs that wanted to run in the minute before, in the mean: more than a few tenths
-    /// disturb.
+    /// The mean number of runnable programs in the minute before. More than a few tenths disturb
+    /// the measurement.
     pub load: f64,
-    /// Widths of vectors that the processor has and renderers use.
+    /// The vector extensions of the processor that renderers use.
     pub vectors: Vec<&'static str>,
 }
 
 impl Machine {
-    /// This one, as Linux describes it; what it does not tell is called unknown.
+    /// Returns this machine, as Linux describes it. A text that is missing is `unknown`, a number
+    /// NaN.
     pub fn this() -> Self {
         let read = |path: &str| fs::read_to_string(path).unwrap_or_default();
         let (processor, memory, system) =
@@ -76,7 +77,7 @@ impl Machine {
     }
 }
 
-/// The value of the first line `key: value` or `key=value`.
+/// Returns the value of the first line `key: value` or `key=value`.
 fn field(text: &str, key: &str) -> Option<String> {
     let value = |line: &str| {
         line.strip_prefix(key)?.trim_start().strip_prefix([':', '=']).map(|v| v.trim().to_owned())

@@ -1,4 +1,4 @@
-//! The scenes that are rendered by all: case files, and the meshes they name.
+//! The scenes that all renderers render: case files, and the meshes that they name.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -11,31 +11,31 @@ use cases::glam::{DVec2, DVec3};
 use super::{ply, stone};
 use crate::dice::Dice;
 
-/// Width and height of every picture: 307,200 eye rays.
+/// The width and height of every picture: 307,200 eye rays.
 pub const SIZE: (u32, u32) = (640, 480);
 
-/// How often the stone is divided for each size of mesh, and the name of that size: 1,280 to
+/// The number of divisions of the stone for each size of mesh, and the name of that size: 1,280 to
 /// 1,310,720 triangles.
 pub const STONES: [(u32, &str); 6] =
     [(3, "1k"), (4, "5k"), (5, "20k"), (6, "82k"), (7, "328k"), (8, "1m")];
 
-/// The lesser stone of which pictures are compared: 81,920 triangles.
+/// The smaller stone in the compared pictures: 81,920 triangles.
 pub const STONE: (u32, &str) = STONES[3];
 
-/// Height of every floor: the stone lies on it.
+/// The height of every floor, on which the stone lies.
 const FLOOR: f64 = -1.1;
 
-/// Squares along a side of the checkered floor.
+/// The number of squares along a side of the checkered floor.
 const N_SQUARES: u32 = 16;
 
-/// Transformed spheres in `spheres.toml`.
+/// The number of transformed spheres in `spheres.toml`.
 const N_SPHERES: usize = 1000;
 
-/// Writes every scene and mesh into `folder`, which is made where it is missing; the same bytes on
-/// every machine.
+/// Writes every scene and mesh into `folder`, which is created if it is missing. The bytes are the
+/// same on every machine.
 ///
 /// # Errors
-/// Names the file that cannot be written.
+/// Returns the error of a file that cannot be written, with its path.
 pub fn write(folder: &Path) -> Result<(), String> {
     fs::create_dir_all(folder).map_err(|why| format!("{}: {why}", folder.display()))?;
     let put = |name: String, bytes: &[u8]| {
@@ -55,8 +55,8 @@ pub fn write(folder: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// Those squares of an `n` × `n` floor of side 12 whose row and column sum up to what is `wanted`,
-/// each as two flat triangles.
+/// Returns squares of an `n` × `n` floor of side 12, each as two flat triangles. A square is
+/// included if the sum of its row and column is `wanted`.
 fn squares(n: u32, wanted: impl Fn(u32) -> bool) -> Mesh {
     let mut mesh = Mesh { vertices: vec![], triangles: vec![], normals: None };
     let side = 12.0 / f64::from(n);
@@ -75,7 +75,7 @@ fn squares(n: u32, wanted: impl Fn(u32) -> bool) -> Mesh {
     mesh
 }
 
-/// What a scene file begins with.
+/// Returns the beginning of a scene file.
 fn head(max_depth: u32, eye: [f64; 3], look_at: [f64; 3]) -> String {
     let (width, height) = SIZE;
     format!(
@@ -88,7 +88,8 @@ fn head(max_depth: u32, eye: [f64; 3], look_at: [f64; 3]) -> String {
 const LAMP: &str = "[[scene.lights]]\npoint = { position = [4, 5, 5], colour = [0.9, 0.9, 0.9], \
     ambient = [0.1, 0.1, 0.1] }\n\n";
 
-/// Three spheres, one a mirror, one of glass, over a checkered floor; one light; depth 5.
+/// Returns the scene of three spheres over a checkered floor. One is a mirror and one is of glass;
+/// there is one light, and the depth is 5.
 fn whitted() -> String {
     head(5, [0.0, 0.5, 5.0], [0.0, -0.5, 0.0])
         + LAMP
@@ -123,8 +124,8 @@ material = \"red\"
 "
 }
 
-/// A thousand spheres, each stretched, turned and moved; a point and a directional light, no
-/// mirrors.
+/// Returns the scene of a thousand spheres, each stretched, turned and moved. It has a point and a
+/// directional light, and no mirrors.
 fn spheres() -> String {
     let mut text = head(0, [0.0, 0.9, 7.0], [0.0, 0.4, 0.0])
         + LAMP
@@ -155,7 +156,7 @@ fn spheres() -> String {
     text
 }
 
-/// The stone over the floor.
+/// Returns the scene of the stone over the floor.
 fn stone_of(name: &str, max_depth: u32, material: &str) -> String {
     head(max_depth, [0.0, 0.4, 4.0], [0.0, -0.1, 0.0])
         + LAMP
@@ -166,12 +167,12 @@ fn stone_of(name: &str, max_depth: u32, material: &str) -> String {
         )
 }
 
-/// A dull stone: eye rays and shadow rays alone.
+/// Returns the scene of a dull stone, with only eye rays and shadow rays.
 fn mesh(name: &str) -> String {
     stone_of(name, 0, "{ kd = [0.7, 0.5, 0.4] }")
 }
 
-/// A stone of glass, depth 8.
+/// Returns the scene of a stone of glass with depth 8.
 fn glass() -> String {
     let glass = "{ kd = [0.02, 0.02, 0.02], ks = [0.1, 0.1, 0.1], ns = 100, kt = [0.85, 0.85, \
         0.85], index = 1.5 }";

@@ -1,5 +1,5 @@
-//! What rays meet in a mesh, looked for by libraries on one thread: the same rays, read from a file
-//! by each.
+//! Measures ray queries in a mesh by several libraries, each on one thread. All read the same rays
+//! from a file.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -13,15 +13,15 @@ use super::rays::{self, Set};
 use super::series::median;
 use super::{child, scenes, stone};
 
-/// Passes over each set that are timed in a process, after one that is not.
+/// The number of timed passes over each set in a process, after one that is not timed.
 const N_PASSES: usize = 2;
 
-/// A library, and how it is asked.
+/// A library with its mode of query.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[allow(missing_docs, reason = "their names say it")]
 pub enum Library {
     Ours,
-    OursTogether,
+    OursPackets,
     Embree,
     EmbreeRobust,
     EmbreePackets,
@@ -33,7 +33,7 @@ pub enum Library {
 impl Library {
     const ALL: [Self; 8] = [
         Self::Ours,
-        Self::OursTogether,
+        Self::OursPackets,
         Self::Embree,
         Self::EmbreeRobust,
         Self::EmbreePackets,
@@ -42,11 +42,11 @@ impl Library {
         Self::Bvh,
     ];
 
-    /// For people.
+    /// Returns the name for people.
     pub fn name(self) -> &'static str {
         match self {
             Self::Ours => "this reference, f64",
-            Self::OursTogether => "this reference, primary rays by packets of 16, f64",
+            Self::OursPackets => "this reference, primary rays by packets of 16, f64",
             Self::Embree => "Embree 4, f32",
             Self::EmbreeRobust => "Embree 4 robust, f32",
             Self::EmbreePackets => "Embree 4, packets of 16, f32",
@@ -56,12 +56,12 @@ impl Library {
         }
     }
 
-    /// Whether it is measured on the mesh of that name: on all sizes those that show how cost
-    /// grows, the slowest on one alone.
-    fn is_asked(self, mesh: &str) -> bool {
+    /// Returns whether the library is measured on the mesh of that name. Libraries that show how
+    /// cost grows run on all sizes, the slowest one on a single size.
+    fn is_measured(self, mesh: &str) -> bool {
         match self {
             Self::Ours | Self::EmbreeRobust => true,
-            Self::OursTogether
+            Self::OursPackets
             | Self::Embree
             | Self::EmbreePackets
             | Self::Obvhs
@@ -83,7 +83,7 @@ impl Library {
         };
         Ok(match self {
             Self::Ours => ourselves("search")?,
-            Self::OursTogether => ourselves("search-together")?,
+            Self::OursPackets => ourselves("search-together")?,
             Self::Embree => with("embree", "default"),
             Self::EmbreeRobust => with("embree", "robust"),
             Self::EmbreePackets => with("embree", "packets"),
@@ -94,46 +94,46 @@ impl Library {
     }
 }
 
-/// The meshes on which all are shown.
+/// The meshes of the table.
 pub const SHOWN: [&str; 2] = ["82k", "1m"];
 
-/// What a process prints.
+/// The output of a process.
 #[derive(Deserialize)]
-struct Told {
+struct Output {
     build_s: f64,
     bytes: Option<u64>,
-    /// Of each set, each pass.
+    /// The seconds of each pass over each set.
     seconds: [Vec<f64>; 4],
 }
 
-/// A library and a mesh: medians over the rounds.
+/// A library and a mesh, with medians over the rounds.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
-    /// Name of the mesh: of [`scenes::STONES`].
+    /// The name of the mesh, one of [`scenes::STONES`].
     pub mesh: &'static str,
-    /// Its triangles.
+    /// The number of triangles of the mesh.
     pub n_triangles: usize,
-    /// Which.
+    /// The library.
     #[serde(skip)]
     pub library: Library,
-    /// For people.
+    /// The name of the library for people.
     pub name: &'static str,
-    /// CPU seconds of building the tree.
+    /// The CPU seconds of building the tree.
     pub build_s: f64,
-    /// Bytes of the tree and what it points to, as the library tells.
+    /// The bytes of the tree and the data that it refers to, as the library reports them.
     pub bytes: Option<u64>,
-    /// Million rays a second, for each of [`rays::NAMES`].
+    /// Millions of rays per second, for each of [`rays::NAMES`].
     pub mrays: [f64; 4],
-    /// Rays of each set.
+    /// The number of rays in each set.
     pub n_rays: [usize; 4],
-    /// Answers that differ from ours.
+    /// The number of answers in each set that differ from ours.
     pub n_different: [usize; 4],
 }
 
-/// Has every library look for what the rays of each mesh meet, round by round, ours first.
+/// Lets every library trace the rays of each mesh, round by round, ours first.
 ///
 /// # Errors
-/// A library that is missing or fails.
+/// Returns an error if a library is missing or fails.
 pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
     let mut rows = vec![];
     for (n_divisions, mesh) in scenes::STONES {
@@ -147,12 +147,12 @@ pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
         let file = made(&folder)?.join("rays");
         fs::write(&file, rays::encode(&sets))
             .map_err(|why| format!("{}: {why}", file.display()))?;
-        let asked = || Library::ALL.into_iter().filter(|library| library.is_asked(mesh));
-        let mut told: BTreeMap<Library, Vec<Told>> = BTreeMap::new();
+        let asked = || Library::ALL.into_iter().filter(|library| library.is_measured(mesh));
+        let mut told: BTreeMap<Library, Vec<Output>> = BTreeMap::new();
         for round in 0..bench.n_rounds {
             for library in asked() {
                 bench.say(&format!("rays in {mesh}, round {}: {}", round + 1, library.name()));
-                told.entry(library).or_default().push(ask(bench, library, mesh, &folder)?);
+                told.entry(library).or_default().push(run(bench, library, mesh, &folder)?);
             }
         }
         let ours = answers(&folder, Library::Ours)?;
@@ -171,7 +171,7 @@ pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
     Ok(rows)
 }
 
-fn ask(bench: &Bench, library: Library, mesh: &str, folder: &Path) -> Result<Told, String> {
+fn run(bench: &Bench, library: Library, mesh: &str, folder: &Path) -> Result<Output, String> {
     let mut command = library.command(bench)?;
     let mesh = bench.scenes.join(format!("mesh_{mesh}.ply"));
     command
@@ -194,7 +194,8 @@ fn answers(folder: &Path, library: Library) -> Result<Vec<f32>, String> {
     Ok(bytes.as_chunks().0.iter().map(|four| f32::from_le_bytes(*four)).collect())
 }
 
-/// Answers that differ, set by set; both lists hold the sets one after the other.
+/// Returns the number of answers that differ in each set. Both lists hold the sets one after the
+/// other.
 fn different(sets: &[Set; 4], ours: &[f32], theirs: &[f32]) -> [usize; 4] {
     let mut first = 0;
     sets.each_ref().map(|set| {
@@ -210,7 +211,7 @@ fn row(
     n_triangles: usize,
     library: Library,
     sets: &[Set; 4],
-    told: &[Told],
+    told: &[Output],
     n_different: [usize; 4],
 ) -> Row {
     let n_rays = sets.each_ref().map(|set| set.rays.len());
@@ -229,7 +230,7 @@ fn row(
     }
 }
 
-/// The row of a library and a mesh.
+/// Returns the row of a library and a mesh, if it was measured.
 pub fn find<'a>(rows: &'a [Row], library: Library, mesh: &str) -> Option<&'a Row> {
     rows.iter().find(|row| row.library == library && row.mesh == mesh)
 }

@@ -1,8 +1,9 @@
-//! Sums over rounds: medians, ratios, and the exponent by which a price grows.
+//! Statistics over rounds: medians, ratios, and the exponent by which a cost grows.
 
 use cases::maths::ln;
 
-/// The middle one of `values`, the mean of the middle two where their number is even; NaN of none.
+/// Returns the median of `values`, which is the mean of the middle two if their number is even. NaN
+/// for no values.
 pub fn median(values: &[f64]) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -13,16 +14,16 @@ pub fn median(values: &[f64]) -> f64 {
     }
 }
 
-/// How many times as fast we are as a peer, from seconds. Where we cast fewer rays than the peer,
-/// the ratio of rays a second is taken, if it is less: what is not done is no speed. `rays` are
-/// ours and the peer's, where the peer's are known.
+/// Returns the factor by which we are faster than a peer, from seconds. If we cast fewer rays than
+/// the peer, the factor is multiplied by the ratio of the rays, because work that is left out is no
+/// speed. `rays` holds our number and the peer's, if both are known.
 pub fn times_as_fast(ours_s: f64, peer_s: f64, rays: Option<(u64, u64)>) -> f64 {
     let share = rays.map_or(1.0, |(ours, peer)| ours as f64 / peer as f64);
     peer_s / ours_s * share.min(1.0)
 }
 
-/// The exponent p of the line through (x, y) that fits y ~ x^p best, by least squares of
-/// logarithms; NaN for fewer than two points.
+/// Returns the exponent p for which y ~ x^p fits the points (x, y) best, by least squares of
+/// logarithms. NaN for fewer than two points.
 pub fn exponent(points: &[(f64, f64)]) -> f64 {
     let n = points.len() as f64;
     let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (ln(*x), ln(*y))).collect();

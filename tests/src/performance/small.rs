@@ -1,4 +1,4 @@
-//! Whole commands: what a user waits for.
+//! Measures whole commands, for which a user waits.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,31 +13,31 @@ use super::child::{self, Spent};
 use super::series::median;
 use crate::workspace;
 
-/// Runs of a command that takes milliseconds, each round.
+/// The number of runs of a short command in each round.
 const N_SHORT: usize = 20;
 
-/// The case that stands for all of 160 × 120 pixels.
+/// The case that represents all cases of 160 × 120 pixels.
 const CASE: &str = "04_refraction/crystal_ball";
 
-/// Side of the large pictures that are compared.
+/// The side of the large pictures that are compared.
 const SIDE: u32 = 4096;
 
-/// A command: medians over its runs.
+/// A command, with medians over its runs.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
-    /// What is done.
+    /// The task, one of [`what`].
     pub what: &'static str,
-    /// By whom.
+    /// The program.
     pub who: &'static str,
-    /// CPU seconds of the process.
+    /// The CPU seconds of the process.
     pub cpu_s: f64,
-    /// Seconds by the clock.
+    /// The wall time in seconds.
     pub wall_s: f64,
-    /// Why it is other work than ours, if so.
+    /// The difference from our work, if there is one.
     pub note: Option<&'static str>,
 }
 
-/// What the rows are called, for those who look for one.
+/// The names of the tasks.
 pub mod what {
     #![allow(missing_docs, reason = "their values say it")]
     pub const CASE: &str = "a case of 160×120, from start to PNG on disk";
@@ -48,7 +48,7 @@ pub mod what {
     pub const PAIR: &str = "compare two PNGs of 320×240";
 }
 
-/// For this program, in [`Row::who`].
+/// The name of our own programs in [`Row::who`].
 pub const OURS: &str = "ours";
 
 /// A command that is measured.
@@ -56,16 +56,16 @@ struct Task {
     what: &'static str,
     who: &'static str,
     command: Command,
-    /// How it may end; anyhow, where none is named.
+    /// The accepted exit codes; empty if all are accepted.
     codes: &'static [i32],
     n_runs: usize,
     note: Option<&'static str>,
 }
 
-/// Runs every command, round by round.
+/// Runs every command, round by round, and returns medians.
 ///
 /// # Errors
-/// A program that is missing or fails.
+/// Returns an error if a program is missing or fails.
 pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
     let folder = bench.folder("small", "small");
     let mut tasks = tasks(bench, made(&folder)?)?;
@@ -93,7 +93,7 @@ pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
     Ok(rows)
 }
 
-/// The commands that take a minute: once each.
+/// Measures the commands that take a minute, once each.
 fn long(bench: &Bench, folder: &Path) -> Result<[Row; 2], String> {
     let reference = |words: &[&str]| {
         let mut command = Command::new(bench.program("reference"));
@@ -130,7 +130,7 @@ fn tasks(bench: &Bench, folder: &Path) -> Result<Vec<Task>, String> {
     let dify = |a: &Path, b: &Path| {
         with(bench.peers.join("dify/bin/dify"), &["-o", "dify.png"], a, b, folder)
     };
-    // dify ends with what it counted, cut to a byte
+    // The exit code of dify is the number of different pixels, cut to a byte.
     let (odiff_codes, dify_codes) = (&[0, 21, 22][..], &[][..]);
     for (what, a, b, n_runs) in [
         (what::EQUAL, &base, &same, 2),
@@ -152,8 +152,9 @@ fn with(program: PathBuf, words: &[&str], a: &Path, b: &Path, folder: &Path) -> 
     command
 }
 
-/// A picture of that size, tiled from a rendered one; a file of the same; and one of which every
-/// thousandth pixel is another.
+/// Writes three pictures of `width` × `height` pixels, and returns their paths. The first is tiled
+/// from a rendered one, the second is a copy of it, and in the third every thousandth pixel is
+/// inverted.
 fn pictures(bench: &Bench, folder: &Path, width: u32, height: u32) -> Result<[PathBuf; 3], String> {
     let paths = ["base", "same", "other"].map(|name| folder.join(format!("{name}_{width}.png")));
     let [base, same, other] = &paths;
@@ -186,7 +187,7 @@ fn pictures(bench: &Bench, folder: &Path, width: u32, height: u32) -> Result<[Pa
     Ok(paths)
 }
 
-/// The row of a program and what it did.
+/// Returns the row of a program and its task, if it was measured.
 pub fn find<'a>(rows: &'a [Row], what: &str, who: &str) -> Option<&'a Row> {
     rows.iter().find(|row| row.what == what && row.who == who)
 }

@@ -1,17 +1,16 @@
-//! A stone of any number of triangles: a sphere divided evenly, its surface moved in and out by
-//! waves.
+//! A stone of many triangles: an evenly divided sphere with waves on its surface.
 
 use cases::Mesh;
 use cases::glam::DVec3;
 use cases::maths::sin;
 
-/// Triangles of the stone divided that many times.
+/// Returns the number of triangles of the stone after `n_divisions`.
 pub fn n_triangles(n_divisions: u32) -> usize {
     20 << (2 * n_divisions)
 }
 
-/// The stone, its radius 0.88 to 1.12, with a unit normal a vertex; of [`n_triangles`], all of them
-/// seen anticlockwise from outside.
+/// Returns a stone with [`n_triangles`] triangles, a radius from 0.88 to 1.12, and a unit normal
+/// per vertex. The corners of each triangle are anticlockwise from outside.
 pub fn stone(n_divisions: u32) -> Mesh {
     let (mut directions, mut triangles) = icosahedron();
     for _ in 0..n_divisions {
@@ -22,7 +21,7 @@ pub fn stone(n_divisions: u32) -> Mesh {
     Mesh { vertices, triangles, normals: Some(normals) }
 }
 
-/// Distance of the surface from the middle in the direction `d`.
+/// Returns the distance of the surface from the centre in the direction `d`.
 fn radius(d: DVec3) -> f64 {
     let wave = |n: f64, phase: f64| {
         sin(n * d.x + phase) * sin(n * d.y + 2.0 * phase) * sin(n * d.z + 3.0 * phase)
@@ -30,7 +29,7 @@ fn radius(d: DVec3) -> f64 {
     1.0 + 0.1 * wave(5.0, 1.0) + 0.02 * wave(23.0, 2.0)
 }
 
-/// Corners on the unit sphere, and faces.
+/// Returns the corners, on the unit sphere, and the faces.
 fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
     let rectangle = [(-1.0, golden), (1.0, golden), (-1.0, -golden), (1.0, -golden)];
@@ -66,7 +65,8 @@ fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
     (corners, faces)
 }
 
-/// Each triangle in four; the middles of edges, moved out to the unit sphere, join `directions`.
+/// Divides each triangle into four. The middles of the edges, moved out to the unit sphere, are
+/// appended to `directions`.
 fn divided(directions: &mut Vec<DVec3>, triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
     let sides =
         |[a, b, c]: [u32; 3]| [(a.min(b), a.max(b)), (b.min(c), b.max(c)), (c.min(a), c.max(a))];
@@ -85,7 +85,7 @@ fn divided(directions: &mut Vec<DVec3>, triangles: &[[u32; 3]]) -> Vec<[u32; 3]>
     triangles.iter().flat_map(four).collect()
 }
 
-/// A unit normal a vertex: that of the triangles around it, each by its area.
+/// Returns a unit normal for each vertex, from the triangles around it weighted by their areas.
 fn normals(vertices: &[DVec3], triangles: &[[u32; 3]]) -> Vec<DVec3> {
     let mut sums = vec![DVec3::ZERO; vertices.len()];
     for corners in triangles {

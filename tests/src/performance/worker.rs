@@ -1,4 +1,4 @@
-//! Our own side of the measurements, run as a process of its own like every peer: what it prints is
+//! Our own side of the measurements, which runs as a separate process like every peer and prints
 //! JSON.
 
 use std::fs;
@@ -6,22 +6,22 @@ use std::path::Path;
 use std::time::Instant;
 
 use cases::Scene;
-use reference::packet;
-use reference::ray::Ray;
-use reference::render::{Options, render_by};
+use reference::rays::ray::Ray;
 use reference::rules::{Lecture, Rules};
+use reference::trace::render::{Options, render_by};
 use reference::world::World;
+use reference::world::packet;
 use rustix::time::{ClockId, clock_gettime};
 use serde_json::{Value, json};
 
 use super::rays::{self, Set};
 use super::scenes;
 
-/// Does what `words` ask for: `render SCENE THREADS`, or `search MESH RAYS ANSWERS PASSES`,
-/// `search-together` the same; what came of it.
+/// Runs the job in `words`, and returns its results. Jobs are `render SCENE THREADS`,
+/// `search MESH RAYS ANSWERS PASSES`, and `search-together` with the arguments of `search`.
 ///
 /// # Errors
-/// Words that ask for nothing known, files that cannot be read or written.
+/// Returns an error if the job is unknown, or if a file cannot be read or written.
 pub fn work(words: &[String]) -> Result<Value, String> {
     match words {
         [job, scene, threads] if job == "render" => render(Path::new(scene), number(threads)?),
@@ -35,7 +35,7 @@ pub fn work(words: &[String]) -> Result<Value, String> {
                 by_packets,
             )
         }
-        _ => Err(format!("no work is called `{}`", words.join(" "))),
+        _ => Err(format!("there is no job `{}`", words.join(" "))),
     }
 }
 
@@ -43,20 +43,21 @@ fn number(word: &str) -> Result<usize, String> {
     word.parse().map_err(|why| format!("{word}: {why}"))
 }
 
-/// CPU seconds of this process so far, all threads together.
+/// Returns the CPU seconds of this process so far, over all threads.
 fn cpu_s() -> f64 {
     let now = clock_gettime(ClockId::ProcessCPUTime);
     now.tv_sec as f64 + now.tv_nsec as f64 * 1e-9
 }
 
-/// What `work` gives, and its CPU seconds.
+/// Returns the result of `work`, and its CPU seconds.
 fn timed<A>(work: impl FnOnce() -> A) -> (A, f64) {
     let begun = cpu_s();
     let result = work();
     (result, cpu_s() - begun)
 }
 
-/// One picture, as `reference render` makes it: reading, making ready, rendering, apart.
+/// Renders one picture like `reference render`, and returns the times of reading, preparing and
+/// rendering.
 fn render(path: &Path, threads: usize) -> Result<Value, String> {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
@@ -83,7 +84,7 @@ fn load(path: &Path) -> Result<Scene, String> {
     cases::stage::load_scene(path, &cases::Course::default()).map_err(|why| why.to_string())
 }
 
-/// The mesh of that file alone, in its own space.
+/// Returns a scene with only the mesh of that file, untransformed.
 fn mesh_alone(path: &Path) -> Result<Scene, String> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let text = format!(
@@ -97,8 +98,8 @@ fn mesh_alone(path: &Path) -> Result<Scene, String> {
         .map_err(|why| why.to_string())
 }
 
-/// Looks for what rays meet, one ray at a time on one thread, primary rays `by_packets` if asked;
-/// the first pass over each set warms up.
+/// Traces the rays one at a time on one thread, and the primary rays in packets if `by_packets`.
+/// The first pass over each set warms up and is not counted.
 fn search(
     mesh: &Path,
     from: &Path,
@@ -108,7 +109,7 @@ fn search(
 ) -> Result<Value, String> {
     let wrong = |path: &Path, why: &dyn std::fmt::Display| format!("{}: {why}", path.display());
     let bytes = fs::read(from).map_err(|why| wrong(from, &why))?;
-    let sets = rays::decode(&bytes).ok_or_else(|| wrong(from, &"no file of rays"))?;
+    let sets = rays::decode(&bytes).ok_or_else(|| wrong(from, &"not a file of rays"))?;
     let (scene, read_s) = timed(|| mesh_alone(mesh));
     let scene = scene?;
     let pool =
@@ -120,8 +121,8 @@ fn search(
         let rays: Vec<Ray<f64>> = set.rays.iter().map(rays::ray).collect();
         let mut answers = vec![0.0; rays.len()];
         let mut asked = || match by_packets && set.name == rays::NAMES[0] {
-            true => ask_together(&world, &blocks, &rays, &mut answers),
-            false => ask(&world, set, &rays, &mut answers),
+            true => trace_packets(&world, &blocks, &rays, &mut answers),
+            false => trace_single(&world, set, &rays, &mut answers),
         };
         let times: Vec<f64> = (0..=n_passes).map(|_| timed(&mut asked).1).collect();
         seconds.push(times[1..].to_vec());
@@ -131,25 +132,25 @@ fn search(
     Ok(json!({ "read_s": read_s, "build_s": build_s, "bytes": world.bytes(), "seconds": seconds }))
 }
 
-/// The answers to a set, in the form that [`rays::n_different`] compares.
-fn ask(world: &World<f64>, set: &Set, rays: &[Ray<f64>], answers: &mut [f32]) {
+/// Traces a set, and writes the answers in the form that [`rays::n_different`] compares.
+fn trace_single(world: &World<f64>, set: &Set, rays: &[Ray<f64>], answers: &mut [f32]) {
     for (ray, answer) in rays.iter().zip(answers) {
         *answer = match set.is_any_hit {
             true if world.occluded(Lecture, ray, &mut ()) => 0.0,
             true => f32::INFINITY,
             false => {
-                world.first(Lecture, ray, &mut ()).map_or(f32::INFINITY, |(_, met)| met.t as f32)
+                world.first(Lecture, ray, &mut ()).map_or(f32::INFINITY, |(_, hit)| hit.t as f32)
             }
         };
     }
 }
 
-/// The same of the primary rays of a picture, by packets.
-fn ask_together(world: &World<f64>, blocks: &[usize], rays: &[Ray<f64>], answers: &mut [f32]) {
+/// Traces the primary rays of a picture by packets, and writes the answers like [`trace_single`].
+fn trace_packets(world: &World<f64>, blocks: &[usize], rays: &[Ray<f64>], answers: &mut [f32]) {
     for places in blocks.as_chunks::<{ packet::MOST }>().0 {
         let rays = places.map(|place| rays[place]);
-        for (place, found) in places.iter().zip(world.first_together(&rays, &mut ())) {
-            answers[*place] = found.map_or(f32::INFINITY, |(_, met)| met.t as f32);
+        for (place, found) in places.iter().zip(world.first_of_packet(&rays, &mut ())) {
+            answers[*place] = found.map_or(f32::INFINITY, |(_, hit)| hit.t as f32);
         }
     }
 }

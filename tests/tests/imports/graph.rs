@@ -1,8 +1,8 @@
 //! The graph of imports between the source files of a crate.
 //!
 //! File A imports file B if the code of A names an item that B defines. A re-export is followed to
-//! the file that defines the item, so a `mod.rs` that only names what its folder offers imports
-//! nothing. Test modules do not count.
+//! the file that defines the item. A `mod.rs` that only re-exports the items of its folder
+//! therefore imports nothing. Test modules do not count.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -26,17 +26,17 @@ pub(super) struct Import {
 struct Module {
     /// The file, below the folder of sources.
     file: String,
-    /// Names of the items and of the modules that it defines.
+    /// The names of the items and of the modules that it defines.
     defined: BTreeSet<String>,
-    /// Whether macros define further items, whose names cannot be seen.
+    /// True if macros define further items, with names that cannot be seen.
     has_macros: bool,
-    /// What names stand for through `use`, with the paths as they are written.
+    /// The path behind each name that a `use` declares, as it is written.
     used: BTreeMap<String, Names>,
-    /// Modules of which all names are used.
+    /// The modules of which all names are used.
     globs: Vec<Names>,
-    /// Paths that its code names, as they are written.
+    /// The paths that its code names, as they are written.
     named: BTreeSet<Names>,
-    /// Names of private `use` declarations.
+    /// The names of private `use` declarations.
     imported: BTreeSet<String>,
 }
 
@@ -49,7 +49,7 @@ impl Graph {
     /// of their own and are left out.
     ///
     /// # Panics
-    /// Where a file cannot be read or parsed.
+    /// Panics if a file cannot be read or parsed.
     pub(super) fn of(folder: &str) -> Self {
         let texts = files(folder, "rs").into_iter().filter_map(|path| {
             let file = name(&path).strip_prefix(folder)?.trim_start_matches('/').to_owned();
@@ -63,7 +63,7 @@ impl Graph {
     /// Reads sources, each with its name below the folder of sources.
     ///
     /// # Panics
-    /// Where a text cannot be parsed.
+    /// Panics if a text cannot be parsed.
     pub(super) fn read(texts: impl Iterator<Item = (String, String)>) -> Self {
         let mut graph = Self::default();
         for (file, text) in texts {
@@ -127,7 +127,7 @@ impl Graph {
         groups.into_values().collect()
     }
 
-    /// Returns the path from the root that `path` means in the module at `place`; `None` where it
+    /// Returns the path from the root that `path` means in the module at `place`. `None` if it
     /// leaves the crate or names something local.
     fn full(&self, place: &[String], path: &[String], seen: &mut BTreeSet<Names>) -> Option<Names> {
         let (first, rest) = path.split_first()?;
@@ -156,8 +156,8 @@ impl Graph {
         }
     }
 
-    /// Returns the file that defines the item at `full`; `None` for a module and for what is not
-    /// of this crate.
+    /// Returns the file that defines the item at `full`. `None` for a module and for an item of
+    /// another crate.
     fn file_of(&self, full: &[String], seen: &mut BTreeSet<Names>) -> Option<String> {
         let n = (0..=full.len()).rev().find(|n| self.0.contains_key(&full[..*n]))?;
         let (place, module) = (&full[..n], &self.0[&full[..n]]);
@@ -226,11 +226,12 @@ impl Module {
     }
 }
 
-/// Collects the paths of more than one name, and those of one name that may be imported.
+/// A visitor that collects the paths of more than one name, and those of one name that may be
+/// imported.
 struct Paths<'a>(&'a mut BTreeSet<Names>);
 
 impl Paths<'_> {
-    /// Takes in the paths of a text that is not parsed.
+    /// Collects the paths in a text that is not parsed.
     fn scan(&mut self, text: &str) {
         let text = text.replace(" :: ", "::");
         let is_part = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
@@ -251,12 +252,13 @@ impl<'ast> Visit<'ast> for Paths<'_> {
         visit::visit_macro(self, one);
     }
 
-    /// Attributes such as `#[serde(with = "super::affine")]` name items in strings.
+    /// Collects the items that attributes such as `#[serde(with = "super::affine")]` name in
+    /// strings.
     fn visit_meta_list(&mut self, one: &'ast syn::MetaList) {
         self.scan(&one.tokens.to_string());
     }
 
-    /// Takes in a `use` within a function.
+    /// Collects a `use` within a function.
     fn visit_item_use(&mut self, one: &'ast ItemUse) {
         let mut module = Module::default();
         module.add_use(one);

@@ -1,10 +1,10 @@
-//! The rule that source files import each other one way.
+//! Tests that source files import each other in one direction only.
 
 mod graph;
 
 use graph::Graph;
 
-/// The only files that need each other: the recursion of the tracer, which the template teaches.
+/// The only files that need each other: the recursion of the tracer, which is part of the template.
 const RECURSION: &[&str] = &["student_template/src"];
 
 #[test]
@@ -22,6 +22,46 @@ fn no_two_files_need_each_other() {
         let said: Vec<String> = lines.collect();
         assert!(said.is_empty(), "{folder}\n{}", said.join("\n"));
     }
+}
+
+/// The wings of the reference. Each may import only from the ones before it.
+const WINGS: &[&str] = &[
+    "numbers", "lanes.rs", "rules", "rays", "bvh", "shapes", "watch", "light", "world", "trace",
+    "hard", "expect", "cost", "vary", "cli", "main.rs",
+];
+
+/// Returns the imports of `graph` that lead from a wing to a later one.
+fn wrong_ways(graph: &Graph, wings: &[&str]) -> Vec<String> {
+    let wing = |file: &str| {
+        let first = file.split('/').next().expect("a path");
+        wings.iter().position(|wing| *wing == first).unwrap_or_else(|| panic!("{file}: no wing"))
+    };
+    let is_part = |file: &str| !["lib.rs", "testing.rs"].contains(&file);
+    let imports = graph.imports();
+    let among = imports.iter().filter(|one| is_part(&one.from) && is_part(&one.to));
+    among
+        .filter(|one| wing(&one.from) < wing(&one.to))
+        .map(|one| format!("{} needs {} for {}", one.from, one.to, one.item))
+        .collect()
+}
+
+#[test]
+fn a_wing_of_the_reference_knows_only_wings_before_it() {
+    let found = wrong_ways(&Graph::of("reference/src"), WINGS);
+    assert!(found.is_empty(), "\n{}", found.join("\n"));
+}
+
+#[test]
+fn an_import_of_a_later_wing_is_found() {
+    let texts = [
+        ("lib.rs", "mod a;\nmod b;"),
+        ("a/mod.rs", "use crate::b::B;\npub struct A;"),
+        ("b/mod.rs", "pub struct B;"),
+    ];
+    let owned = |(file, text): (&str, &str)| (file.to_owned(), text.to_owned());
+    let graph = Graph::read(texts.into_iter().map(owned));
+    assert_eq!(wrong_ways(&graph, &["a", "b"]), ["a/mod.rs needs b/mod.rs for crate::b::B"]);
+    assert!(wrong_ways(&graph, &["b", "a"]).is_empty());
 }
 
 #[test]

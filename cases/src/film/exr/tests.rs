@@ -4,7 +4,7 @@ use super::*;
 
 const SIZE: (u32, u32) = (7, 5);
 
-/// Sixteenths, so that half precision loses nothing.
+/// Returns the multiples of `scale`. Half precision holds multiples of a sixteenth exactly.
 fn plane(name: &str, scale: f32, depth: Depth) -> Plane {
     Plane { name: name.to_owned(), samples: (0..35).map(|n| n as f32 * scale).collect(), depth }
 }

@@ -1,11 +1,11 @@
-//! The vectors of a mesh that can be used.
+//! Checks the vectors of a mesh.
 
 use glam::DVec3;
 
 use super::fault::Fault;
 use crate::scene::raw::numbers::{MAX_NUMBER, unit};
 
-/// Returns the position, if its coordinates can be used.
+/// Returns the position. A coordinate that is not finite or beyond [`MAX_NUMBER`] is a fault.
 pub(super) fn checked_position(position: DVec3) -> Result<DVec3, Fault> {
     if position.is_finite() && position.abs().max_element() <= MAX_NUMBER {
         return Ok(position);
@@ -15,7 +15,7 @@ pub(super) fn checked_position(position: DVec3) -> Result<DVec3, Fault> {
     Err(Fault::of_file(what, "correct the coordinate, or scale the mesh"))
 }
 
-/// Returns the unit vector along a normal of any length above 0.
+/// Returns the unit vector along a normal of any length above 0. Any other normal is a fault.
 pub(super) fn checked_normal(normal: DVec3) -> Result<DVec3, Fault> {
     let direction = if normal.is_finite() { unit(normal) } else { None };
     let help = "correct the normal, or leave all normals out with `smooth = false`";

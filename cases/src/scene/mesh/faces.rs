@@ -1,4 +1,4 @@
-//! The faces of a mesh file, in their order, and the triangles that they become.
+//! The faces of a mesh file, in file order, and their division into triangles.
 
 use glam::DVec3;
 
@@ -6,7 +6,8 @@ use super::fault::{Fault, Place};
 use super::polygon;
 use crate::scene::limits::MAX_TRIANGLES;
 
-/// Faces as lists of vertices. Triangles, of which most files have no others, take 12 bytes each.
+/// Faces as lists of vertices. Triangles are stored apart, in 12 bytes each: most files have no
+/// others.
 #[derive(Debug, Default)]
 pub(super) struct Faces {
     triangles: Vec<[u32; 3]>,
@@ -18,21 +19,21 @@ pub(super) struct Faces {
 /// A face of more than three corners.
 #[derive(Debug)]
 struct Polygon {
-    /// As many triangles come before it in the file.
+    /// Number of triangles that come before it in the file.
     after: usize,
-    /// Where its corners end in the list of all.
+    /// End of its corners in the list of all corners.
     end: usize,
-    /// The byte of the file at which it stands.
+    /// Offset of the face in the file.
     at: usize,
 }
 
 impl Faces {
-    /// Faces with room for so many triangles.
+    /// Returns an empty list with room for `n` triangles.
     pub(super) fn with_capacity(n: usize) -> Self {
         Self { triangles: Vec::with_capacity(n), ..Self::default() }
     }
 
-    /// Adds a face of three corners or more, which stands at this byte of the file.
+    /// Adds a face of three corners or more. `at` is its offset in the file.
     pub(super) fn push(&mut self, corners: &[u32], at: usize) {
         if let [a, b, c] = *corners {
             self.triangles.push([a, b, c]);
@@ -51,8 +52,8 @@ impl Faces {
     /// vertex.
     ///
     /// # Errors
-    /// A polygon has no certain surface, or the triangles are more than a scene may have. `place`
-    /// makes a place of the number of a face, from 0, and the byte at which it stands.
+    /// A polygon has no certain surface, or there are more triangles than a scene may have. `place`
+    /// makes a place of the number of a face, from 0, and its offset.
     pub(super) fn triangulate(
         self,
         vertices: &[DVec3],

@@ -1,17 +1,17 @@
-//! What is wrong with a mesh file, at which place, and what to do about it.
+//! The faults of mesh files: a place, a description, and a way to fix the fault.
 
-/// As many characters of a file are quoted in a message.
+/// Largest number of characters of a file that a message quotes.
 const MOST_QUOTED: usize = 80;
 
-/// What is wrong with a mesh file.
+/// A fault of a mesh file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{what}")]
 pub(super) struct Fault {
-    /// Where in the file it is.
+    /// The place in the file.
     pub place: Place,
-    /// What is there, in words that follow the place.
+    /// A description, in words that follow the place.
     pub what: String,
-    /// What to do about it.
+    /// A way to fix it.
     pub help: String,
 }
 
@@ -20,9 +20,9 @@ pub(super) struct Fault {
 pub(super) enum Place {
     /// The file as a whole.
     File,
-    /// A byte of a text, which people find by its line and column.
+    /// An offset in a text, which messages show as line and column.
     Text(usize),
-    /// A byte of the binary part, with the element that it belongs to, such as "face 3".
+    /// An offset in the binary part, and the element that it belongs to, such as "face 3".
     Binary(usize, String),
 }
 
@@ -32,12 +32,12 @@ impl Fault {
         Self { place: Place::File, what: what.into(), help: help.into() }
     }
 
-    /// Returns a fault at a byte of a text.
+    /// Returns a fault at an offset in a text.
     pub(super) fn at(byte: usize, what: impl Into<String>, help: impl Into<String>) -> Self {
         Self { place: Place::Text(byte), what: what.into(), help: help.into() }
     }
 
-    /// Returns the place and what is wrong there, in a file of these bytes that is called `name`.
+    /// Returns the place and the description, for a file of these bytes that is called `name`.
     pub(super) fn describe(&self, name: &str, bytes: &[u8]) -> String {
         match &self.place {
             Place::File => format!("{name}: {}", self.what),
@@ -52,7 +52,7 @@ impl Fault {
     }
 }
 
-/// Returns the line and the column of a byte, both from 1, the column in characters.
+/// Returns the line and the column of an offset, both from 1, the column in characters.
 ///
 /// A line ends with CR, LF, or CR and LF. Bytes that are not UTF-8 count as a character each.
 fn line_column(bytes: &[u8], at: usize) -> (usize, usize) {
@@ -68,7 +68,7 @@ fn line_column(bytes: &[u8], at: usize) -> (usize, usize) {
     (line, column)
 }
 
-/// Returns the bytes as text for a message, cut where it becomes long; what would not print is
+/// Quotes bytes as text in a message. A long text is cut, and characters that do not print are
 /// escaped.
 pub(super) fn quoted(bytes: &[u8]) -> String {
     let start = &bytes[..bytes.len().min(4 * MOST_QUOTED)];

@@ -5,7 +5,7 @@ use crate::scene::raw::numbers::Index;
 use crate::scene::raw::objects::RawMeshInline;
 use crate::scene::raw::read::Notes;
 
-/// Returns the mesh that `raw` lists. Every problem goes to `notes`, and then there is no mesh.
+/// Returns the mesh that `raw` lists, or `None` after noting every problem.
 pub(crate) fn inline(raw: &RawMeshInline, notes: &mut Notes) -> Option<Mesh> {
     let n_vertices = raw.vertices.len();
     let mut is_whole = true;

@@ -18,11 +18,11 @@ use crate::files;
 use fault::Fault;
 pub(crate) use inline::inline;
 
-/// The most bytes of a mesh file that are read.
+/// Largest size of a mesh file, in bytes.
 pub(crate) const MAX_MESH_BYTES: u64 = 64 << 20;
 
-/// Returns the mesh at `path`, which `raw` names. What is wrong is noted at the place that names
-/// the file.
+/// Returns the mesh at `path`, which `raw` names, or `None` after noting a problem where the file
+/// is named.
 pub(crate) fn read(raw: &RawMeshFile, path: &Path, notes: &mut Notes) -> Option<Mesh> {
     mesh(raw, path)
         .map_err(|(why, help)| {
@@ -32,7 +32,7 @@ pub(crate) fn read(raw: &RawMeshFile, path: &Path, notes: &mut Notes) -> Option<
         .ok()
 }
 
-/// Returns the mesh, or why there is none and what to do about it.
+/// Returns the mesh, or the reason why there is none and a way to fix it.
 fn mesh(raw: &RawMeshFile, path: &Path) -> Result<Mesh, (String, String)> {
     let refused = |why: &str, help: &str| Err((why.to_owned(), help.to_owned()));
     if Path::new(raw.file.as_str()).is_absolute() {
@@ -59,7 +59,7 @@ fn mesh(raw: &RawMeshFile, path: &Path) -> Result<Mesh, (String, String)> {
         .map_err(|fault| (fault.describe(&path.display().to_string(), &bytes), fault.help))
 }
 
-/// Returns the mesh, if it has triangles, and normals where they are needed.
+/// Returns the mesh if it has triangles, and normals where they are needed.
 fn usable(mesh: Mesh, needs_normals: bool) -> Result<Mesh, Fault> {
     if mesh.triangles.is_empty() {
         return Err(Fault::of_file(

@@ -2,7 +2,7 @@
 
 use super::fault::{Fault, quoted};
 
-/// A word of a text, with the byte at which it starts.
+/// A word of a text, and the offset at which it starts.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Word<'a> {
     pub at: usize,
@@ -16,7 +16,7 @@ impl Word<'_> {
     }
 }
 
-/// Returns where a text begins: behind a byte order mark of UTF-8, if there is one.
+/// Returns where a text begins: after a byte order mark of UTF-8, if there is one.
 ///
 /// # Errors
 /// The file is empty, or a text of UTF-16.
@@ -42,13 +42,12 @@ pub(super) fn is_end(byte: u8) -> bool {
     matches!(byte, b'\n' | b'\r')
 }
 
-/// Returns the decimal number, rounded to the nearest double; infinite where it is too large for
-/// one.
+/// Parses a decimal number, rounded to the nearest double; infinite if it is too large for one.
 pub(super) fn real(text: &[u8]) -> Option<f64> {
     std::str::from_utf8(text).ok()?.parse().ok()
 }
 
-/// Returns the decimal whole number; `None` also where 64 bits do not hold it.
+/// Parses a decimal whole number; `None` also if 64 bits do not hold it.
 pub(super) fn whole(text: &[u8]) -> Option<i64> {
     std::str::from_utf8(text).ok()?.parse().ok()
 }

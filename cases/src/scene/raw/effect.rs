@@ -1,4 +1,4 @@
-//! Names of effects as they are written.
+//! The names of effects in files.
 
 use std::borrow::Cow;
 

@@ -1,5 +1,5 @@
-//! Numbers of a file that carry their own preconditions: once read, nothing about them needs to be
-//! asked again.
+//! Numbers of a file, each of a type with its own precondition: a number that was read needs no
+//! further check.
 
 use std::borrow::Cow;
 
@@ -9,10 +9,10 @@ use toml::de::DeValue;
 
 use super::read::{Notes, Read, Value};
 
-/// The square of any number up to this still fits single precision, which tracers are free to use.
+/// Greatest absolute value of a number. Its square fits single precision, which tracers may use.
 pub(crate) const MAX_NUMBER: f64 = 1e18;
 
-/// Any number but NaN and infinity, of sensible size.
+/// Reads a number of at most [`MAX_NUMBER`] in absolute value. Messages call it `wanted`.
 pub(crate) fn finite(value: &Value<'_>, wanted: &str, notes: &mut Notes) -> Option<f64> {
     let number = match value.get_ref() {
         DeValue::Integer(integer) => {
@@ -26,14 +26,13 @@ pub(crate) fn finite(value: &Value<'_>, wanted: &str, notes: &mut Notes) -> Opti
     };
     let number = number.filter(|n: &f64| n.abs() <= MAX_NUMBER);
     if number.is_none() {
-        let label = format!("{wanted} is due here, at most {MAX_NUMBER:e} either way");
+        let label = format!("expected {wanted}, at most {MAX_NUMBER:e} in absolute value");
         notes.add(value.span(), "this number cannot be used", label);
     }
     number
 }
 
-/// Declares a type of number with what it is called in messages, its condition, and its JSON
-/// Schema.
+/// Declares types of numbers, each with its name in messages, its condition, and its JSON Schema.
 macro_rules! numbers {
     ($($(#[$meta:meta])* $name:ident($wanted:literal, $holds:expr, $schema:tt)),* $(,)?) => {$(
         $(#[$meta])*
@@ -52,7 +51,7 @@ macro_rules! numbers {
                 let holds: fn(f64) -> bool = $holds;
                 if !holds(number) {
                     let message = concat!("this is not ", $wanted);
-                        notes.add(value.span(), message, concat!($wanted, " is due here"));
+                    notes.add(value.span(), message, concat!("expected ", $wanted));
                     return None;
                 }
                 Some(Self(number))
@@ -78,7 +77,7 @@ macro_rules! numbers {
 numbers! {
     /// Any number.
     Number("a number", |_| true, { "type": "number" }),
-    /// A factor that undoes nothing: not zero.
+    /// A factor other than 0.
     Factor("a number other than 0", |x| x.abs() >= 1.0 / MAX_NUMBER, {
         "type": "number", "not": { "const": 0 }
     }),
@@ -88,7 +87,7 @@ numbers! {
     }),
     /// A coefficient.
     NonNegative("a number of at least 0", |x| x >= 0.0, { "type": "number", "minimum": 0 }),
-    /// A part of something.
+    /// A share, above 0 and below 1.
     Share(
         "a share above 0 and below 1",
         |x| x > 0.0 && x < 1.0,
@@ -102,7 +101,7 @@ numbers! {
     ),
 }
 
-/// Declares a type of three numbers: of which number it is made, and what makes the vector of them.
+/// Declares vector types, each with the type of its components and the function that makes it.
 macro_rules! vectors {
     ($($(#[$meta:meta])* $name:ident of $number:ident, $make:expr),* $(,)?) => {$(
         $(#[$meta])*
@@ -146,33 +145,33 @@ macro_rules! vectors {
 }
 
 vectors! {
-    /// A place or a displacement.
+    /// A position or a displacement.
     Point of Number, Ok,
-    /// A direction of any length but zero, as it stands.
-    Travel of Number, |v| if v == DVec3::ZERO { Err("a direction cannot be the zero \
-        vector") } else { Ok(v) },
-    /// A direction, made a unit vector.
+    /// A direction of any length but zero, which is not normalised.
+    Travel of Number,
+        |v| if v == DVec3::ZERO { Err("a direction cannot be the zero vector") } else { Ok(v) },
+    /// A direction, which is normalised.
     Direction of Number, |v| unit(v).ok_or("a direction cannot be the zero vector"),
     /// Linear RGB.
     Colour of NonNegative, Ok,
     /// A length for each axis, not all of them 0.
-    Reaches of NonNegative, |v| if v == DVec3::ZERO { Err("this moves nothing: leave it \
-        out") } else { Ok(v) },
+    Reaches of NonNegative,
+        |v| if v == DVec3::ZERO { Err("this moves nothing: leave it out") } else { Ok(v) },
     /// A factor for each axis.
     Factors of Factor, Ok,
 }
 
-/// The unit vector along `v`, whatever its length; `None` for zero.
+/// Returns the unit vector along `v`, or `None` if its largest component is 0 or not finite.
 pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
     let largest = v.abs().max_element();
     if v.length() == 1.0 {
-        // What an author wrote as a unit vector stays as written, to the last bit.
+        // A unit vector in a file is kept to the last bit.
         return Some(v);
     }
     (largest > 0.0 && largest.is_finite()).then(|| (v / largest).normalize())
 }
 
-/// A whole number from `least` to `most`.
+/// Reads a whole number from `least` to `most`.
 pub(crate) fn whole(value: &Value<'_>, least: u64, most: u64, notes: &mut Notes) -> Option<u64> {
     let wanted = format!("a whole number from {least} to {most}");
     let DeValue::Integer(integer) = value.get_ref() else {
@@ -182,12 +181,12 @@ pub(crate) fn whole(value: &Value<'_>, least: u64, most: u64, notes: &mut Notes)
     let number = u64::from_str_radix(integer.as_str(), integer.radix()).ok();
     let number = number.filter(|n| (least..=most).contains(n));
     if number.is_none() {
-        notes.add(value.span(), format!("this is not {wanted}"), format!("{wanted} is due here"));
+        notes.add(value.span(), format!("this is not {wanted}"), format!("expected {wanted}"));
     }
     number
 }
 
-/// Declares a type of whole number with its least and greatest value.
+/// Declares types of whole numbers, each with its least and its greatest value.
 macro_rules! counts {
     ($($(#[$meta:meta])* $name:ident($type:ty, $least:expr, $most:expr)),* $(,)?) => {$(
         $(#[$meta])*
@@ -219,7 +218,7 @@ macro_rules! counts {
 counts! {
     /// Pixels in a row, or rows.
     Side(u32, 1, 16384),
-    /// Depth of recursion: beyond this even a single path is longer than any picture shows.
+    /// Depth of recursion. No picture shows a path that is longer than the greatest depth.
     Depth(u32, 0, 64),
     /// An index into a list.
     Index(u32, 0, u64::from(u32::MAX)),
@@ -243,14 +242,14 @@ impl Read for Points {
         };
         let points = thousandths(text);
         if points.is_none() {
-            let label = "a number from 0 to 1000 with at most three decimals is due here";
+            let label = "expected a number from 0 to 1000 with at most three decimals";
             notes.add(value.span(), "these points cannot be counted", label);
         }
         points.map(Self)
     }
 }
 
-/// The decimal number as it stands in the file, exactly: no rounding on the way to thousandths.
+/// Returns a decimal number as it is written in thousandths, without rounding.
 fn thousandths(text: &str) -> Option<u64> {
     let (whole, decimals) = text.split_once('.').unwrap_or((text, ""));
     let decimals = decimals.trim_end_matches('0');

@@ -6,22 +6,22 @@ use serde_json::json;
 use super::numbers::{Direction, Factor, Factors, Index, NonNegative, Number, Point, Size, Travel};
 use super::read::{At, Each, Notes, Read, Value, choice, table};
 
-/// The keys of an object of which it has exactly one.
+/// The keys of shapes. An object has exactly one of them.
 pub(crate) const SHAPES: [&str; 8] =
     ["sphere", "square", "box", "plane", "cylinder", "cone", "mesh", "group"];
 
 table! {
-    /// A thing in the scene: exactly one shape, or a group of objects.
+    /// An object of the scene: exactly one shape, or a group of objects.
     #[schemars(transform = exactly_one_shape)]
     "an object" RawObject {
-        /// Its name in messages and ray trees, once in the scene. Left out: its place, such as
+        /// Name in messages and ray trees, which no other object has. Left out: its place, such as
         /// `objects[3]`.
         name: Option<At<String>>,
-        /// The name of its material. In a group: the material of those of its objects that have
-        /// none themselves.
+        /// Name of the material. In a group: the material of the objects in it that have none
+        /// themselves.
         material: Option<At<String>>,
-        /// What takes it from object space to world space: applied in order, the first listed acts
-        /// first. [rule 20]
+        /// Transforms from object space to world space. They are applied in order: the first one
+        /// acts first. [rule 20]
         transforms: Each<At<RawTransform>> = "[]",
         /// A sphere. [rule 14]
         sphere: Option<RawSphere>,
@@ -38,13 +38,13 @@ table! {
         cone: Option<RawCone>,
         /// Triangles: inline, or from a file. [rule 16]
         mesh: Option<At<RawMesh>>,
-        /// Objects that are moved together: each one's own transforms act first, then the group's.
+        /// Objects that are moved together, first by their own transforms and then by the group's.
         group: Option<Each<At<RawObject>>>,
     } exactly one of SHAPES
 }
 
 impl RawObject {
-    /// Whether a part of the object, or of an object in its group, could not be read.
+    /// Returns whether a part of the object, or of an object in its group, could not be read.
     pub(crate) fn has_hole(&self) -> bool {
         self.is_shapeless()
             || self.transforms.has_hole()
@@ -59,12 +59,12 @@ impl RawObject {
     }
 }
 
-/// Whether one of `objects`, or a part of one, could not be read.
+/// Returns whether one of `objects`, or a part of one, could not be read.
 pub(crate) fn any_hole(objects: &Each<At<RawObject>>) -> bool {
     objects.0.iter().any(|object| object.as_ref().is_none_or(|object| object.has_hole()))
 }
 
-/// Says in the schema that an object has exactly one shape.
+/// Adds to the schema that an object has exactly one shape.
 fn exactly_one_shape(schema: &mut Schema) {
     schema.insert(
         "oneOf".to_owned(),
@@ -73,7 +73,7 @@ fn exactly_one_shape(schema: &mut Schema) {
 }
 
 table! {
-    /// ‖X − center‖ = radius. [rule 14]
+    /// The sphere ‖X − center‖ = radius. [rule 14]
     "a sphere" RawSphere {
         /// Center.
         center: Point = "[0, 0, 0]",
@@ -88,7 +88,7 @@ table! {
 }
 
 table! {
-    /// min ≤ X ≤ max. [rule 15]
+    /// The box min ≤ X ≤ max. [rule 15]
     "a box" RawBox {
         /// Least corner.
         min: Point = "[-0.5, -0.5, -0.5]",
@@ -98,9 +98,9 @@ table! {
 }
 
 table! {
-    /// N·X = k. [rule 15]
+    /// The plane N·X = k. [rule 15]
     "a plane" RawPlane {
-        /// N, of any length: normal and k are divided by it.
+        /// N, of any length. Normal and k are divided by this length.
         normal: Travel,
         /// k.
         k: Number,
@@ -108,7 +108,7 @@ table! {
 }
 
 table! {
-    /// x² + y² = radius², z_min ≤ z ≤ z_max.
+    /// The cylinder x² + y² = radius², z_min ≤ z ≤ z_max.
     "a cylinder" RawCylinder {
         /// Radius.
         radius: Size = "0.5",
@@ -122,7 +122,7 @@ table! {
 }
 
 table! {
-    /// A cylinder whose radius goes linearly from one end to the other.
+    /// A cylinder whose radius changes linearly from one end to the other.
     "a cone" RawCone {
         /// Radius at `z_min`; may be 0.
         bottom_radius: NonNegative = "0.5",
@@ -163,57 +163,56 @@ table! {
         /// Path to a Wavefront `.obj` or a `.ply` file, relative to the folder of this file. Its
         /// polygons are cut into triangles.
         file: At<String>,
-        /// With `false` the vertex normals of the file are not looked at; with `true` it must have
+        /// With `false`, the vertex normals of the file are ignored. With `true`, it must have
         /// them. Left out: they are used if the file has them. [rule 18]
         smooth: Option<bool>,
     }
 }
 
 table! {
-    /// A mesh written out; the normal of a triangle (A, B, C) is along (B − A) × (C − A).
+    /// A mesh in the file. The normal of a triangle (A, B, C) is along (B − A) × (C − A).
     "a mesh" RawMeshInline {
         /// Corners.
         vertices: Vec<Point>,
-        /// Three indices into `vertices` each, the first vertex being 0. A triangle without area is
+        /// Triangles, each as three indices into `vertices`, from 0. A triangle without area is
         /// never hit.
         triangles: Vec<At<[Index; 3]>>,
-        /// A normal for every vertex, of any length; with them the mesh is smooth, without them
-        /// flat. [rule 18]
+        /// A normal of any length for every vertex. A mesh is smooth with them, and flat without
+        /// them. [rule 18]
         normals: Option<At<Vec<Direction>>>,
     }
 }
 
 choice! {
-    /// A step from object space to world space: exactly one of these.
+    /// A step from object space to world space: exactly one of these keys.
     "a transform" RawTransform {
         /// Moves by a vector.
         "translate" Translate(Point),
-        /// Turns about an axis through the origin.
+        /// Rotates about an axis through the origin.
         "rotate" Rotate(RawRotation),
-        /// Scales about the origin: by one factor, or by one for each axis. Below 0 mirrors; 0 is
-        /// refused.
+        /// Scales about the origin by one factor, or by one for each axis. A factor below 0
+        /// mirrors; 0 is an error.
         "scale" Scale(RawScale),
-        /// Slants.
+        /// Shears.
         "shear" Shear(RawShear),
-        /// Any affine map, as four rows of four numbers that act on a column (x, y, z, 1); the last
+        /// Any affine map, as four rows of four numbers that act on a column (x, y, z, 1). The last
         /// row is [0, 0, 0, 1].
         "matrix" Matrix([[Number; 4]; 4]),
     }
 }
 
 table! {
-    /// A turn about an axis through the origin.
+    /// A rotation about an axis through the origin.
     "a rotation" RawRotation {
-        /// The axis; any length.
+        /// The axis, of any length.
         axis: Direction,
-        /// Degrees, counter-clockwise as seen from the tip of the axis. Multiples of 90 turn
-        /// exactly.
+        /// Degrees, counter-clockwise as seen from the tip of the axis. Multiples of 90 are exact.
         angle_deg: Number,
     }
 }
 
 table! {
-    /// A slant: `xy = 0.5` adds 0.5 y to x, and so on; all at once.
+    /// A shear: `xy = 0.5` adds 0.5 y to x, and so on. All terms act at once.
     "a shear" RawShear {
         /// y added to x.
         xy: Number = "0",

@@ -1,5 +1,5 @@
-//! Reading typed values out of parsed TOML, where no problem stops the reading: it is noted, and
-//! the rest is read as well.
+//! Reads typed values from parsed TOML. A problem is noted and stops nothing: the rest is read as
+//! well.
 
 use std::collections::BTreeMap;
 use std::ops::{Deref, Range};
@@ -11,15 +11,15 @@ use toml::de::{DeTable, DeValue};
 
 use crate::problem::{MAX_PROBLEMS, Problem, Problems, Source, did_you_mean, quoted};
 
-/// A value as the parser gives it, with its place.
+/// A parsed value with its position in the file.
 pub(crate) type Value<'i> = Spanned<DeValue<'i>>;
 
-/// The problems of one file, as they are found.
+/// The problems of one file, in the order in which they are found.
 #[derive(Debug)]
 pub(crate) struct Notes {
     source: Arc<Source>,
     problems: Vec<Problem>,
-    /// Problems that were added, of which at most [`MAX_PROBLEMS`] are kept.
+    /// Number of problems added, of which at most [`MAX_PROBLEMS`] are kept.
     n_added: usize,
 }
 
@@ -28,7 +28,8 @@ impl Notes {
         Self { source, problems: vec![], n_added: 0 }
     }
 
-    /// Notes a problem at `span` (an empty one is the file as a whole); the result takes the help.
+    /// Notes a problem at `span` and returns it, so that the caller can add help. An empty span
+    /// stands for the whole file.
     pub(crate) fn add(
         &mut self,
         span: Range<usize>,
@@ -37,8 +38,8 @@ impl Notes {
     ) -> &mut Problem {
         let span = (!span.is_empty()).then_some(span);
         self.n_added += 1;
-        // Beyond the limit each problem replaces the last one: what is lost is only text that
-        // nobody would read.
+        // Beyond the limit each problem replaces the last one. Only text that nobody would read is
+        // lost.
         self.problems.truncate(MAX_PROBLEMS - 1);
         let source = Arc::clone(&self.source);
         let at = self.problems.len();
@@ -53,19 +54,16 @@ impl Notes {
         &mut self.problems[at]
     }
 
-    /// Whether so many problems are known that no other one is kept.
+    /// Returns whether the limit is reached, so that a further problem replaces the last one.
     fn is_full(&self) -> bool {
         self.problems.len() >= MAX_PROBLEMS
     }
 
-    /// Notes that `value` is not `wanted`, such as "a number".
+    /// Notes that `value` is not `wanted`, which is a phrase such as "a number".
     pub(crate) fn wrong(&mut self, value: &Value<'_>, wanted: &str) -> &mut Problem {
         let found = kind(value.get_ref());
-        self.add(
-            value.span(),
-            format!("this is {found}, not {wanted}"),
-            format!("{wanted} is due here"),
-        )
+        let message = format!("this is {found}, not {wanted}");
+        self.add(value.span(), message, format!("expected {wanted}"))
     }
 
     /// Returns the number of problems so far, which never falls.
@@ -73,7 +71,7 @@ impl Notes {
         self.n_added
     }
 
-    /// `value`, if nothing was noted.
+    /// Returns `value` if no problem was noted, or all problems.
     pub(crate) fn finish<T>(self, value: Option<T>) -> Result<T, Problems> {
         match (Problems::new(self.problems), value) {
             (Some(problems), _) => Err(problems),
@@ -97,19 +95,20 @@ fn kind(value: &DeValue<'_>) -> &'static str {
     }
 }
 
-/// What can be read from a value.
+/// A type that can be read from a TOML value.
 pub(crate) trait Read: Sized {
-    /// The value, or `None` once what is wrong has been noted.
+    /// Returns the value, or `None` after noting the problem.
     fn read(value: &Value<'_>, notes: &mut Notes) -> Option<Self>;
 
-    /// What stands for a missing key; by default the key is required, and its absence noted.
+    /// Returns the value for a missing key. By default the key is required: its absence is noted,
+    /// and the result is `None`.
     fn absent(key: &str, table: &Table<'_>, notes: &mut Notes) -> Option<Self> {
         table.miss(key, notes);
         None
     }
 }
 
-/// A value with its place in the file.
+/// A value with its byte range in the file.
 #[derive(Clone, Debug)]
 pub(crate) struct At<T> {
     pub(crate) value: T,
@@ -130,7 +129,7 @@ impl<T: Read> Read for At<T> {
     }
 }
 
-/// An optional key. What is there but wrong is noted, and left out.
+/// An optional key. A value that is wrong is noted and becomes `None`.
 impl<T: Read> Read for Option<T> {
     fn read(value: &Value<'_>, notes: &mut Notes) -> Option<Self> {
         Some(T::read(value, notes))
@@ -141,7 +140,8 @@ impl<T: Read> Read for Option<T> {
     }
 }
 
-/// A required key whose failure, once noted, does not keep its neighbours from being looked at.
+/// A required key whose failure does not stop the reading of its table. A value that is wrong or
+/// missing is noted and becomes `None`.
 #[derive(Clone, Debug)]
 pub(crate) struct Maybe<T>(pub(crate) Option<T>);
 
@@ -156,7 +156,7 @@ impl<T: Read> Read for Maybe<T> {
     }
 }
 
-/// A list, whole or not at all.
+/// A list, which is read only if all of its items can be read.
 impl<T: Read> Read for Vec<T> {
     fn read(value: &Value<'_>, notes: &mut Notes) -> Option<Self> {
         let Some(items) = value.get_ref().as_array() else {
@@ -168,12 +168,12 @@ impl<T: Read> Read for Vec<T> {
     }
 }
 
-/// A list of which wrong items are noted and stand as `None`, so that the others keep their places.
+/// A list in which wrong items are noted and become `None`, so that the others keep their indices.
 #[derive(Clone, Debug)]
 pub(crate) struct Each<T>(pub(crate) Vec<Option<T>>);
 
 impl<T> Each<T> {
-    /// Whether an item is missing because it could not be read.
+    /// Returns whether an item is missing because it could not be read.
     pub(crate) fn has_hole(&self) -> bool {
         self.0.iter().any(Option::is_none)
     }
@@ -186,7 +186,7 @@ impl<T: Read> Read for Each<T> {
     }
 }
 
-/// A table whose keys are names that the author chooses.
+/// A table whose keys are names that the author chooses. An item that cannot be read is left out.
 impl<T: Read> Read for BTreeMap<String, T> {
     fn read(value: &Value<'_>, notes: &mut Notes) -> Option<Self> {
         let Some(entries) = value.get_ref().as_table() else {
@@ -210,7 +210,7 @@ impl<T: Read, const N: usize> Read for [T; N] {
             Some(items) if items.len() == N => Vec::read(value, notes)?.try_into().ok(),
             Some(items) => {
                 let label = format!("{} here", items.len());
-                notes.add(value.span(), format!("a list of {N} is due here"), label);
+                notes.add(value.span(), format!("this is not a list of {N}"), label);
                 None
             }
             None => {
@@ -241,7 +241,7 @@ impl Read for String {
     }
 }
 
-/// A table that is being read, for the keys that its type knows.
+/// A table that is being read by a type with known keys.
 pub(crate) struct Table<'a> {
     what: &'static str,
     span: Range<usize>,
@@ -250,8 +250,8 @@ pub(crate) struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// Opens `value`, which is to be `what` (as "a camera"), and notes the keys that are not among
-    /// `known`.
+    /// Opens `value` as `what`, which is a phrase such as "a camera". Notes the keys that are not
+    /// among `known`.
     pub(crate) fn open(
         what: &'static str,
         known: &[&'a str],
@@ -273,8 +273,8 @@ impl<'a> Table<'a> {
 
     fn refuse(&mut self, key: &str, span: Range<usize>, known: &[&'a str], notes: &mut Notes) {
         if notes.is_full() {
-            // A file of a million unknown keys is not searched for a million suggestions that
-            // nobody reads.
+            // No suggestion is searched for: a file may have a million unknown keys, and nobody
+            // would read a million suggestions.
             notes.add(span, format!("unknown key `{key}`"), "");
             return;
         }
@@ -289,7 +289,7 @@ impl<'a> Table<'a> {
             Some(meant) => format!("did you mean `{meant}`?"),
             None => format!("its keys are {}", quoted(known.iter().copied())),
         });
-        // The one mistake is not to be reported twice, as an unknown key and as a missing one.
+        // One mistake must not be reported twice, as an unknown key and as a missing one.
         self.excused.extend(meant);
     }
 
@@ -305,7 +305,7 @@ impl<'a> Table<'a> {
         self.span.clone()
     }
 
-    /// The value of `key`, or what stands for it where it is missing.
+    /// Reads the value of `key`. A missing key has the value that its type gives.
     pub(crate) fn field<T: Read>(&self, key: &str, notes: &mut Notes) -> Option<T> {
         match self.entry(key) {
             Some(value) => T::read(value, notes),
@@ -313,7 +313,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// The value of `key`, or `default`, which is written as in a file.
+    /// Reads the value of `key`, or of `default`, which is TOML text, if the key is missing.
     pub(crate) fn field_or<T: Read>(
         &self,
         key: &str,
@@ -335,12 +335,12 @@ impl<'a> Table<'a> {
     }
 }
 
-/// Keys as they stand in a file: `r#box` is written `box`.
+/// Returns a key as it is written in a file: `r#box` becomes `box`.
 pub(crate) fn plain(key: &'static str) -> &'static str {
     key.strip_prefix("r#").unwrap_or(key)
 }
 
-/// The JSON form of a default that is written as in a file, for the schema.
+/// Returns the JSON form of a default that is TOML text, for the schema; `null` for other text.
 pub(crate) fn json(default: &str) -> serde_json::Value {
     toml::from_str::<BTreeMap<String, serde_json::Value>>(&format!("it = {default}"))
         .ok()
@@ -348,9 +348,9 @@ pub(crate) fn json(default: &str) -> serde_json::Value {
         .unwrap_or_default()
 }
 
-/// Declares a table of a file once: its type, how it is read, and its schema. A field is
-/// `key: Type`, or `key: Type = "default as in a file"`; an optional key without a default is an
-/// `Option`. `exactly one of` a list of its keys has to be there.
+/// Declares a table of a file once: its type, its reader and its schema. A field is `key: Type`, or
+/// `key: Type = "default as in a file"`; an optional key without a default is an `Option`. With
+/// `exactly one of`, exactly one of the listed keys has to be present.
 macro_rules! table {
     ($(#[$meta:meta])* $what:literal $name:ident {
         $( $(#[$field_meta:meta])* $field:ident : $type:ty $(= $default:literal)? ),* $(,)?
@@ -388,7 +388,7 @@ macro_rules! table {
     };
 }
 
-/// Declares a table with exactly one key out of several: an enum, how it is read, and its schema.
+/// Declares a table with exactly one of several keys: an enum, its reader and its schema.
 macro_rules! choice {
     ($(#[$meta:meta])* $what:literal $name:ident {
         $( $(#[$variant_meta:meta])* $key:literal $variant:ident ( $type:ty ) ),* $(,)?
@@ -419,7 +419,7 @@ macro_rules! choice {
 pub(crate) use {choice, table};
 
 impl Table<'_> {
-    /// The one of `keys` that is there; none or several are noted.
+    /// Returns the one of `keys` that is present. None or several are noted.
     pub(crate) fn only_one_of(
         &self,
         keys: &[&'static str],
@@ -445,7 +445,7 @@ impl Table<'_> {
     }
 }
 
-/// Wrappers of reading leave the schema as it is.
+/// Gives wrappers the schema of the wrapped type.
 macro_rules! transparent_schema {
     ($($wrapper:ident => $inner:ty),*) => {$(
         impl<T: JsonSchema> JsonSchema for $wrapper<T> {
@@ -470,10 +470,10 @@ macro_rules! transparent_schema {
 
 transparent_schema!(At => T, Maybe => T, Each => Vec<T>);
 
-/// Characters of a message, which may quote a word of any length.
+/// Largest number of characters of a message, which may quote a word of any length.
 const MAX_MESSAGE: usize = 1000;
 
-/// Returns a message that people can read. A longer one ends in `…`.
+/// Shortens a message to [`MAX_MESSAGE`] characters. A shortened message ends in `…`.
 fn abridged(message: String) -> String {
     match message.char_indices().nth(MAX_MESSAGE) {
         Some((end, _)) => format!("{}…", &message[..end]),

@@ -1,4 +1,4 @@
-//! How far the numbers of a case may be moved, as it is written: the `[vary]` table.
+//! The `[vary]` table as it is written: how far the numbers of a case may be moved.
 
 use schemars::JsonSchema;
 
@@ -6,13 +6,13 @@ use super::numbers::{Reaches, Share, Size};
 use super::read::{At, Notes, Read, Value, table};
 
 table! {
-    /// How far `reference vary` may move the numbers of this case, up or down. A kind of number
-    /// that is left out here is not moved. Neither is a number that does not stand in the case
-    /// file: `vary` never moves a default.
+    /// The `[vary]` table bounds how far `reference vary` may move the numbers of this case, up or
+    /// down. It moves only the kinds of number listed here, and only numbers that the case file
+    /// gives. It never moves a default.
     "`[vary]`" RawVary {
         /// The eye: scene units, for all axes or for each.
         eye: Option<Reach>,
-        /// The point looked at: scene units, for all axes or for each.
+        /// The point at which the camera looks: scene units, for all axes or for each.
         look_at: Option<Reach>,
         /// The angle of view: degrees.
         fov_y_deg: Option<Size>,
@@ -21,23 +21,23 @@ table! {
         /// Each component of a directional light's direction: a share of the longest component.
         directions: Option<Share>,
         /// Spheres with a `center`, boxes with `min` and `max`, planes and inline meshes, each as a
-        /// whole; those without transforms: scene units, for all axes or for each.
+        /// whole. Objects with transforms do not move. Scene units, for all axes or for each.
         objects: Option<Reach>,
         /// Radii: a share of each.
         radii: Option<Share>,
-        /// Translations in lists of transforms: units of the space moved in, for all axes or for
-        /// each.
+        /// Translations in lists of transforms: units of the space in which they move, for all axes
+        /// or for each.
         translate: Option<Reach>,
         /// Angles in lists of transforms: degrees.
         angle_deg: Option<Size>,
         /// Factors of `scale` and amounts of `shear` in lists of transforms: a share of each.
         scale: Option<Share>,
-        /// Each channel of a colour, by at most half of itself; 0 and 1 stay, and no channel
+        /// Each channel of a colour, by at most half of its value. 0 and 1 stay, and no channel
         /// crosses 1.
         colours: Option<Size>,
         /// Indices of refraction.
         indices: Option<Size>,
-        /// Names of materials and objects of which nothing is moved.
+        /// Names of materials and objects whose numbers are not moved.
         keep: Vec<At<String>> = "[]",
     }
 }

@@ -1,4 +1,4 @@
-//! The guards against a table of attacks, every character there is, and arbitrary text.
+//! Tests of the guards with a table of attacks, every character, and arbitrary text.
 
 use proptest::prelude::*;
 
@@ -54,6 +54,16 @@ fn names_are_one_short_line() {
 }
 
 #[test]
+fn no_cell_is_a_formula() {
+    for text in ["=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1", "\n=1"] {
+        assert_eq!(csv_cell(text), format!("'{text}"), "{text:?}");
+    }
+    for text in ["", "ann", "1-1", "'=1", " =1", "a\n=1"] {
+        assert_eq!(csv_cell(text), text);
+    }
+}
+
+#[test]
 fn json_keeps_its_value() {
     let text = "{\"a\\\\##[error]\": \"\u{202e}\u{9b}\u{10ffff}::x\"}\n";
     let guarded = json(text);
@@ -64,7 +74,7 @@ fn json_keeps_its_value() {
     );
 }
 
-/// The characters that XML 1.0 allows.
+/// Returns whether XML 1.0 allows the character.
 fn is_xml(c: char) -> bool {
     matches!(c, '\t' | '\n' | '\r' | '\u{20}'..='\u{d7ff}')
         || matches!(c, '\u{e000}'..='\u{fffd}' | '\u{10000}'..)
@@ -84,8 +94,8 @@ fn every_character_comes_out_as_one_that_shows() {
     assert!(!is_xml('\u{fffe}') && !is_xml('\u{b}'), "the check finds nothing");
 }
 
-/// Whether one of the log readers obeys a line. They compare by the rules of a language, which
-/// drop characters that do not show, and they take every kind of line break.
+/// Returns whether one of the log readers obeys a line of `text`. The readers compare by the rules
+/// of a language, which drop invisible characters, and accept every kind of line break.
 fn is_obeyed(text: &str) -> bool {
     text.split(['\n', '\r', '\u{b}', '\u{c}', '\u{85}', '\u{2028}', '\u{2029}']).any(|line| {
         let seen: String = line.chars().filter(|c| !is_hidden(*c) || *c == '\t').collect();
@@ -94,7 +104,7 @@ fn is_obeyed(text: &str) -> bool {
     })
 }
 
-/// Text of the characters that attacks are made of.
+/// Returns a strategy for text made of the pieces that attacks use.
 fn attack() -> impl Strategy<Value = String> {
     let pieces = [
         "::", ":", "##", "#", "[", "]", "vso", "teamcity", "error", " ", "\n", "\t", "\r",

@@ -1,8 +1,8 @@
-//! Anti-aliased pictures: several rays a pixel, or a filter over the finished picture. Their edges
-//! are not wrong, but not asked for either.
+//! Anti-aliased pictures, made by several rays per pixel or by a filter over the finished picture.
+//! Their edges are not wrong, but not requested either.
 //!
-//! Where a graded picture takes the light at the pixel's centre, an anti-aliased one takes a mean
-//! over the pixel and a little around it. Away from edges that is the same. At an edge it lies
+//! A graded picture has the light at the centre of each pixel. An anti-aliased one has a mean over
+//! the pixel and a little around it. Away from edges both are equal. At an edge the mean lies
 //! between the values on both sides, and nearer to the side of the centre:
 //!
 //! ```text
@@ -14,48 +14,48 @@
 use cases::answer::ImageAnswer;
 use cases::film::{Image, level};
 
-/// At most one pixel of so many that are out may be left unexplained: what is thinner than a pixel
-/// shows only to several rays.
+/// Bound on unexplained pixels: at most one in this many out pixels, because a feature thinner than
+/// a pixel shows only to several rays.
 const UNEXPLAINED: u32 = 8;
-/// At least one pixel of so many that are out must lie at a clear step: slopes look alike in a mean
-/// and in a shift.
+/// Bound on pixels at clear steps: at least one in this many out pixels. Slopes look the same in a
+/// mean and in a shift.
 const AT_STEPS: u32 = 16;
-/// At least one pixel of so many at steps must lie well between both sides.
+/// Bound on pixels well between both sides: at least one in this many pixels at steps.
 const BETWEEN: u32 = 3;
-/// At most one pixel of so many at steps may have the value of the far side.
+/// Bound on pixels with the value of the far side: at most one in this many pixels at steps.
 const FLIPPED: u32 = 5;
-/// Fewer pixels at steps prove nothing.
+/// The least number of pixels at steps; fewer prove nothing.
 const LEAST: u32 = 8;
-/// Levels between the sides of a clear step.
+/// The least height of a clear step, in levels.
 const STEP: f64 = 24.0;
-/// Each side of a clear step is flat within this share of it, and a pixel is well between if it is
-/// farther than this from both.
+/// The flatness of a clear step, as a share of its height. Each side varies by at most this share,
+/// and a pixel is well between if it is farther than this from both.
 const FLAT: f64 = 0.2;
 
-/// How a pixel that is out stands to its neighbours.
+/// The relation of an out pixel to its neighbours in the answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Stands {
-    /// Outside what they show.
+enum Relation {
+    /// The pixel is outside the range of its neighbours.
     Apart,
-    /// Within, where there is no clear step.
+    /// The pixel is within the range, and there is no clear step.
     Within,
-    /// At a clear step, near its own side.
+    /// The pixel is at a clear step, near its own side.
     Near,
-    /// At a clear step, well between both sides.
+    /// The pixel is at a clear step, well between both sides.
     Between,
-    /// At a clear step, on the far side.
+    /// The pixel is at a clear step, on the far side.
     Flipped,
 }
 
-/// Which of the pixels that are `out` are so because the picture is anti-aliased; `None` where it
-/// is not, or not to be told.
+/// Returns which of the `out` pixels are out because the picture is anti-aliased. `None` if the
+/// picture is not anti-aliased, or if too few pixels lie at steps to decide.
 pub(super) fn smoothed(actual: &Image, answer: &ImageAnswer, out: &[bool]) -> Option<Vec<bool>> {
-    let stand = |n: usize| if out[n] { stands(actual, answer, n) } else { Stands::Apart };
-    let all: Vec<Stands> = (0..out.len()).map(stand).collect();
-    let count = |wanted: Stands| all.iter().filter(|one| **one == wanted).count() as u32;
+    let stand = |n: usize| if out[n] { classify(actual, answer, n) } else { Relation::Apart };
+    let all: Vec<Relation> = (0..out.len()).map(stand).collect();
+    let count = |wanted: Relation| all.iter().filter(|one| **one == wanted).count() as u32;
     let n_out = out.iter().filter(|is_out| **is_out).count() as u32;
     let [within, near, between, flipped] =
-        [Stands::Within, Stands::Near, Stands::Between, Stands::Flipped].map(count);
+        [Relation::Within, Relation::Near, Relation::Between, Relation::Flipped].map(count);
     let n_steps = near + between + flipped;
     let n_unexplained = n_out - within - n_steps;
     let is_smoothed = n_steps >= LEAST
@@ -63,14 +63,15 @@ pub(super) fn smoothed(actual: &Image, answer: &ImageAnswer, out: &[bool]) -> Op
         && n_unexplained * UNEXPLAINED <= n_out
         && between * BETWEEN >= n_steps
         && flipped * FLIPPED <= n_steps;
-    is_smoothed.then(|| all.iter().map(|one| *one != Stands::Apart).collect())
+    is_smoothed.then(|| all.iter().map(|one| *one != Relation::Apart).collect())
 }
 
-/// How the pixel `n` stands to the 3 × 3 pixels around it in the answer.
-fn stands(actual: &Image, answer: &ImageAnswer, n: usize) -> Stands {
+/// Classifies the pixel `n` against the 3 × 3 pixels around it in the answer. A colour that is not
+/// finite is [`Relation::Apart`].
+fn classify(actual: &Image, answer: &ImageAnswer, n: usize) -> Relation {
     let colour = actual.pixels()[n];
     if !colour.is_finite() {
-        return Stands::Apart;
+        return Relation::Apart;
     }
     let around = around(n, actual.width() as usize, actual.height() as usize);
     let slack = answer.limits.slack;
@@ -80,7 +81,7 @@ fn stands(actual: &Image, answer: &ImageAnswer, n: usize) -> Stands {
         (lo - slack..=hi + slack).contains(&level(colour[channel]))
     };
     if !(0..3).all(is_within) {
-        return Stands::Apart;
+        return Relation::Apart;
     }
     let levels =
         |channel: usize| around.iter().map(move |at| level(answer.expected.pixels()[*at][channel]));
@@ -93,17 +94,17 @@ fn stands(actual: &Image, answer: &ImageAnswer, n: usize) -> Stands {
     let ((lo, hi), step) = (ends(steepest), height(steepest));
     let is_flat = levels(steepest).all(|one| one - lo <= FLAT * step || hi - one <= FLAT * step);
     if step < STEP || !is_flat {
-        return Stands::Within;
+        return Relation::Within;
     }
     let expected = level(answer.expected.pixels()[n][steepest]);
     match (level(colour[steepest]) - expected).abs() / step {
-        moved if moved < FLAT => Stands::Near,
-        moved if moved <= 1.0 - FLAT => Stands::Between,
-        _ => Stands::Flipped,
+        moved if moved < FLAT => Relation::Near,
+        moved if moved <= 1.0 - FLAT => Relation::Between,
+        _ => Relation::Flipped,
     }
 }
 
-/// The pixel `n` and those beside it, corners included.
+/// Returns the pixel `n` and its up to eight neighbours.
 fn around(n: usize, width: usize, height: usize) -> Vec<usize> {
     let (x, y) = (n % width, n / width);
     let columns = x.saturating_sub(1)..(x + 2).min(width);

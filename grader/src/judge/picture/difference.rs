@@ -1,27 +1,31 @@
-//! How a picture differs from what right tracers give: the pixels that are out, measured.
+//! The difference between a picture and the pictures of correct tracers: counts over the out
+//! pixels.
 
 use cases::answer::{ImageAnswer, largest_cluster};
 use cases::film::Image;
 
-/// The measures of the pixels that are out.
+/// Counts over the pixels that are out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
-    /// How many they are.
+    /// The number of pixels that are out.
     pub n_out: u32,
-    /// Most of them that lie side by side, corners included.
+    /// The size of the largest cluster, in which pixels touch by a side or a corner.
     pub cluster: u32,
-    /// How many of them are contested.
+    /// The number of out pixels that are contested.
     pub n_contested: u32,
-    /// The pixel farthest out, the first of equals; `None` where none is.
+    /// The column and row of the pixel farthest out, the first of equal ones. `None` if no pixel is
+    /// out.
     pub worst: Option<[u32; 2]>,
-    /// First column and row, last column and row that hold a pixel that is out.
+    /// The first column and row, and the last column and row, that hold an out pixel. `None` if no
+    /// pixel is out.
     pub bounds: Option<[u32; 4]>,
 }
 
-/// Compares channel by channel in 8-bit levels, clamped but not rounded. NaN and infinity are out.
+/// Compares a picture with its answer, channel by channel in 8-bit levels that are clamped but not
+/// rounded. NaN and infinity are out.
 ///
 /// # Panics
-/// Where the sizes differ.
+/// Panics if the sizes differ.
 pub fn compare(actual: &Image, answer: &ImageAnswer) -> Difference {
     let expected = &answer.expected;
     assert_eq!(
@@ -32,7 +36,7 @@ pub fn compare(actual: &Image, answer: &ImageAnswer) -> Difference {
     measure(actual, answer, &answer.out(actual))
 }
 
-/// The measures of the pixels that are marked in `out`.
+/// Counts the pixels that are marked in `out`.
 pub(super) fn measure(actual: &Image, answer: &ImageAnswer, out: &[bool]) -> Difference {
     let mut difference =
         Difference { n_out: 0, cluster: 0, n_contested: 0, worst: None, bounds: None };

@@ -1,4 +1,5 @@
-//! Pictures: right, right as far as right tracers agree, or worth a part of their points.
+//! Judges pictures: correct, correct as far as correct tracers agree, or worth a part of their
+//! points.
 
 mod antialiased;
 mod difference;
@@ -19,17 +20,17 @@ use difference::measure;
 pub use difference::{Difference, compare};
 pub use raster::{Comparison, RowsCompared};
 
-/// What is said of an anti-aliased picture.
+/// The advice on an anti-aliased picture.
 const ONE_RAY: &str = "graded pictures take one ray a pixel, through its centre [rule 1]: turn \
     anti-aliasing (or the filter) off";
 
-/// Judges a picture, whose size is right, by its answer.
+/// Judges a picture of the correct size by its answer.
 ///
-/// It passes where no more pixels are out, and no more of them side by side, than the answer
-/// allows; and where all that are out are contested, which a person is to look at. Else it earns
-/// the part of its points that its weighted right pixels are worth, a picture of one colour
-/// nothing. What is out because of anti-aliasing alone does not count as out, but bars from the
-/// full points.
+/// The picture passes if the number of out pixels and the largest cluster are within the limits of
+/// the answer. It also passes if all out pixels are contested; a person should look at it then.
+/// Otherwise it earns a part of its points, by the weight of the pixels that are not out. A picture
+/// of one colour that is beyond the limits earns nothing. Pixels that are out only because of
+/// anti-aliasing do not count as out, but the picture cannot earn all points then.
 pub fn picture(actual: &Image, answer: &ImageAnswer) -> Judgement {
     let out = answer.out(actual);
     let all = measure(actual, answer, &out);
@@ -47,17 +48,16 @@ pub fn picture(actual: &Image, answer: &ImageAnswer) -> Judgement {
     if all.n_contested == all.n_out {
         let share = percent(answer.contested_share());
         let message = format!(
-            "{message}; but right tracers differ on all of these pixels ({share} of the picture \
-                are such), so it counts as right, \
-             and a person should look at it"
+            "{message}; but correct tracers differ on all of these pixels (and on {share} of the \
+             picture), so it counts as right, and a person should look at it"
         );
         return Judgement::pass_with(finding(FindingKind::Contested, message, &all));
     }
     Judgement::partial(finding(FindingKind::Wrong, message, &all), share::earned(answer, &out))
 }
 
-/// The judgement on a picture that is anti-aliased in the pixels that are `smoothed`: those that
-/// are out for another reason count.
+/// Judges a picture that is anti-aliased in the pixels marked in `smoothed`. Pixels that are out
+/// for another reason count.
 fn of_smoothed(
     actual: &Image,
     answer: &ImageAnswer,
@@ -100,7 +100,7 @@ fn is_one_colour(picture: &Image) -> bool {
     picture.pixels().iter().all(|pixel| Some(levels(pixel)) == first)
 }
 
-/// How many pixels differ, where, and what the worst of them shows on both sides.
+/// Describes how many pixels differ, where they are, and the worst of them in both pictures.
 fn describe(actual: &Image, answer: &ImageAnswer, difference: &Difference) -> String {
     let mut text = extent(difference, actual.pixels().len() as u64);
     if let Some([x, y]) = difference.worst {
@@ -116,13 +116,13 @@ fn describe(actual: &Image, answer: &ImageAnswer, difference: &Difference) -> St
         let (n_contested, share) =
             (grouped(difference.n_contested.into()), percent(answer.contested_share()));
         text += &format!(
-            "; on {n_contested} of them right tracers differ too (on {share} of the picture)"
+            "; on {n_contested} of them correct tracers differ too (on {share} of the picture)"
         );
     }
     text
 }
 
-/// How many of `all` pixels differ, and where.
+/// Describes how many of `all` pixels differ, and where they are.
 fn extent(difference: &Difference, all: u64) -> String {
     let [n_out, cluster] = [difference.n_out, difference.cluster].map(u64::from);
     let verb = if n_out == 1 { "pixel of {} differs" } else { "pixels of {} differ" };

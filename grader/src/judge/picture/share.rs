@@ -1,26 +1,26 @@
-//! What part of its points a picture earns that is not right: for the effect, not for the
-//! background.
+//! The part of its points that a wrong picture earns: for the effect, not for the background.
 
 use cases::answer::ImageAnswer;
 
-/// Thousandths of the points that a picture earns at most that is not right.
+/// The maximum for a wrong picture, in thousandths of its points.
 pub(super) const MOST: u32 = 900;
 
-/// Thousandths of the points that a picture earns with these pixels out, rounded down:
+/// Returns the thousandths of the points that a picture earns with the pixels `out`, rounded down:
 ///
 /// ```text
 /// f = Σ weight of pixels that are in / Σ weight,    (f − f0) / (1 − f0)    from 0 to 0.9
 /// ```
 ///
-/// where f0 is what a picture without the effect gets. It is 0 where no pixel weighs anything, or
-/// f0 is 1.
+/// where f0 is the share of a picture without the effect. The result is 0 if no pixel has a weight,
+/// or if f0 is NaN or at least 1.
 pub(super) fn earned(answer: &ImageAnswer, out: &[bool]) -> u32 {
     let unearned = answer.limits.unearned;
     if unearned.is_nan() || unearned >= 1.0 {
         return 0;
     }
     let share = (answer.share(out) - unearned) / (1.0 - unearned);
-    // The rounding of the divisions is not to cost a thousandth: 0.3 of them is 300, not 299.
+    // The tolerance keeps rounding in the divisions from costing a thousandth: a share of 0.3 is
+    // 300, not 299.
     ((share * 1000.0 + 1e-6).floor().max(0.0) as u32).min(MOST)
 }
 
@@ -32,7 +32,7 @@ mod tests {
 
     use super::*;
 
-    /// Ten pixels of these weights, of which the first `n_out` are out.
+    /// Checks the share for ten pixels of these weights, of which the first `n_out` are out.
     fn check(weight: [u8; 10], unearned: f64, n_out: usize, expected: u32) {
         let answer = ImageAnswer::exact(Image::from_fn(10, 1, |_, _| DVec3::ZERO), 1.0, 0);
         let answer = ImageAnswer {

@@ -5,7 +5,7 @@ use cases::answer::Limits;
 use super::*;
 use crate::record::Verdict;
 
-/// A grey picture of 10 × 10 in which some pixels are replaced.
+/// Returns a grey picture of 10 × 10 pixels with some pixels replaced.
 fn grey(changes: &[(u32, u32, DVec3)]) -> Image {
     Image::from_fn(10, 10, |i, j| {
         let change = changes.iter().find(|(x, y, _)| (*x, *y) == (i, j));
@@ -13,13 +13,13 @@ fn grey(changes: &[(u32, u32, DVec3)]) -> Image {
     })
 }
 
-/// The answer of that picture, with these limits and half the points for nothing.
+/// Returns the answer of the grey picture with these limits, where half of the points are unearned.
 fn answer(cluster: u32, count: u32) -> ImageAnswer {
     let exact = ImageAnswer::exact(grey(&[]), 2.0, 0);
     ImageAnswer { limits: Limits { cluster, count, unearned: 0.5, ..exact.limits }, ..exact }
 }
 
-/// Black pixels where the rows of text have a `#`.
+/// Returns black pixels where the rows of text have a `#`.
 fn black(rows: &[&str]) -> Vec<(u32, u32, DVec3)> {
     let row = |(y, row): (usize, &&str)| {
         let at = row
@@ -33,8 +33,7 @@ fn black(rows: &[&str]) -> Vec<(u32, u32, DVec3)> {
     rows.iter().enumerate().flat_map(row).collect()
 }
 
-/// Judges the grey picture with these changes; the verdict, the share, and the message if there is
-/// one.
+/// Judges the grey picture with these changes, and checks the verdict, the share, and the message.
 fn check(
     changes: &[(u32, u32, DVec3)],
     answer: &ImageAnswer,
@@ -122,7 +121,7 @@ fn a_picture_of_one_colour_earns_nothing_and_is_called_so() {
     check(&[], &answer(0, 0), RIGHT);
 }
 
-/// The first row may be anything from 31 to 212.
+/// Returns an answer in which the first row may be anything from 31 to 212.
 fn contested() -> ImageAnswer {
     let mut answer = answer(1, 1);
     for n in 0..10 {
@@ -135,10 +134,9 @@ fn contested() -> ImageAnswer {
 fn what_differs_on_contested_pixels_only_is_for_a_person_to_look_at() {
     let message = "3 pixels of 100 differ, 2 of them side by side (columns 0 to 3, rows 0 to 0), \
         most at (0, 0): \
-                   yours 0 0 0, expected 128 128 128, allowed 31 31 31 to 212 212 212; but right \
-                   tracers differ on all of these \
-                   pixels (10.0 % of the picture are such), so it counts as right, and a person \
-                   should look at it";
+                   yours 0 0 0, expected 128 128 128, allowed 31 31 31 to 212 212 212; but \
+                   correct tracers differ on all of these pixels (and on 10.0 % of the picture), \
+                   so it counts as right, and a person should look at it";
     check(&black(&["##.#"]), &contested(), (Verdict::Pass, 0, Some(message)));
     let judgement = picture(&grey(&black(&["##.#"])), &contested());
     let finding = judgement.finding.unwrap();
@@ -151,7 +149,7 @@ fn what_differs_on_contested_pixels_only_is_for_a_person_to_look_at() {
 fn one_pixel_more_is_no_longer_excused() {
     let message = "4 pixels of 100 differ, 3 of them side by side (columns 0 to 3, rows 0 to 1), \
         most at (1, 1): \
-                   yours 0 0 0, expected 128 128 128; on 3 of them right tracers differ too (on \
+                   yours 0 0 0, expected 128 128 128; on 3 of them correct tracers differ too (on \
                    10.0 % of the picture)";
     check(&black(&["##.#", ".#"]), &contested(), (Verdict::Partial, 900, Some(message)));
 }

@@ -1,4 +1,4 @@
-// Sorting and filtering of the class table. Without it the table is still there, ordered by name.
+// Sorting and filtering of the class table. Without this script the table is ordered by name.
 "use strict";
 
 const table = document.querySelector("table.class"), body = table.tBodies[0];

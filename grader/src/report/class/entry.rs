@@ -1,14 +1,15 @@
-//! What a class is made of: submissions with their records.
+//! The members of a class: submissions with their records.
 
 use crate::record::Record;
 
 /// A submission of the class.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// The id, which names its files; of letters, digits, `.`, `_`, `-` and `~` alone.
+    /// The id, which names the files of the submission. It has only letters, digits, `.`, `_`, `-`
+    /// and `~`.
     pub id: String,
-    /// The name as it was handed in.
+    /// The name of the hand-in.
     pub name: String,
-    /// The record; `None` where the grader or the machine failed, so that there is no score yet.
+    /// The record. `None` if the grader or the machine failed, so that there is no score yet.
     pub record: Option<Record>,
 }

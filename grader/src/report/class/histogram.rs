@@ -1,11 +1,11 @@
-//! How many earned what share of the points, as bars.
+//! Histograms of the share of the points that submissions earned.
 
 use serde::Serialize;
 
-/// Ten tenths, and all points.
+/// The number of bars: one for each tenth of the points, and one for all points.
 const N_BARS: usize = 11;
 
-/// A picture of 220 × 90 units, the bars standing on 70.
+/// A picture of 220 × 90 units, with the baseline of the bars at 70.
 #[derive(Debug, Serialize)]
 pub(super) struct Histogram {
     pub(super) title: String,
@@ -16,14 +16,14 @@ pub(super) struct Histogram {
 #[derive(Debug, Serialize)]
 pub(super) struct Bar {
     pub(super) count: usize,
-    /// What share of the points it stands for.
+    /// The share of the points that the bar represents.
     pub(super) label: String,
     x: usize,
     y: f64,
     height: f64,
 }
 
-/// Of pairs (earned, possible); who could not earn anything is left out.
+/// Returns the histogram of pairs (earned, possible). Pairs with nothing possible are left out.
 pub(super) fn of(title: String, scores: impl Iterator<Item = (u64, u64)>) -> Histogram {
     let mut counts = [0; N_BARS];
     for (earned, possible) in scores.filter(|(_, possible)| *possible > 0) {

@@ -1,9 +1,10 @@
 //! The table of a class: a row for each submission, as CSV and as a page that sorts, filters and
 //! links to the reports.
 //!
-//! Nothing in it depends on time, machine or order of work: the same records give the same bytes.
+//! The table does not depend on time, machine or order of work: the same records give the same
+//! bytes.
 
-use crate::plain::shown;
+use crate::plain::{csv_cell, shown};
 use crate::record::FindingKind;
 use crate::report::{html, words};
 
@@ -16,7 +17,7 @@ mod view;
 
 pub use entry::Entry;
 
-/// All kinds of finding that a row counts.
+/// The kinds of finding that a row counts.
 const KINDS: [FindingKind; 15] = [
     FindingKind::Wrong,
     FindingKind::Antialiased,
@@ -35,13 +36,13 @@ const KINDS: [FindingKind; 15] = [
     FindingKind::Internal,
 ];
 
-/// The table for a spreadsheet, ordered by name; a text cannot become a formula.
+/// Returns the table for a spreadsheet, ordered by name. No text in it can become a formula.
 pub fn csv(entries: &[Entry]) -> String {
     let (stages, rows) = rows::of(entries);
     let mut out = csv::Writer::from_writer(Vec::new());
     let head = ["id", "name", "points", "possible", "build"].map(str::to_owned).into_iter();
     let head = head
-        .chain(stages.iter().map(|stage| cell(&shown(stage.id))))
+        .chain(stages.iter().map(|stage| csv_cell(&shown(stage.id))))
         .chain(KINDS.iter().map(|kind| words::finding(*kind).to_owned()));
     let mut write = |record: Vec<String>| {
         out.write_record(record).expect("a vector takes all rows, all of one length")
@@ -57,8 +58,8 @@ pub fn csv(entries: &[Entry]) -> String {
 fn cells(row: &rows::Row) -> Vec<String> {
     let points = |thousandths: &Option<u64>| thousandths.map(words::points).unwrap_or_default();
     let head = [
-        cell(&shown(row.id)),
-        cell(&shown(row.name)),
+        csv_cell(&shown(row.id)),
+        csv_cell(&shown(row.name)),
         points(&row.earned),
         points(&row.possible),
         row.build.to_owned(),
@@ -67,17 +68,7 @@ fn cells(row: &rows::Row) -> Vec<String> {
     head.into_iter().chain(row.stages.iter().map(points)).chain(counts).collect()
 }
 
-/// A spreadsheet takes a text that begins so for a formula, which could send the class's data
-/// elsewhere.
-fn cell(text: &str) -> String {
-    if text.starts_with(['=', '+', '-', '@', '\t', '\r', '\n']) {
-        format!("'{text}")
-    } else {
-        text.to_owned()
-    }
-}
-
-/// The table as a page; its links lead to `reports/ID.html` beside it.
+/// Returns the table as a page. Its links lead to `reports/ID.html` beside it.
 pub fn page(entries: &[Entry]) -> String {
     let (style, script) = (include_str!("../style.css"), include_str!("class.js"));
     html::page::render(include_str!("class.html"), style, script, &view::class(entries))

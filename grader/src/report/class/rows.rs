@@ -1,4 +1,4 @@
-//! The records as rows of numbers.
+//! Turns the records into rows of numbers.
 
 use std::collections::BTreeMap;
 
@@ -13,23 +13,23 @@ type Counts = BTreeMap<FindingKind, usize>;
 pub(super) struct Stage<'a> {
     pub(super) id: &'a str,
     pub(super) title: &'a str,
-    /// Thousandths of a point.
+    /// The possible points, in thousandths.
     pub(super) possible: u64,
 }
 
-/// A submission; points are thousandths, and `None` where it has no record.
+/// A submission. Points are in thousandths, and `None` if it has no record.
 pub(super) struct Row<'a> {
     pub(super) id: &'a str,
     pub(super) name: &'a str,
     pub(super) earned: Option<u64>,
     pub(super) possible: Option<u64>,
     pub(super) build: &'static str,
-    /// In the order of the columns.
+    /// The points of each stage, in the order of the columns.
     pub(super) stages: Vec<Option<u64>>,
     pub(super) findings: Counts,
 }
 
-/// The stages that occur, in order, and the rows, ordered by name.
+/// Returns the stages that occur, in order, and the rows, ordered by name.
 pub(super) fn of(entries: &[Entry]) -> (Vec<Stage<'_>>, Vec<Row<'_>>) {
     let mut stages = BTreeMap::new();
     for stage in

@@ -1,4 +1,5 @@
-//! Rows stand in order of name whatever order they come in, and no name can do harm.
+//! Tests of the class table: rows are ordered by name whatever the order of the entries, and no
+//! name can do harm.
 
 use super::*;
 use crate::record::Verdict;

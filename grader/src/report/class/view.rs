@@ -1,4 +1,4 @@
-//! The table turned into what the template shows.
+//! Turns the table into the values that the template shows.
 
 use std::collections::BTreeMap;
 
@@ -36,7 +36,7 @@ struct Row {
     id: String,
     name: String,
     is_graded: bool,
-    /// Thousandths, to sort by, and in words.
+    /// The total in thousandths, to sort by, and as text.
     total: Number,
     stages: Vec<Number>,
     build: &'static str,
@@ -49,7 +49,7 @@ struct Number {
     text: String,
 }
 
-/// What a person should look at.
+/// A picture that a person should look at.
 #[derive(Serialize)]
 struct Flagged {
     id: String,
@@ -58,16 +58,16 @@ struct Flagged {
     message: String,
 }
 
-/// How many got a check right.
+/// Counts of the submissions that got a check right.
 #[derive(Serialize)]
 struct Check {
     id: String,
     n_right: usize,
     n_partly: usize,
-    n_asked: usize,
+    n_run: usize,
 }
 
-/// How many seem to make a mistake.
+/// The count of submissions that seem to make a mistake.
 #[derive(Serialize)]
 struct Mistake {
     says: String,
@@ -106,7 +106,7 @@ pub(super) fn class(entries: &[Entry]) -> Class {
     }
 }
 
-/// The middle one; the lower of two.
+/// Returns the median, the lower one of two middle values. `None` for no values.
 fn median(mut values: Vec<u64>) -> Option<u64> {
     values.sort_unstable();
     values.get(values.len().saturating_sub(1) / 2).copied()
@@ -138,7 +138,7 @@ fn row(row: &rows::Row) -> Row {
     }
 }
 
-/// The pictures of a submission that differ on contested pixels only.
+/// Returns the pictures of a submission that differ only on contested pixels.
 fn flagged(entries: &[Entry], row: &rows::Row) -> Vec<Flagged> {
     let record =
         entries.iter().find(|entry| entry.id == row.id).and_then(|entry| entry.record.as_ref());
@@ -153,25 +153,26 @@ fn flagged(entries: &[Entry], row: &rows::Row) -> Vec<Flagged> {
     checks.filter_map(flag).collect()
 }
 
-/// The checks that fewest got right first.
+/// Returns the checks, ordered by the share of submissions that got them right, the smallest first.
 fn checks(entries: &[Entry]) -> Vec<Check> {
     let mut counts: BTreeMap<&str, Check> = BTreeMap::new();
     let records = entries.iter().filter_map(|entry| entry.record.as_ref());
     for check in records.flat_map(|record| &record.stages).flat_map(|stage| &stage.checks) {
-        let fresh = || Check { id: shown(&check.id), n_right: 0, n_partly: 0, n_asked: 0 };
+        let fresh = || Check { id: shown(&check.id), n_right: 0, n_partly: 0, n_run: 0 };
         let count = counts.entry(&check.id).or_insert_with(fresh);
         count.n_right += usize::from(check.verdict == Verdict::Pass);
         count.n_partly += usize::from(check.verdict == Verdict::Partial);
-        count.n_asked += 1;
+        count.n_run += 1;
     }
     let mut checks: Vec<Check> = counts.into_values().collect();
     checks.sort_by(|a, b| {
-        (a.n_right * b.n_asked).cmp(&(b.n_right * a.n_asked)).then_with(|| a.id.cmp(&b.id))
+        (a.n_right * b.n_run).cmp(&(b.n_right * a.n_run)).then_with(|| a.id.cmp(&b.id))
     });
     checks
 }
 
-/// The mistakes that most make first. Where several may be meant, the first of them counts.
+/// Returns the mistakes, the most frequent first. If a diagnosis has several possible mistakes, its
+/// first one counts.
 fn mistakes(entries: &[Entry]) -> Vec<Mistake> {
     let records = entries.iter().filter_map(|entry| entry.record.as_ref());
     let named = records
@@ -181,7 +182,7 @@ fn mistakes(entries: &[Entry]) -> Vec<Mistake> {
     named.for_each(|mistake| *counts.entry((mistake.rule, &mistake.says)).or_default() += 1);
     let mistake = |((rule, says), n): ((u8, &str), usize)| Mistake { says: shown(says), rule, n };
     let mut mistakes: Vec<Mistake> = counts.into_iter().map(mistake).collect();
-    // stable: by rule where as many make both
+    // The sort is stable, so equally frequent mistakes stay ordered by rule.
     mistakes.sort_by_key(|mistake| std::cmp::Reverse(mistake.n));
     mistakes
 }

@@ -1,18 +1,18 @@
-//! Two texts, line by line, with what differs within a line marked.
+//! Compares two texts line by line, and marks the differences within lines.
 
 use serde::Serialize;
 use similar::{ChangeTag, TextDiff};
 
 use crate::plain;
 
-/// Lines of a text that are compared; the rest is left out, and said to be.
+/// The number of lines of a text that are compared. The rest is replaced by its count.
 const MOST_LINES: usize = 200;
 
 #[derive(Debug, PartialEq, Serialize)]
 pub(super) struct Line {
-    /// `same`, `expected` (only there) or `actual` (only there).
+    /// The texts that contain the line: `same` (both), `expected` or `actual`.
     pub(super) side: &'static str,
-    /// `-`, `+` or a space.
+    /// The sign before the line: `-`, `+` or a space.
     pub(super) sign: char,
     pub(super) parts: Vec<Part>,
 }
@@ -23,7 +23,7 @@ pub(super) struct Part {
     pub(super) text: String,
 }
 
-/// What has to change in `expected` to get `actual`.
+/// Returns the changes that turn `expected` into `actual`.
 pub(super) fn lines(expected: &str, actual: &str) -> Vec<Line> {
     let (expected, actual) = (short(expected), short(actual));
     let diff = TextDiff::from_lines(expected.as_str(), actual.as_str());

@@ -1,5 +1,5 @@
-//! The student's time and error among what the reference measured of its own settings: a small
-//! plot, both axes logarithmic.
+//! A small plot of the student's time and error among the measured settings of the reference. Both
+//! axes are logarithmic.
 
 use cases::front::{FrontPoint, on_front, rmse_levels};
 use cases::maths;
@@ -9,21 +9,21 @@ use crate::graded::Pictures;
 use crate::plain::shown;
 use crate::report::words::seconds;
 
-/// Inner size of the plot; `submission.html` draws margins around it.
+/// The inner size of the plot; `submission.html` draws margins around it.
 const WIDTH: f64 = 300.0;
 const HEIGHT: f64 = 110.0;
-/// Below this many levels an error is drawn as none, on the lowest line.
+/// The least error on the scale, in levels. A smaller error is drawn on the lowest line.
 const LEAST: f64 = 1e-3;
-/// The greatest error there is.
+/// The greatest possible error, in levels.
 const MOST: f64 = 255.0;
 
-/// What the template draws; places in pixels from the top left of the plot.
+/// The values that the template draws. Places are in pixels from the top left of the plot.
 #[derive(Serialize)]
 pub(super) struct FrontView {
     width: f64,
     height: f64,
     points: Vec<Mark>,
-    /// The front as a list of places.
+    /// The front as a list of points for an SVG polyline.
     line: String,
     yours: Mark,
     x_ticks: Vec<Tick>,
@@ -46,7 +46,8 @@ struct Tick {
     label: String,
 }
 
-/// `None` where nothing was measured of the case, or there is no picture of its size.
+/// Returns the plot. `None` if nothing was measured for the case, if a time is not positive and
+/// finite, or if there is no picture of the expected size.
 pub(super) fn view(pictures: &Pictures, time_s: f64) -> Option<FrontView> {
     let (expected, actual) = (&pictures.answer.expected, pictures.actual.as_ref()?);
     let front = pictures.front.as_ref()?;
@@ -77,7 +78,8 @@ pub(super) fn view(pictures: &Pictures, time_s: f64) -> Option<FrontView> {
         );
         Mark { x: place(x), y: place(y), is_on_front, title }
     };
-    let is_front = on_front(&front.points);
+    let prices = front.points.iter().map(|point| (point.time_s, point.rmse_levels));
+    let is_front = on_front(&prices.collect::<Vec<_>>());
     let mut line: Vec<(f64, f64)> =
         front.points.iter().zip(&is_front).filter(|(_, is)| **is).map(|(p, _)| at(p)).collect();
     line.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -103,8 +105,8 @@ pub(super) fn view(pictures: &Pictures, time_s: f64) -> Option<FrontView> {
     })
 }
 
-/// What the plot says, in words: the student's point, and the quickest setting of the reference
-/// that is exact.
+/// Describes the plot in a sentence: the student's point, and the point with the least error on the
+/// front of the reference.
 fn sentence(yours: &FrontPoint, points: &[FrontPoint], is_front: &[bool]) -> String {
     let best = points.iter().zip(is_front).filter(|(_, is)| **is).map(|(point, _)| point);
     let best = best.min_by(|a, b| a.rmse_levels.total_cmp(&b.rmse_levels));
@@ -131,7 +133,7 @@ fn error(rmse_levels: f64) -> String {
     }
 }
 
-/// The powers of ten around the times.
+/// Returns the exponents of the powers of ten around the times.
 fn decades(least: f64, most: f64) -> (i32, i32) {
     let (low, high) = (maths::log10(least).floor() as i32, maths::log10(most).ceil() as i32);
     (low, high.max(low + 1))
@@ -141,12 +143,12 @@ fn power(n: i32) -> f64 {
     maths::pow(10.0, f64::from(n))
 }
 
-/// The share of the width at which a time lies.
+/// Returns the share of the width at which a time lies.
 fn along(time_s: f64, (first, last): (i32, i32)) -> f64 {
     (maths::log10(time_s) - f64::from(first)) / f64::from(last - first)
 }
 
-/// The share of the height at which an error lies; the greatest is at the top.
+/// Returns the share of the height at which an error lies. The greatest error is at the top.
 fn down(rmse_levels: f64) -> f64 {
     maths::log10(MOST / rmse_levels.clamp(LEAST, MOST)) / maths::log10(MOST / LEAST)
 }

@@ -1,18 +1,18 @@
-//! The report of one submission as a page that needs nothing else: no network, no neighbour, no
+//! The report of one submission as a self-contained page: it needs no network, no other file and no
 //! server.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `view.rs` | the record turned into what the template shows |
+//! | `view.rs` | the record as the values that the template shows |
 //! | `diff.rs` | two texts, line by line |
-//! | `front.rs` | time and error among those of the reference |
+//! | `front.rs` | time and error among the settings of the reference |
 //! | `picture.rs` | pictures as data URIs |
 //! | `page.rs` | the template engine, the policy that lets only our script run |
-//! | `submission.html`, `submission.js`, `../style.css` | how it looks and moves |
+//! | `submission.html`, `submission.js`, `../style.css` | the look and the interaction |
 //!
-//! What a student's program wrote is hostile here: it goes through
-//! [`plain::shown`](crate::plain::shown), is escaped by the template engine, and could not run if
-//! it got through, for the policy names the hash of the one script allowed.
+//! The output of a student's program is treated as hostile. It goes through
+//! [`plain::shown`](crate::plain::shown) and is escaped by the template engine. A script in it
+//! could not run even then, because the policy allows only the hash of our own script.
 
 use std::io;
 use std::path::Path;
@@ -28,16 +28,16 @@ mod picture;
 mod tests;
 mod view;
 
-/// The page for a submission.
+/// Returns the page for a submission.
 pub fn render(graded: &Graded) -> String {
     let (style, script) = (include_str!("../style.css"), include_str!("submission.js"));
     page::render(include_str!("submission.html"), style, script, &view::submission(graded))
 }
 
-/// Writes the page for a submission to `path`; it appears whole or not at all.
+/// Writes the page for a submission to `path`. The file appears whole or not at all.
 ///
 /// # Errors
-/// What the file system says.
+/// Returns the error of the file system.
 pub fn write(path: &Path, graded: &Graded) -> io::Result<()> {
     files::write(path, render(graded).as_bytes())
 }

@@ -1,4 +1,4 @@
-//! What all pages share: the template engine and the content policy.
+//! The parts that all pages share: the template engine and the content policy.
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -8,8 +8,8 @@ use minijinja::{AutoEscape, Environment, context};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-/// The page that `template` makes of `view`, with `style` and `script` in it and allowed by their
-/// hashes alone.
+/// Renders `template` with the values of `view`, and inlines `style` and `script`. The content
+/// policy allows only their hashes.
 pub(in crate::report) fn render(
     template: &str,
     style: &str,

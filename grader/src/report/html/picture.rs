@@ -1,4 +1,4 @@
-//! Pictures as data URIs.
+//! Encodes pictures as data URIs.
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -9,31 +9,31 @@ use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
 use serde::Serialize;
 
-/// How much the difference that is stored is brightened; the viewer offers others.
+/// The factor by which the stored difference is brightened. The viewer offers others.
 pub(super) const GAIN: u8 = 4;
 
-/// Marks in the map of pixels: those from 128 on are wrong. `submission.js` knows them too.
+/// Marks in the map of pixels; those from 128 on are wrong. `submission.js` has the same values.
 const CONTESTED: u8 = 64;
 const NOT_A_NUMBER: u8 = 128;
 const OUT_AND_CONTESTED: u8 = 192;
 const OUT: u8 = 255;
 
-/// What a pixel may be, as distances from the expected one, which are small nearly everywhere and
-/// so take little room.
+/// The allowed values of each pixel, as distances from the expected one. The distances are small
+/// nearly everywhere and so compress well.
 #[derive(Serialize)]
 pub(super) struct Allowed {
     below: String,
     above: String,
 }
 
-/// The picture in 8-bit levels.
+/// Returns the picture in 8-bit levels.
 pub(super) fn colours(image: &Image) -> String {
     let bytes: Vec<u8> =
         image.pixels().iter().flat_map(|pixel| pixel.to_array().map(film::byte)).collect();
     data_uri(&bytes, image, ExtendedColorType::Rgb8)
 }
 
-/// By how many levels each channel differs, times [`GAIN`].
+/// Returns the difference of each channel in levels, times [`GAIN`].
 pub(super) fn difference(expected: &Image, actual: &Image) -> String {
     let channel = |a: f64, b: f64| film::byte(a).abs_diff(film::byte(b)).saturating_mul(GAIN);
     let bytes: Vec<u8> =
@@ -41,7 +41,7 @@ pub(super) fn difference(expected: &Image, actual: &Image) -> String {
     data_uri(&bytes, expected, ExtendedColorType::Rgb8)
 }
 
-/// Which pixels are wrong, and on which right tracers differ.
+/// Returns the map of wrong and contested pixels.
 pub(super) fn marks(answer: &ImageAnswer, actual: &Image) -> String {
     let mark =
         |(n, colour): (usize, &DVec3)| match (answer.is_out(n, *colour), answer.is_contested(n)) {
@@ -55,13 +55,13 @@ pub(super) fn marks(answer: &ImageAnswer, actual: &Image) -> String {
     data_uri(&bytes, actual, ExtendedColorType::L8)
 }
 
-/// What each pixel counts for the points; `None` where all count alike.
+/// Returns the weight of each pixel for the points. `None` if all pixels have the same weight.
 pub(super) fn weight(answer: &ImageAnswer) -> Option<String> {
     let is_uneven = answer.weight.windows(2).any(|pair| pair[0] != pair[1]);
     is_uneven.then(|| data_uri(&answer.weight, &answer.expected, ExtendedColorType::L8))
 }
 
-/// The least and the greatest level that is allowed, slack included.
+/// Returns the least and the greatest level that is allowed for each channel, slack included.
 pub(super) fn allowed(answer: &ImageAnswer) -> Allowed {
     let slack = answer.limits.slack;
     let (mut below, mut above) = (vec![], vec![]);

@@ -1,4 +1,4 @@
-// The viewer of the pictures. Without it they are still there, side by side.
+// The viewer of the pictures. Without this script the pictures are shown side by side.
 "use strict";
 
 const WORDS = { expected: "1", actual: "2", difference: "3", all: "0", slider: "s", fit: "f", in: "+", out: "-", over: "o", next: "n", previous: "p" };
@@ -78,7 +78,7 @@ async function begin(root) {
     find(".difference figcaption").textContent = `Difference ×${gain}`;
   }
 
-  // Lays over all three pictures which pixels are wrong, or what they count.
+  // Covers all three pictures with the marks of wrong pixels, or with the weights.
   function over(what) {
     covers.forEach((cover) => { cover.hidden = what === "none"; });
     root.querySelectorAll(".key").forEach((key) => { key.hidden = key.dataset.over !== what; });
@@ -98,7 +98,7 @@ async function begin(root) {
     read();
   }
 
-  // What stands under the cursor, in 8-bit levels.
+  // Shows the levels of the pixel under the cursor, as 8-bit numbers.
   function read() {
     const n = 4 * (y * width + x), rgb = (bytes) => [0, 1, 2].map((c) => bytes[n + c]);
     const off = [0, 1, 2].map((c) => actual[n + c] - expected[n + c]);
@@ -108,7 +108,7 @@ async function begin(root) {
     out.textContent = `column ${x}, row ${y}   expected ${show(rgb(expected))}   yours ${found}   `;
     if (below && above) out.append(`allowed ${[0, 1, 2].map((c) => `${expected[n + c] - below[n + c]}..${expected[n + c] + above[n + c]}`).join(" ")}   `);
     if (weight) out.append(`counts ${Math.round(weight[n] / 2.55)} %   `);
-    if (marks[n] === CONTESTED || marks[n] === BOTH) out.append("right tracers differ here   ");
+    if (marks[n] === CONTESTED || marks[n] === BOTH) out.append("correct tracers differ here   ");
     if (isWrong(marks[n])) out.append(Object.assign(document.createElement("b"), { textContent: "wrong" }));
     if (region >= 0 && regions[region].includes(y * width + x)) {
       out.append(`   region ${region + 1} of ${regions.length}, ${regions[region].length} pixels`);
@@ -116,7 +116,7 @@ async function begin(root) {
   }
 
   function look(newZoom, px, py) {
-    // px, py: where on the view, 0 to 1, the picture stays put.
+    // px, py: the point of the view that stays fixed, from 0 to 1.
     const old = zoom;
     zoom = Math.min(Math.max(newZoom, 1), 64);
     pan(px - ((px - panX) / old) * zoom, py - ((py - panY) / old) * zoom);

@@ -1,4 +1,4 @@
-//! The page holds everything, needs nothing, and lets no student's text be more than text.
+//! Tests of the page: it is complete and self-contained, and a student's text stays text.
 
 use super::*;
 use crate::report::sample::{self, HOSTILE};
@@ -26,9 +26,9 @@ fn the_page_says_what_the_record_says() {
     }
     has(&page, "worst at column 61, row 60");
     has(&page, "1100 of them side by side");
-    has(&page, "7 of them where right tracers differ");
+    has(&page, "7 of them where correct tracers differ");
     has(&page, "earns 37.5 % of its points");
-    has(&page, "Right tracers differ on 0.01 % of the pixels");
+    has(&page, "Correct tracers differ on 0.01 % of the pixels");
     has(&page, "at most 96 pixels may be");
     has(&page, "no picture of yours to show");
     has(&page, "<td class=\"number\">2 of 5, 1 partly</td>");
@@ -57,8 +57,8 @@ fn a_picture_stands_among_the_settings_of_the_reference() {
     has(&page, "<title>f32 &lt;plain&gt;: 2 ms, 0.50 levels off (RMSE)</title>");
     has(&page, "without error; the reference at best (f64) 4 ms, without error.");
     has(&page, "measured on two &lt;cores&gt;, rendering alone");
-    // Three settings a case; the slow one is beaten, so two of three lie on the front. No plot
-    // where there is no picture.
+    // There are three settings for each case. The slow one is dominated, so two of three lie on the
+    // front. A case without a picture has no plot.
     let (all, on_front) =
         (page.matches("<circle").count(), page.matches("<circle class=\"on\"").count());
     assert_eq!((all, on_front), (12, 8));

@@ -1,5 +1,5 @@
-//! The record turned into what the template shows: texts made harmless, numbers in words, nothing
-//! decided.
+//! Turns the record into the values that the template shows: harmless texts, and numbers in words.
+//! Nothing is decided here.
 
 use cases::answer::Mistake;
 use serde::Serialize;
@@ -18,7 +18,7 @@ pub(super) struct Submission {
     name: String,
     digest: String,
     epoch: String,
-    /// Whether the user stopped the grader before everything was run.
+    /// True if the user stopped the grader before everything was run.
     is_interrupted: bool,
     grader: String,
     sandbox: String,
@@ -32,7 +32,7 @@ pub(super) struct Submission {
 struct Points {
     earned: String,
     possible: String,
-    /// The same in thousandths, for a bar.
+    /// The earned points in thousandths, for a bar.
     earned_n: u64,
     possible_n: u64,
 }
@@ -47,14 +47,14 @@ struct BuildView {
     ignored: Vec<String>,
 }
 
-/// What the program most likely does.
+/// The most likely mistakes of the program.
 #[derive(Serialize)]
 struct DiagnosisView {
-    /// Those that what was asked does not tell apart.
+    /// The mistakes that the checks do not distinguish.
     mistakes: Vec<MistakeView>,
-    /// How much it explains, in words.
+    /// The number of failed checks that the mistakes explain, in words.
     extent: String,
-    /// Ids of what it explains.
+    /// Ids of the cases and checks that the mistakes explain.
     explains: Vec<String>,
 }
 
@@ -64,7 +64,7 @@ struct MistakeView {
     says: String,
     rule: u8,
     place: String,
-    /// Title and text of the rule.
+    /// The title and the text of the rule.
     title: &'static str,
     text: &'static str,
 }
@@ -75,12 +75,12 @@ struct Stage {
     title: String,
     score: Points,
     cases: Vec<Check>,
-    /// Unit checks that are not right.
+    /// The unit checks that are not right.
     unit_failed: Vec<Check>,
     unit_passed: Vec<Check>,
     n_cases_right: usize,
     n_cases_partly: usize,
-    /// About the program that answered the unit checks.
+    /// Remarks on the program that answered the unit checks.
     remarks: Vec<String>,
 }
 
@@ -94,7 +94,7 @@ struct Check {
     verdict: &'static str,
     words: &'static str,
     is_right: bool,
-    /// Right, but a person should look at it.
+    /// True if the check counts as right, but a person should look at it.
     is_flagged: bool,
     score: Points,
     seconds: String,
@@ -108,12 +108,12 @@ struct Check {
 struct FindingView {
     kind: &'static str,
     message: String,
-    /// Id and sentence of the mistake that explains it.
+    /// The id and the sentence of the mistake that explains the finding.
     mistake: Option<[String; 2]>,
     wrong_pixels: Option<u64>,
     wrong_contested: Option<u64>,
     largest_cluster: Option<u64>,
-    /// Of its points, in percent.
+    /// The share of the points that is earned, in percent.
     share: Option<String>,
     worst: Option<[u32; 2]>,
     asked: Option<String>,
@@ -129,7 +129,8 @@ struct PicturesView {
     gain: u8,
     out_pixels: u32,
     cluster: u32,
-    /// Share of the pixels on which right tracers differ, in percent; `None` where there are none.
+    /// The share of the pixels on which correct tracers differ, in percent; `None` if there are
+    /// none.
     contested: Option<String>,
     expected: String,
     actual: Option<Actual>,
@@ -274,7 +275,7 @@ fn finding(record: Option<&Record>, finding: &Finding) -> FindingView {
     }
 }
 
-/// `is_explained`: what is allowed in each pixel is stored too.
+/// Returns both pictures. If `is_explained`, the allowed levels of each pixel are included.
 fn both(pictures: &Pictures, is_explained: bool) -> PicturesView {
     let Pictures { answer, actual, .. } = pictures;
     let expected = &answer.expected;
@@ -302,7 +303,7 @@ fn both(pictures: &Pictures, is_explained: bool) -> PicturesView {
     }
 }
 
-/// The class that colours it.
+/// Returns the CSS class for a verdict.
 fn class(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Pass => "pass",

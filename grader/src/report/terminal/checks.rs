@@ -1,4 +1,5 @@
-//! Lines on the checks that did not pass: an example of each group, and how many more there are.
+//! Writes lines on the checks that did not pass: an example of each group, and the number of the
+//! others.
 
 use pages::lines::count;
 use similar::{ChangeTag, TextDiff};
@@ -10,18 +11,18 @@ use crate::plain::shown;
 use crate::record::{CheckKind, CheckRecord, Finding, FindingKind, Record, Verdict};
 use crate::report::{mistakes, words};
 
-/// Groups whose example is shown with the difference between the answers.
+/// The number of groups for which the difference between the answers of an example is shown.
 const MOST_DIFFERENCES: usize = 6;
-/// Lines of an answer that are compared, and lines that differ that are shown of it.
+/// The number of lines of an answer that are compared.
 const MOST_COMPARED: usize = 200;
+/// The number of differing lines of an answer that are shown.
 const MOST_DIFFERENT: usize = 8;
-/// Characters of a message.
+/// The number of characters of a message that are shown.
 const MOST_OF_A_MESSAGE: usize = 180;
-/// Names of checks that are listed of a group.
+/// The number of checks of a group that are named.
 const MOST_NAMED: usize = 3;
 
-/// Writes what there is to say of all checks: in full where that is wanted, else an example of each
-/// group.
+/// Writes the lines on all checks: in full if the look is verbose, else an example of each group.
 pub(super) fn write(record: &Record, look: Look, text: &mut String) {
     let groups = groups::of(record);
     let are_answers_wrong =
@@ -30,8 +31,8 @@ pub(super) fn write(record: &Record, look: Look, text: &mut String) {
     for group in groups.iter().filter(|group| !matches!(group.cause, Cause::NotRun(..))) {
         match group.cause {
             _ if look.is_verbose => group.checks.iter().for_each(|one| in_full(record, one, text)),
-            // A wrong function makes pictures wrong, and the functions that call it: one line will
-            // do.
+            // A wrong function makes pictures and the functions that call it wrong, so these get
+            // one line.
             Cause::Pictures(_) if are_answers_wrong => {
                 in_short(&count(group.checks.len(), "wrong picture"), group, text);
             }
@@ -55,17 +56,17 @@ fn is_of_a_function(group: &Group) -> bool {
     matches!(group.cause, Cause::Answers(_))
 }
 
-/// Whether a group is of a function that leaves most of its work to others.
+/// Returns whether a group is of a function that leaves most of its work to others.
 fn is_of_a_composed_one(group: &Group) -> bool {
     let function = groups::function(group.checks[0]).and_then(functions::find);
     is_of_a_function(group) && function.is_some_and(|(_, function)| function.is_composed)
 }
 
-/// One check of a group with what is wrong with it, and the names of the others.
+/// Writes one check of a group with its error, and the names of the others.
 fn by_example(record: &Record, group: &Group, n_differences: &mut usize, text: &mut String) {
     let has_answers =
         |one: &&&CheckRecord| one.finding.as_ref().is_some_and(|it| it.expected.is_some());
-    // An answer says more than a picture.
+    // An answer is more informative than a picture.
     let example = group.checks.iter().find(has_answers).unwrap_or(&group.checks[0]);
     headline(record, example, text);
     if has_answers(&example) && *n_differences < MOST_DIFFERENCES {
@@ -75,12 +76,12 @@ fn by_example(record: &Record, group: &Group, n_differences: &mut usize, text: &
     more(group, example, text);
 }
 
-/// A line on a whole group.
+/// Writes a line on a whole group.
 fn in_short(what: &str, group: &Group, text: &mut String) {
     line(text, &format!("{BAD}{}{BAD:#}  {what}: {}", place(&group.checks), named(&group.checks)));
 }
 
-/// The first names of checks, without their stage, and how many more there are.
+/// Returns the first names of checks, without their stage, and the number of the others.
 fn named(checks: &[&CheckRecord]) -> String {
     let behind = |one: &&CheckRecord| {
         shown(one.id.split_once('/').map_or(one.id.as_str(), |(_, behind)| behind))
@@ -90,7 +91,7 @@ fn named(checks: &[&CheckRecord]) -> String {
     if rest == 0 { names } else { format!("{names} and {rest} more (-v)") }
 }
 
-/// The line on one check: its id, what is wrong with it, its rules.
+/// Writes the line on one check: its id, its error, its rules.
 fn headline(record: &Record, check: &CheckRecord, text: &mut String) {
     let Some(finding) = &check.finding else { return };
     let style = if matches!(check.verdict, Verdict::Fail | Verdict::NotRun) { BAD } else { ODD };
@@ -106,7 +107,7 @@ fn headline(record: &Record, check: &CheckRecord, text: &mut String) {
     }
 }
 
-/// How many other checks a group has, and the first of their names.
+/// Writes the number of other checks in a group, and the first of their names.
 fn more(group: &Group, example: &CheckRecord, text: &mut String) {
     let others: Vec<&CheckRecord> =
         group.checks.iter().copied().filter(|one| one.id != example.id).collect();
@@ -114,7 +115,7 @@ fn more(group: &Group, example: &CheckRecord, text: &mut String) {
         _ if others.is_empty() => return,
         Cause::Mistake(_) => "the same explains",
         Cause::Answers(_) | Cause::Pictures(_) => "wrong as well:",
-        Cause::Ending(..) | Cause::NotRun(..) | Cause::Remark(..) => "the same goes for",
+        Cause::Ending(..) | Cause::NotRun(..) | Cause::Remark(..) => "the same applies to",
     };
     line(text, &format!("    {what} {}", named(&others)));
 }
@@ -136,8 +137,8 @@ fn details(check: &CheckRecord, finding: &Finding, text: &mut String) {
     }
 }
 
-/// Expected and actual answer, line by line; unless `is_whole`, only the first lines that differ,
-/// side by side.
+/// Writes the expected and the actual answer. Unless `is_whole`, only the first lines that differ
+/// are written, side by side.
 fn differences(check: &CheckRecord, is_whole: bool, text: &mut String) {
     let Some((expected, actual)) =
         check.finding.as_ref().and_then(|it| it.expected.as_ref().zip(it.actual.as_ref()))
@@ -169,8 +170,8 @@ fn differences(check: &CheckRecord, is_whole: bool, text: &mut String) {
     }
 }
 
-/// The functions that are still to be written, in the order of the stages, each with the checks
-/// that wait for it.
+/// Writes the functions that are still to be written, in the order of the stages, each with the
+/// checks that need it.
 fn still_to_be_written(groups: &[Group], text: &mut String) {
     let mut waiting: Vec<(usize, &str, &Group)> = groups.iter().filter_map(waiting).collect();
     waiting.sort_by_key(|(place, ..)| *place);
@@ -188,14 +189,15 @@ fn still_to_be_written(groups: &[Group], text: &mut String) {
     }
 }
 
-/// The place of the function that the unit checks of a group wait for, and what is said of it.
+/// Returns the index of the function that the unit checks of a group need, and its message. `None`
+/// for any other group.
 fn waiting<'a>(group: &'a Group<'a>) -> Option<(usize, &'a str, &'a Group<'a>)> {
     let Cause::NotRun(FindingKind::Todo, message) = group.cause else { return None };
     let key = groups::function(group.checks[0])?;
     Some((functions::find(key).map_or(usize::MAX, |(place, _)| place), message, group))
 }
 
-/// What else was not run, in as few lines as there are reasons.
+/// Writes the other checks that were not run, one line for each reason.
 fn not_run(groups: &[Group], text: &mut String) {
     for group in groups {
         if let (Cause::NotRun(_, why), None) = (group.cause, waiting(group)) {
@@ -207,7 +209,7 @@ fn not_run(groups: &[Group], text: &mut String) {
     }
 }
 
-/// How many pictures and unit checks there are, and of which stage.
+/// Describes the number of pictures and unit checks, and their stage.
 fn counts(checks: &[&CheckRecord]) -> String {
     let n = |kind| checks.iter().filter(|check| check.kind == kind).count();
     let kinds = [(n(CheckKind::Image), "picture"), (n(CheckKind::Unit), "unit check")];
@@ -216,7 +218,7 @@ fn counts(checks: &[&CheckRecord]) -> String {
     format!("{} of {}", kinds.join(" and "), place(checks))
 }
 
-/// The stage of checks, or how many stages they are of.
+/// Returns the stage of the checks, or the number of their stages.
 fn place(checks: &[&CheckRecord]) -> String {
     let mut stages: Vec<&str> =
         checks.iter().filter_map(|check| check.id.split('/').next()).collect();
@@ -227,7 +229,8 @@ fn place(checks: &[&CheckRecord]) -> String {
     }
 }
 
-/// The beginning of a long message; to the end of a part of it, where one ends late enough.
+/// Returns the beginning of a long message, cut after a complete part if one ends in the second
+/// half.
 fn short(message: &str) -> String {
     let start: String = message.chars().take(MOST_OF_A_MESSAGE).collect();
     if start.len() == message.len() {

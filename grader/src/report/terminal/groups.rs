@@ -1,22 +1,21 @@
-//! The checks that did not pass, put together by what is wrong with them, so that one bug takes a
-//! few lines.
+//! Groups the checks that did not pass by their cause, so that one bug takes a few lines.
 
 use std::collections::BTreeMap;
 
 use crate::record::{CheckKind, CheckRecord, FindingKind, Record, Verdict};
 
-/// Checks with the same thing to say, in the order of the record.
+/// Checks with the same cause, in the order of the record.
 pub(super) struct Group<'a> {
     pub(super) cause: Cause<'a>,
     pub(super) checks: Vec<&'a CheckRecord>,
 }
 
-/// What checks have in common.
+/// The common cause of a group.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Cause<'a> {
-    /// A known mistake explains them.
+    /// A known mistake explains the checks.
     Mistake(&'a str),
-    /// One function gives wrong answers, in whatever stage.
+    /// One function gives wrong answers, in any stage.
     Answers(&'a str),
     /// The pictures of a stage are wrong.
     Pictures(&'a str),
@@ -28,7 +27,8 @@ pub(super) enum Cause<'a> {
     Remark(FindingKind, &'a str),
 }
 
-/// Returns the groups, in the order of their first checks; what passed without a remark is in none.
+/// Returns the groups in the order of their first checks. A check that passed without a remark is
+/// in none.
 pub(super) fn of(record: &Record) -> Vec<Group<'_>> {
     let mut groups: Vec<Group> = vec![];
     let mut places: BTreeMap<Cause, usize> = BTreeMap::new();
@@ -66,7 +66,7 @@ fn cause<'a>(stage: &'a str, check: &'a CheckRecord) -> Option<Cause<'a>> {
     }
 }
 
-/// The function that a unit check calls, by the name that the protocol has for it.
+/// Returns the function that a unit check calls, by its name in the protocol.
 pub(super) fn function(check: &CheckRecord) -> Option<&str> {
     check.finding.as_ref()?.asked.as_ref()?.get("fn")?.as_str()
 }

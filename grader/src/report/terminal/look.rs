@@ -1,4 +1,4 @@
-//! How the report looks: its detail, width and colours.
+//! The look of the report: its detail, width and colours.
 
 use anstyle::{AnsiColor, Style};
 
@@ -7,13 +7,13 @@ pub(super) const BAD: Style = AnsiColor::Red.on_default();
 pub(super) const ODD: Style = AnsiColor::Yellow.on_default();
 pub(super) const BOLD: Style = Style::new().bold();
 
-/// The amount of detail, and the width.
+/// The amount of detail and the width of a report.
 #[derive(Clone, Copy, Debug)]
 pub struct Look {
-    /// Adds warnings, the protection that was in force, what programs wrote on their error streams,
-    /// what each check is about, and every check that did not pass.
+    /// Adds warnings, the protection that was in force, the error streams of programs, the
+    /// description of each check, and every check that did not pass.
     pub is_verbose: bool,
-    /// Columns of a line.
+    /// The number of columns of a line.
     pub columns: usize,
 }
 

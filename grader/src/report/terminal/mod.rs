@@ -1,12 +1,12 @@
-//! The report for a terminal: what is wrong, where and why; then a table of stages, and what to do
-//! next.
+//! The report for a terminal: the errors with their places and causes, then a table of stages, and
+//! the next step.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `groups.rs` | the checks that did not pass, put together by what is wrong with them |
-//! | `checks.rs` | lines on them |
+//! | `groups.rs` | the checks that did not pass, grouped by cause |
+//! | `checks.rs` | the lines on the groups |
 //! | `table.rs` | the table, and the next step |
-//! | `look.rs` | detail, width, colours, and how a line is added |
+//! | `look.rs` | detail, width, colours, and functions that add lines |
 
 use pages::lines::{count, folded};
 
@@ -25,10 +25,11 @@ pub use look::Look;
 
 use look::{BAD, BOLD, ODD, indented, line};
 
-/// Lines of the compiler's errors that are shown; the first ones matter.
+/// The number of lines of the compiler's errors that are shown. The first ones matter.
 const MOST_ERRORS: usize = 60;
 
-/// Returns the report as text with colours; whoever prints it strips them where they do not belong.
+/// Returns the report as text with colours. The printing code strips them from outputs without
+/// colours.
 pub fn render(record: &Record, look: Look) -> String {
     let mut text = String::new();
     build(record, look, &mut text);
@@ -47,12 +48,12 @@ pub fn render(record: &Record, look: Look) -> String {
     table::write(record, look, &mut text);
     record.diagnoses.iter().for_each(|one| diagnosis(record, one, &mut text));
     table::next(record, &mut text);
-    // A rule and its number stay on one line.
+    // A no-break space keeps a rule and its number on one line.
     let text = text.replace("[rule ", "[rule\u{a0}");
     printable(&folded(&text, look.columns).replace("[rule\u{a0}", "[rule "))
 }
 
-/// What the program most likely does, where to look, and how much that explains.
+/// Writes the likely mistake, the place to look at, and the number of failures that it explains.
 fn diagnosis(record: &Record, diagnosis: &Diagnosis, text: &mut String) {
     let mut lead = format!("{BOLD}Most likely{BOLD:#}");
     for mistake in &diagnosis.mistakes {
@@ -65,7 +66,8 @@ fn diagnosis(record: &Record, diagnosis: &Diagnosis, text: &mut String) {
     line(text, &format!("    It explains {}.", mistakes::extent(record, diagnosis)));
 }
 
-/// What was left aside, the compiler's warnings, and why there is no program.
+/// Writes the files that were left aside, the compiler's warnings, and the reason if there is no
+/// program.
 fn build(record: &Record, look: Look, text: &mut String) {
     for ignored in &record.build.ignored {
         line(text, &format!("{ODD}left aside{ODD:#}  {}", shown(ignored)));

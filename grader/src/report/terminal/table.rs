@@ -7,7 +7,7 @@ use crate::plain::shown;
 use crate::record::{CheckKind, CheckRecord, FindingKind, Record, StageRecord, Verdict};
 use crate::report::words;
 
-/// Writes a line for each stage, and the sum.
+/// Writes a line for each stage, and the total.
 pub(super) fn write(record: &Record, look: Look, text: &mut String) {
     let rows: Vec<[String; 3]> = record.stages.iter().map(cells).collect();
     let width =
@@ -38,7 +38,8 @@ pub(super) fn write(record: &Record, look: Look, text: &mut String) {
     }
 }
 
-/// The id, and how many pictures and unit checks are right; empty where a stage has none.
+/// Returns the id of a stage, and its counts of right pictures and right unit checks. A count is
+/// empty if the stage has none.
 fn cells(stage: &StageRecord) -> [String; 3] {
     let right = |kind: CheckKind, what: &str| {
         let all: Vec<&CheckRecord> =
@@ -57,8 +58,8 @@ fn has_internal(record: &Record) -> bool {
     record.stages.iter().flat_map(|stage| &stage.checks).any(is_internal)
 }
 
-/// Writes what to do where nothing is wrong: the function to write next, or what comes after the
-/// last one.
+/// Writes the next step if nothing is wrong: the function to write next, or the step after the last
+/// one.
 pub(super) fn next(record: &Record, text: &mut String) {
     let checks = || record.stages.iter().flat_map(|stage| &stage.checks);
     let is_wrong = |check: &CheckRecord| !matches!(check.verdict, Verdict::Pass | Verdict::NotRun);
@@ -76,8 +77,7 @@ pub(super) fn next(record: &Record, text: &mut String) {
         Some(_) => return,
         None if checks().next().is_none() => return,
         None => "everything that was run passes. Grade all stages (without --stage and --case), \
-            look at the \
-                 pictures (--html report.html --open), and hand it in."
+                 look at the pictures (--html report.html --open), and hand it in."
             .to_owned(),
     };
     line(text, &format!("{BOLD}Next{BOLD:#}  {step}"));

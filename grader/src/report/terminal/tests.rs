@@ -1,4 +1,4 @@
-//! The report says what is wrong, where and why, in few lines.
+//! Tests of the report: it names each error, its place and its cause in few lines.
 
 use super::*;
 use crate::functions;
@@ -42,12 +42,12 @@ fn names_the_mistakes_that_explain_what_is_wrong() {
         docs/shading-model.md#rule-14-the-sphere\n    It explains 1 of 3 failed pictures and 1 of \
         1 failed unit check.\n";
     assert!(shown.ends_with(end), "{shown}");
-    // The two that it explains are one group, with the unit check as its example.
+    // The two checks that the mistake explains are one group, with the unit check as its example.
     assert_eq!(shown.matches("    most likely the one is <wrong>\n").count(), 1, "{shown}");
     has(&shown, &["    the same explains shifted\n"]);
 }
 
-/// A record of one stage with these checks.
+/// Returns a record of one stage with these checks.
 fn record_of(checks: Vec<CheckRecord>) -> Record {
     let mut record = sample::record("somebody");
     record.build.warnings.clear();
@@ -57,7 +57,7 @@ fn record_of(checks: Vec<CheckRecord>) -> Record {
     record
 }
 
-/// A check of the sample, under another name.
+/// Returns a check of the sample under another name.
 fn check(sample: &str, name: &str) -> CheckRecord {
     let checks = sample::record("somebody").stages.remove(0).checks;
     let mut check =
@@ -177,7 +177,7 @@ fn what_ends_alike_is_said_once() {
     };
     let shown = text(&record_of((0..30).map(|n| crash(&format!("picture_{n}"))).collect()), false);
     assert_eq!(shown.matches("it ended with code 1").count(), 1, "{shown}");
-    has(&shown, &["    the same goes for picture_1, picture_2, picture_3 and 26 more (-v)\n"]);
+    has(&shown, &["    the same applies to picture_1, picture_2, picture_3 and 26 more (-v)\n"]);
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::super::tests::{SMALL, line};
 use super::super::{Folder, Turn, run};
 use super::*;
 
-/// A machine that has enough of everything.
+/// Returns a machine that has enough of everything.
 fn well() -> Machine {
     Machine {
         place: "/scratch".into(),
@@ -19,15 +19,17 @@ fn well() -> Machine {
     }
 }
 
-/// A run that ended so, and used nothing.
+/// Returns a run that ended with `outcome` and used nothing.
 fn ended(outcome: Outcome) -> Finished {
     Finished::without_run(outcome)
 }
 
 const NEEDED: u64 = 100_000;
 
-/// Whom the machine's state blames for the outcome: a part of the message, `""` for nobody, `disk`
-/// for the program.
+/// Checks the cause of the outcome on the machine.
+///
+/// `part` is a part of the message, `""` if the machine is not to blame, or `disk` if the program
+/// filled the disk.
 fn check(machine: &Machine, outcome: Outcome, part: &str) {
     let found = match machine.cause(&ended(outcome.clone()), &SMALL, NEEDED) {
         None => String::new(),
@@ -62,7 +64,7 @@ fn a_full_disk_is_the_machines_unless_the_program_filled_it() {
     let much = Room { bytes: SMALL.folder_size + 1, files: 1 };
     check(&Machine { fits: no_space(), taken: much, ..well() }, CRASH, "disk");
     check(&Machine { taken: much, ..well() }, CRASH, "");
-    // It was full while the program ran, and is not any more.
+    // The disk was full while the program ran, and is not full any more.
     let least = |bytes| Machine { least: Room { bytes, files: 10 }, ..well() };
     check(&least(NEEDED - 4097), CRASH, "99999 were left");
     check(&least(NEEDED - 4096), CRASH, "");

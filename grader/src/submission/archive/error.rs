@@ -1,10 +1,10 @@
-//! Why an archive was not unpacked.
+//! The reasons why an archive was not unpacked.
 
 use std::io;
 
 use crate::plain;
 
-/// Why an archive was not unpacked.
+/// The reason why an archive was not unpacked.
 #[derive(Debug, thiserror::Error)]
 pub enum ArchiveError {
     /// The archive is broken.
@@ -18,7 +18,7 @@ pub enum ArchiveError {
     Machine(#[source] io::Error),
 }
 
-/// Returns the error of a broken archive, with what the reader says of it made harmless to show.
+/// Returns the error of a broken archive, with the message of its reader made harmless to show.
 pub(super) fn broken(why: impl std::fmt::Display) -> ArchiveError {
     ArchiveError::Broken(plain::name(why.to_string().as_bytes()))
 }

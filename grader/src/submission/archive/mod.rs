@@ -1,10 +1,10 @@
 //! Unpacks a submission's archive entry by entry into an empty folder, and counts while inflating.
 //!
-//! An archive is hostile until it is unpacked. Only regular files and folders come out of it, each
-//! below the folder given, with the permissions that this process gives to new files; modes, owners
-//! and times of the archive are ignored. What a header says about sizes is never believed: the
-//! bytes that come out are counted. An entry with an odd name or of an odd kind is left aside; the
-//! archive as a whole is refused where it is broken or holds too much.
+//! An archive is untrusted. Only regular files and folders come out of it, each below the given
+//! folder and with the permissions that this process gives to new files; modes, owners and times of
+//! the archive are ignored. The sizes in headers are never believed: the bytes that come out are
+//! counted. An entry with an odd name or of an odd kind is left aside; the archive as a whole is
+//! refused if it is broken or holds too much.
 
 use std::path::Path;
 
@@ -22,7 +22,7 @@ pub use error::ArchiveError;
 
 use unpacking::Unpacking;
 
-/// The archives that are read.
+/// The formats of archives that are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// `.zip`, stored or deflated.
@@ -33,10 +33,10 @@ pub enum Format {
     Tar,
 }
 
-/// Unpacks the archive `bytes` into the folder `into`, which must be empty, and returns what was
-/// left aside.
+/// Unpacks the archive `bytes` into the folder `into`, which must be empty, and returns the parts
+/// that were left aside.
 ///
-/// After an error `into` may hold a part.
+/// After an error, `into` may hold part of the archive.
 ///
 /// # Errors
 /// See [`ArchiveError`].

@@ -31,8 +31,8 @@ pub(super) fn unpack(from: impl Read, to: &mut Unpacking) -> Result<(), ArchiveE
             _ => broken(why),
         })?;
         let kind = entry.header().entry_type();
-        // This entry as it is stored may be read, and the headers of the next one. A sparse file is
-        // longer than it is stored.
+        // The stored bytes of this entry may be read, and the headers of the next one. A sparse
+        // file is longer than its stored form.
         let stored = if kind.is_gnu_sparse() {
             entry.header().entry_size().map_err(broken)?
         } else {
@@ -54,7 +54,7 @@ pub(super) fn unpack(from: impl Read, to: &mut Unpacking) -> Result<(), ArchiveE
 fn kind_of(kind: EntryType, name: &[u8]) -> Kind {
     match kind {
         EntryType::Directory => Kind::Folder,
-        // as the oldest archives have it
+        // The oldest archives mark folders in this way.
         EntryType::Regular if name.ends_with(b"/") => Kind::Folder,
         EntryType::Regular | EntryType::Continuous => Kind::File,
         EntryType::Symlink | EntryType::Link => Kind::Link,
@@ -62,7 +62,7 @@ fn kind_of(kind: EntryType, name: &[u8]) -> Kind {
     }
 }
 
-/// A reader that fails, rather than ends, where more is read than is allowed.
+/// A reader that fails, rather than ends, if more is read than is allowed.
 struct Metered<'a, R> {
     inner: R,
     /// Bytes that may be read until it is set again.

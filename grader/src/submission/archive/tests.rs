@@ -12,8 +12,7 @@ mod make;
 
 use make::{Entry, entry, file, link, tarball, tgz, zipped};
 
-/// Small, so that each can be crossed by a small archive; the ratio only matters past
-/// [`RATIO_FREE_BYTES`].
+/// Limits that a small archive can exceed. The ratio matters only past [`RATIO_FREE_BYTES`].
 const SMALL: Limits = Limits {
     archive_bytes: 1 << 20,
     inflated_bytes: 8 << 20,
@@ -25,7 +24,7 @@ const SMALL: Limits = Limits {
     ratio: 500,
 };
 
-/// What came out as (path, contents) in order, and what was left aside.
+/// The files that came out, as (path, content) in order, and the parts that were left aside.
 type Unpacked = (Vec<(String, Vec<u8>)>, Vec<String>);
 
 fn unpacked(bytes: &[u8], format: Format, limits: &Limits) -> Result<Unpacked, ArchiveError> {
@@ -64,12 +63,13 @@ fn gather(root: &Path, at: &Path, found: &mut Vec<(String, Vec<u8>)>) {
     }
 }
 
-/// All three formats of these entries.
+/// Returns an archive of these entries in each of the three formats.
 fn all(entries: &[Entry]) -> [(Format, Vec<u8>); 3] {
     [(Format::Zip, zipped(entries)), (Format::TarGz, tgz(entries)), (Format::Tar, tarball(entries))]
 }
 
-/// Archives of these entries give the files `expected`, and leave aside what `aside` says.
+/// Checks that archives of these entries give the files `expected`, and leave aside what `aside`
+/// says.
 fn check(entries: &[Entry], expected: &[&str], aside: &[&str]) {
     for (format, bytes) in all(entries) {
         check_one(format, &bytes, expected, aside);
@@ -84,7 +84,7 @@ fn check_one(format: Format, bytes: &[u8], expected: &[&str], aside: &[&str]) {
     assert_eq!(left, aside, "{format:?}");
 }
 
-/// Archives of these entries are refused in these words.
+/// Checks that archives of these entries are refused in these words.
 fn refused(entries: &[Entry], words: &str) {
     for (format, bytes) in all(entries) {
         refused_one(format, &bytes, &SMALL, words);
@@ -145,7 +145,7 @@ fn an_odd_entry_costs_itself_alone() {
             file("\u{202e}sr", b""),
             "\\u{202e}sr: has a control character or an invisible one in its name",
         ),
-        (file("a/b/c/d", b"x"), "a/b/c/d: lies 4 names deep; 3 are read"),
+        (file("a/b/c/d", b"x"), "a/b/c/d: lies 4 names deep; at most 3 are read"),
     ] {
         check(&[file("a1", b"1"), odd, file("z", b"2")], &["a1", "z"], &[why]);
     }
@@ -220,9 +220,12 @@ fn amounts_are_limited() {
     check(
         &[file("b", &large), file("c", b"")],
         &["c"],
-        &["b: has 2097153 bytes; 2097152 bytes are read"],
+        &["b: has 2097153 bytes; at most 2097152 bytes are read"],
     );
-    refused(&[file("a", &noise), file("b", &noise)], "have more than 3 MiB; 3 MiB are read");
+    refused(
+        &[file("a", &noise), file("b", &noise)],
+        "have more than 3 MiB; at most 3 MiB are read",
+    );
 }
 
 #[test]

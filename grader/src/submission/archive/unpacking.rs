@@ -1,4 +1,4 @@
-//! Takes the entries of an archive into a folder, each after a look at its name, kind and size.
+//! Writes the entries of an archive into a folder, each after a check of its name, kind and size.
 
 use std::collections::HashMap;
 use std::fs::File;
@@ -27,7 +27,7 @@ pub(super) struct Unpacking<'a> {
     left: u64,
     pub(super) n_looked_at: usize,
     n_entries: usize,
-    /// Whether a path that came out is a folder.
+    /// The paths that came out, each with whether it is a folder.
     taken: HashMap<String, bool>,
     pub(super) aside: Vec<Aside>,
 }
@@ -40,7 +40,7 @@ impl<'a> Unpacking<'a> {
         Self { into, limits, archive_bytes, left, n_looked_at: 0, n_entries: 0, taken, aside }
     }
 
-    /// Decides about an entry of that name, which claims to have `size` bytes, and makes its
+    /// Decides whether the entry `name` of the claimed size `size` is taken, and creates its
     /// folder.
     ///
     /// Returns the path to write to if the entry is a file that is taken. A skipped entry counts
@@ -115,7 +115,8 @@ impl<'a> Unpacking<'a> {
         Ok(names.iter().fold(self.into.to_owned(), |at, name| at.join(name)))
     }
 
-    /// Makes the folder that the entry is or lies in, and returns the path of a file.
+    /// Creates the folder that the entry is or lies in, and returns the path if the entry is a
+    /// file.
     fn make_folder(
         &mut self,
         name: &[u8],
@@ -133,7 +134,8 @@ impl<'a> Unpacking<'a> {
         }
     }
 
-    /// Writes what `from` gives to the new file `path`. A file that proves too large is left aside.
+    /// Writes everything from `from` to the new file `path`. A file that proves too large is left
+    /// aside.
     pub(super) fn write(
         &mut self,
         name: &[u8],
@@ -178,7 +180,7 @@ impl<'a> Unpacking<'a> {
         if self.archive_bytes.saturating_mul(ratio) >= all_bytes {
             let most = size(all_bytes);
             return ArchiveError::TooMuch(format!(
-                "the files of the archive have more than {most}; {most} are read"
+                "the files of the archive have more than {most}; at most {most} are read"
             ));
         }
         let packed = size(self.archive_bytes);
@@ -188,12 +190,13 @@ impl<'a> Unpacking<'a> {
     }
 }
 
-/// Says whether something else has that path. The file system may not tell upper from lower case.
+/// Returns whether something else has that path. The file system may not distinguish upper and
+/// lower case.
 fn is_taken(error: &io::Error) -> bool {
     matches!(error.kind(), io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory)
 }
 
-/// Says whether the entry lies in a folder that is skipped, or is a file of a system.
+/// Returns whether the entry lies in a folder that is skipped, or is a file of an operating system.
 fn is_skipped(name: &[u8], is_folder: bool) -> bool {
     let mut names: Vec<&[u8]> =
         name.split(|byte| *byte == b'/').filter(|name| !name.is_empty()).collect();

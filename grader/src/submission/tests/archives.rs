@@ -33,7 +33,7 @@ fn tarball(files: &[(&str, &[u8])]) -> Vec<u8> {
     out.into_inner().unwrap()
 }
 
-/// Reads the bytes as a file called `name`, and expects what is left aside or why it is refused.
+/// Checks what is left aside of the bytes as a file called `name`, or why it is refused.
 fn check_file(name: &str, bytes: &[u8], expected: Result<&[&str], &str>) {
     let home = submission(&[(name, bytes)]);
     check_folder(&home.path().join(name), expected);
@@ -42,7 +42,7 @@ fn check_file(name: &str, bytes: &[u8], expected: Result<&[&str], &str>) {
 const MINE: &[(&str, &[u8])] = &[("src/sphere.rs", b"mine")];
 
 #[test]
-fn an_archive_is_told_by_its_bytes() {
+fn an_archive_is_identified_by_its_bytes() {
     check_file("hw.zip", &zipped(MINE), Ok(&[]));
     check_file("hw.rar", &zipped(MINE), Ok(&[]));
     check_file("hw.tar", &tarball(MINE), Ok(&[]));
@@ -91,7 +91,7 @@ fn an_odd_entry_is_named_and_costs_nothing() {
     check_file("hw.zip", &zipped(&[MINE[0], ("hw/.venv/bin/python@", b"")]), Ok(&[]));
     let large = vec![b'x'; 20 << 20];
     let large = zipped(&[MINE[0], ("demo.mp4", &large)]);
-    check_file("hw.zip", &large, Ok(&["demo.mp4: has 20 MiB; 16 MiB are read"]));
+    check_file("hw.zip", &large, Ok(&["demo.mp4: has 20 MiB; at most 16 MiB are read"]));
 }
 
 #[test]
@@ -117,12 +117,12 @@ fn an_odd_entry_that_counts_refuses_the_submission() {
     check_file(
         "hw.zip",
         &zipped(&[run, ("mesh.obj", &large)]),
-        Err("mesh.obj: has 17 MiB; 16 MiB are read"),
+        Err("mesh.obj: has 17 MiB; at most 16 MiB are read"),
     );
     let nested: (&str, &[u8]) = ("hw/submission.toml", run.1);
     let remarks = [
         "everything outside of the folder `hw`: the submission is taken from there",
-        "demo.mp4: has 17 MiB; 16 MiB are read",
+        "demo.mp4: has 17 MiB; at most 16 MiB are read",
     ];
     check_file("hw.zip", &zipped(&[nested, ("demo.mp4", &large)]), Ok(&remarks));
     check_file(
@@ -155,5 +155,5 @@ fn an_archive_in_a_folder_is_taken() {
 fn too_large_an_archive_is_refused_with_both_numbers() {
     let mut large = zipped(MINE);
     large.resize(33 << 20, 0);
-    check_file("hw.zip", &large, Err("the archive has 33 MiB; 32 MiB are read"));
+    check_file("hw.zip", &large, Err("the archive has 33 MiB; at most 32 MiB are read"));
 }

@@ -58,7 +58,7 @@ fn no_error_stands_below_the_axis_and_what_cannot_be_drawn_is_left_out() {
         point(f64::INFINITY, 1.0, false),
     ]);
     assert_eq!((without.matches("<circle").count(), without.contains(">none<")), (1, false));
-    assert!(plot(Vec::new()).ends_with("</svg>\n"), "nothing to draw is no fault");
+    assert!(plot(Vec::new()).ends_with("</svg>\n"), "a plot without points is an empty plot");
 }
 
 #[test]

@@ -8,7 +8,7 @@ pub(super) fn plane(draws: &mut Draws) -> Question {
     Question::Plane { line, normal: draws.direction(), k: draws.between(-5.0, 5.0) }
 }
 
-/// N·d from 10⁻¹⁴ to a tenth.
+/// Draws a line that is nearly parallel to the plane: |N·d| from 10⁻¹⁴ to a tenth.
 pub(super) fn plane_near_parallel(draws: &mut Draws) -> Question {
     let normal = draws.direction();
     let slope = draws.sign() * draws.power(-14.0, -1.0);
@@ -20,7 +20,8 @@ pub(super) fn plane_near_parallel(draws: &mut Draws) -> Question {
     }
 }
 
-/// A million units from the origin, a line that starts a few units away from it.
+/// Draws a plane a million units from the origin, and a line that starts a few units from the
+/// plane.
 pub(super) fn plane_offset(draws: &mut Draws) -> Question {
     let normal = draws.direction();
     let foot =
@@ -41,7 +42,7 @@ pub(super) fn plane_scale(draws: &mut Draws) -> Question {
     }
 }
 
-/// A line towards `target`, from somewhere around.
+/// Returns a line towards `target` from a random origin.
 fn towards(draws: &mut Draws, target: [f64; 3]) -> Line {
     let origin = draws.point(5.0);
     Line { origin, direction: unit(minus(target, origin)) }
@@ -52,7 +53,7 @@ pub(super) fn square(draws: &mut Draws) -> Question {
     Question::Square { line: towards(draws, target) }
 }
 
-/// Aimed at the border.
+/// Draws a line towards the border.
 pub(super) fn square_border(draws: &mut Draws) -> Question {
     let mut target = [0.5 * draws.sign(), draws.between(-0.5, 0.5), 0.0];
     if draws.sign() > 0.0 {
@@ -61,7 +62,7 @@ pub(super) fn square_border(draws: &mut Draws) -> Question {
     Question::Square { line: towards(draws, target) }
 }
 
-/// The point of a triangle with those weights of B and C.
+/// Returns the point of a triangle with the weights `beta` of B and `gamma` of C.
 fn inside([a, b, c]: [[f64; 3]; 3], beta: f64, gamma: f64) -> [f64; 3] {
     along(along(a, minus(b, a), beta), minus(c, a), gamma)
 }
@@ -76,7 +77,7 @@ fn triangle_at(
     Question::Triangle { line: Line { origin, direction: unit(minus(target, origin)) }, corners }
 }
 
-/// A line from a few units away to somewhere in the triangle or a little beside it.
+/// Draws a line from `distance` away towards a point in the triangle or a little beside it.
 fn aimed(draws: &mut Draws, corners: [[f64; 3]; 3], distance: f64) -> Question {
     let (beta, gamma) = (draws.between(-0.25, 1.0), draws.between(-0.25, 1.0));
     triangle_at(draws, corners, inside(corners, beta, gamma), distance)
@@ -97,7 +98,7 @@ pub(super) fn triangle(draws: &mut Draws) -> Question {
     aimed(draws, corners, distance)
 }
 
-/// Ten to 10⁷ times as long as wide.
+/// Draws a triangle that is ten to 10⁷ times as long as wide.
 pub(super) fn sliver(draws: &mut Draws) -> Question {
     let (a, long) = (draws.point(3.0), draws.direction());
     let wide = draws.across(long);
@@ -108,7 +109,7 @@ pub(super) fn sliver(draws: &mut Draws) -> Question {
     aimed(draws, [a, b, c], distance)
 }
 
-/// Edges of 10⁻⁶ to 10⁻².
+/// Draws a triangle with edges of 10⁻⁶ to 10⁻².
 pub(super) fn small(draws: &mut Draws) -> Question {
     let size = draws.power(-6.0, -2.0);
     let corners = corners(draws, size);
@@ -116,7 +117,7 @@ pub(super) fn small(draws: &mut Draws) -> Question {
     aimed(draws, corners, distance)
 }
 
-/// A million units from the origin.
+/// Draws a triangle a million units from the origin.
 pub(super) fn triangle_offset(draws: &mut Draws) -> Question {
     let by = draws.direction().map(|x| x * 1e6);
     let corners = corners(draws, 2.0).map(|corner| along(corner, by, 1.0));
@@ -124,7 +125,7 @@ pub(super) fn triangle_offset(draws: &mut Draws) -> Question {
     aimed(draws, corners, distance)
 }
 
-/// One corner a million times nearer than the others.
+/// Draws a triangle with one corner a million times nearer to the origin than the others.
 pub(super) fn mixed_scale(draws: &mut Draws) -> Question {
     let corners =
         [draws.point(1.0), draws.direction().map(|x| x * 1e6), draws.direction().map(|x| x * 1e6)];
@@ -148,7 +149,7 @@ pub(super) fn at_edge(draws: &mut Draws) -> Question {
     triangle_at(draws, corners, target, distance)
 }
 
-/// Seen nearly edge on: N·d from 10⁻¹² to a tenth.
+/// Draws a triangle that is nearly edge on: |N·d| from 10⁻¹² to a tenth.
 pub(super) fn edge_on(draws: &mut Draws) -> Question {
     let corners = corners(draws, 2.0);
     let normal = unit(cross(minus(corners[1], corners[0]), minus(corners[2], corners[0])));

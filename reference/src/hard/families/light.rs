@@ -1,11 +1,12 @@
-//! Hard directions: mirrored and transmitted ones, and normals that a matrix moves.
+//! Hard reflections, refractions, transformed normals and transformed spheres.
 
 use cases::maths;
 
 use super::super::draws::{Draws, along, cross, unit};
 use super::super::question::{Line, Question};
 
-/// A direction that meets the surface with normal `n` with that cosine.
+/// Returns a unit direction towards the surface with normal `n`, whose angle of incidence has the
+/// cosine `cosine`.
 fn with_cosine(draws: &mut Draws, n: [f64; 3], cosine: f64) -> [f64; 3] {
     let sine = ((1.0 - cosine) * (1.0 + cosine)).sqrt();
     unit(along(draws.across(n).map(|x| x * sine), n, -cosine))
@@ -16,7 +17,7 @@ pub(super) fn reflect(draws: &mut Draws) -> Question {
     Question::Reflect { direction: with_cosine(draws, normal, cosine), normal }
 }
 
-/// Cosines of 10⁻⁸ to a tenth.
+/// Draws an angle of incidence with a cosine of 10⁻⁸ to a tenth.
 pub(super) fn reflect_grazing(draws: &mut Draws) -> Question {
     let (normal, cosine) = (draws.direction(), draws.power(-8.0, -1.0));
     Question::Reflect { direction: with_cosine(draws, normal, cosine), normal }
@@ -33,7 +34,7 @@ pub(super) fn refract(draws: &mut Draws) -> Question {
     refracted(draws, cosine, eta_i, eta_t)
 }
 
-/// sin θ within 10⁻¹⁵ to a tenth of the critical one, on either side.
+/// Draws a sin θ that differs from the critical one by 10⁻¹⁵ to a tenth of it, in either direction.
 pub(super) fn near_critical(draws: &mut Draws) -> Question {
     let eta_t = draws.between(1.0, 1.5);
     let eta_i = eta_t * draws.between(1.05, 2.0);
@@ -41,13 +42,13 @@ pub(super) fn near_critical(draws: &mut Draws) -> Question {
     refracted(draws, ((1.0 - sine) * (1.0 + sine)).sqrt(), eta_i, eta_t)
 }
 
-/// Cosines of 10⁻⁸ to a tenth.
+/// Draws an angle of incidence with a cosine of 10⁻⁸ to a tenth.
 pub(super) fn refract_grazing(draws: &mut Draws) -> Question {
     let (cosine, eta_t) = (draws.power(-8.0, -1.0), draws.between(1.0, 2.5));
     refracted(draws, cosine, 1.0, eta_t)
 }
 
-/// Indices that are equal, or nearly.
+/// Draws indices that are equal or nearly equal.
 pub(super) fn equal_index(draws: &mut Draws) -> Question {
     let (cosine, eta_i) = (draws.power(-3.0, 0.0), draws.between(1.0, 2.5));
     let eta_t = if draws.sign() > 0.0 {
@@ -58,14 +59,14 @@ pub(super) fn equal_index(draws: &mut Draws) -> Question {
     refracted(draws, cosine, eta_i, eta_t)
 }
 
-/// Turned about some axis by some angle.
+/// Returns the rows of a random rotation.
 fn rotation(draws: &mut Draws) -> [[f64; 3]; 3] {
     let x = draws.direction();
     let y = draws.across(x);
     [x, y, cross(x, y)]
 }
 
-/// R diag(s) S, R and S rotations.
+/// Returns the rows of R diag(scales) S, where R and S are random rotations.
 fn matrix(draws: &mut Draws, scales: [f64; 3]) -> [[f64; 3]; 3] {
     let (left, right) = (rotation(draws), rotation(draws));
     let at = |i: usize, j: usize| (0..3).map(|n| left[n][i] * scales[n] * right[n][j]).sum();
@@ -83,7 +84,7 @@ pub(super) fn normal(draws: &mut Draws) -> Question {
     Question::Normal { rows: matrix(draws, scales), normal: draws.direction() }
 }
 
-/// Axes scaled as 1 : 10⁶.
+/// Draws a matrix that scales its axes as 1 : 10⁶.
 pub(super) fn normal_stretched(draws: &mut Draws) -> Question {
     let scales = scales(draws, 6.0);
     Question::Normal { rows: matrix(draws, scales), normal: draws.direction() }
@@ -95,13 +96,14 @@ pub(super) fn normal_mirrored(draws: &mut Draws) -> Question {
     Question::Normal { rows: matrix(draws, scales), normal: draws.direction() }
 }
 
-/// One axis of 10⁻¹² to 10⁻⁶.
+/// Draws a matrix that scales one axis by 10⁻¹² to 10⁻⁶.
 pub(super) fn normal_near_singular(draws: &mut Draws) -> Question {
     let scales = [1.0, draws.power(-0.5, 0.5), draws.power(-12.0, -6.0)];
     Question::Normal { rows: matrix(draws, scales), normal: draws.direction() }
 }
 
-/// A line to the moved image of a point of the ball of that radius.
+/// Draws a line towards the image of a point at distance `reach` from the centre of the sphere,
+/// which `scales` transforms.
 fn moved_sphere(draws: &mut Draws, scales: [f64; 3], reach: f64) -> Question {
     let (rows, translation) = (matrix(draws, scales), draws.point(5.0));
     let moved = |p: [f64; 3]| -> [f64; 3] {
@@ -119,13 +121,13 @@ pub(super) fn sphere_uniform(draws: &mut Draws) -> Question {
     moved_sphere(draws, [size; 3], reach)
 }
 
-/// Axes scaled as 1 : 10³.
+/// Draws a transformed sphere whose axes are scaled as 1 : 10³.
 pub(super) fn sphere_stretched(draws: &mut Draws) -> Question {
     let (scales, reach) = (scales(draws, 3.0), draws.between(0.0, 0.7));
     moved_sphere(draws, scales, reach)
 }
 
-/// Axes scaled as 1 : 10⁶.
+/// Draws a transformed sphere whose axes are scaled as 1 : 10⁶.
 pub(super) fn sphere_flattened(draws: &mut Draws) -> Question {
     let (scales, reach) = (scales(draws, 6.0), draws.between(0.0, 0.7));
     moved_sphere(draws, scales, reach)

@@ -8,27 +8,29 @@ mod spheres;
 use super::draws::Draws;
 use super::question::Question;
 
-/// The greatest error of t, relative, and of the normal, the direction or the weights, as a vector
-/// against 1.
+/// The greatest relative error of t, and the greatest error of the normal, the direction or the
+/// weights, as a vector relative to 1.
 pub type Bound = [f64; 2];
 
 /// A kind of hard question.
 #[derive(Clone, Copy, Debug)]
 pub struct Family {
-    /// Such as `sphere, far`; unique.
+    /// The unique name, such as `sphere, far`.
     pub name: &'static str,
-    /// Which function is asked: `sphere`, `triangle`, ...
+    /// The function that is called: `sphere`, `triangle`, ...
     pub function: &'static str,
-    /// The next question.
+    /// Draws the next question.
     pub draw: fn(&mut Draws) -> Question,
-    /// What the reference keeps to in double precision: some ten times the worst of 10⁶ draws.
+    /// The bound of the reference's errors in double precision: some ten times the worst of 10⁶
+    /// draws.
     pub double: Bound,
-    /// The same in single precision. `None` where that cannot hold the question: the inverse of
-    /// such a matrix, rounded, is that of another.
+    /// The bound in single precision. `None` if single precision cannot represent the question: the
+    /// rounded inverse of such a matrix is the inverse of a different one.
     pub single: Option<Bound>,
 }
 
-/// No bound: nearer to the tip of a cone than a point is known, its normal is anything.
+/// No bound. If a hit is nearer to the tip of a cone than its own rounding error, its normal can
+/// have any direction.
 const ANY: f64 = f64::INFINITY;
 const NONE: Option<Bound> = None;
 

@@ -8,7 +8,7 @@ fn corners(draws: &mut Draws) -> ([f64; 3], [f64; 3]) {
     (min, std::array::from_fn(|n| min[n] + draws.power(-2.0, 0.5)))
 }
 
-/// A line to a point of the box or around it.
+/// Draws a line towards a point of the box or around it.
 pub(super) fn cuboid(draws: &mut Draws) -> Question {
     let (min, max) = corners(draws);
     let target = std::array::from_fn(|n| min[n] + draws.between(-0.2, 1.2) * (max[n] - min[n]));
@@ -16,8 +16,8 @@ pub(super) fn cuboid(draws: &mut Draws) -> Question {
     Question::Cuboid { line: Line { origin, direction: unit(minus(target, origin)) }, min, max }
 }
 
-/// The line runs within the plane of a face, or beside it by a rounding; the direction has one or
-/// two zeros of either sign.
+/// Draws a line in the plane of a face, or one rounding beside it. The direction has one or two
+/// zeros of either sign.
 pub(super) fn in_slab(draws: &mut Draws) -> Question {
     let (min, max) = corners(draws);
     let (axis, is_max) = (draws.index(3), draws.sign() > 0.0);
@@ -36,7 +36,7 @@ pub(super) fn in_slab(draws: &mut Draws) -> Question {
     Question::Cuboid { line: Line { origin, direction: unit(direction) }, min, max }
 }
 
-/// A line to a point of an edge.
+/// Draws a line towards a point of an edge.
 pub(super) fn at_edge(draws: &mut Draws) -> Question {
     let (min, max) = corners(draws);
     let mut target: [f64; 3] =
@@ -47,7 +47,7 @@ pub(super) fn at_edge(draws: &mut Draws) -> Question {
     Question::Cuboid { line: Line { origin, direction: unit(minus(target, origin)) }, min, max }
 }
 
-/// A million units from the origin.
+/// Draws a box and a line, a million units from the origin.
 pub(super) fn cuboid_offset(draws: &mut Draws) -> Question {
     let Question::Cuboid { line, min, max } = cuboid(draws) else {
         unreachable!("a box was drawn")
@@ -62,7 +62,7 @@ fn line_to(draws: &mut Draws, target: [f64; 3]) -> Line {
     Line { origin, direction: unit(minus(target, origin)) }
 }
 
-/// A point of the axis or around it, for the surface of radius 1 and height 1.
+/// Draws a point on the axis or around it, for a surface of radius 1 and height 1.
 fn around(draws: &mut Draws) -> [f64; 3] {
     [draws.between(-1.2, 1.2), draws.between(-1.2, 1.2), draws.between(-0.1, 1.1)]
 }
@@ -73,7 +73,7 @@ pub(super) fn cylinder(draws: &mut Draws) -> Question {
     Question::Round { line: line_to(draws, target), radii: [1.0; 2], ends: [0.0, 1.0], is_capped }
 }
 
-/// The direction within 10⁻⁸ to a tenth of the axis.
+/// Draws a line whose direction is off the axis by 10⁻⁸ to a tenth.
 pub(super) fn along_axis(draws: &mut Draws) -> Question {
     let (height, tilt) = (draws.power(0.0, 3.0), draws.power(-8.0, -1.0));
     let direction = along([0.0, 0.0, draws.sign()], draws.across([0.0, 0.0, 1.0]), tilt);
@@ -88,7 +88,7 @@ pub(super) fn along_axis(draws: &mut Draws) -> Question {
     }
 }
 
-/// Aimed at the rim: of side and disc one is met, or neither.
+/// Draws a line towards the rim, which hits the side or the disc or neither.
 pub(super) fn rim(draws: &mut Draws) -> Question {
     let around = draws.across([0.0, 0.0, 1.0]);
     let radii = [draws.power(-1.0, 0.5), draws.power(-1.0, 0.5)];
@@ -98,7 +98,8 @@ pub(super) fn rim(draws: &mut Draws) -> Question {
     Question::Round { line: line_to(draws, target), radii, ends: [0.0, 1.0], is_capped }
 }
 
-/// The side touched but for 10⁻¹⁶ to a tenth of the radius.
+/// Draws a line that is tangent to the side up to 10⁻¹⁶ to a tenth of the radius, on either side of
+/// it.
 pub(super) fn touching(draws: &mut Draws) -> Question {
     let radius = draws.power(-1.0, 1.0);
     let across = draws.across([0.0, 0.0, 1.0]);
@@ -125,7 +126,7 @@ pub(super) fn cone(draws: &mut Draws) -> Question {
     Question::Round { line: line_to(draws, target), radii, ends: [0.0, 1.0], is_capped }
 }
 
-/// The direction within 10⁻¹² to a tenth of a straight line of the side.
+/// Draws a line whose direction is off a straight line of the side by 10⁻¹² to a tenth.
 pub(super) fn along_side(draws: &mut Draws) -> Question {
     let side = draws.across([0.0, 0.0, 1.0]);
     let tilt = draws.sign() * draws.power(-12.0, -1.0);
@@ -140,7 +141,7 @@ pub(super) fn along_side(draws: &mut Draws) -> Question {
     }
 }
 
-/// Aimed at the tip, but for up to a thousandth of its height.
+/// Draws a line towards the tip, off by up to a thousandth of its height.
 pub(super) fn tip(draws: &mut Draws) -> Question {
     let off = draws.power(-16.0, -3.0);
     let target = draws.point(1.0).map(|x| x * off);

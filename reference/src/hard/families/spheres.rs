@@ -3,7 +3,8 @@
 use super::super::draws::{Draws, along, dot, minus};
 use super::super::question::{Line, Question};
 
-/// A line from `distance` away that passes the centre at `offset`; its direction has any length.
+/// Returns a line that starts `distance` away and passes the centre at the distance `offset`. Its
+/// direction has any length.
 fn passing(draws: &mut Draws, center: [f64; 3], distance: f64, offset: f64) -> Line {
     let towards = draws.direction();
     let across = draws.across(towards);
@@ -16,21 +17,22 @@ fn sphere(line: Line, center: [f64; 3], radius: f64) -> Question {
     Question::Sphere { line, center, radius }
 }
 
-/// As scenes have them.
+/// Draws a sphere and a line as in ordinary scenes.
 pub(super) fn generic(draws: &mut Draws) -> Question {
     let (center, radius) = (draws.point(5.0), draws.power(-1.0, 0.5));
     let (distance, offset) = (draws.between(0.0, 20.0), draws.between(0.0, 1.5) * radius);
     sphere(passing(draws, center, distance, offset), center, radius)
 }
 
-/// A hundred to 10⁸ radii away.
+/// Draws a sphere that is a hundred to 10⁸ radii away.
 pub(super) fn far(draws: &mut Draws) -> Question {
     let (center, radius) = (draws.point(5.0), draws.power(-1.0, 1.0));
     let (distance, offset) = (radius * draws.power(2.0, 8.0), draws.between(0.0, 1.2) * radius);
     sphere(passing(draws, center, distance, offset), center, radius)
 }
 
-/// Touched but for 10⁻¹⁶ to a tenth of the radius, on either side.
+/// Draws a line that is tangent up to 10⁻¹⁶ to a tenth of the radius, on either side of the
+/// surface.
 pub(super) fn tangent(draws: &mut Draws) -> Question {
     let (center, radius) = (draws.point(5.0), draws.power(-2.0, 2.0));
     let gap = draws.sign() * draws.power(-16.0, -1.0);
@@ -38,7 +40,7 @@ pub(super) fn tangent(draws: &mut Draws) -> Question {
     sphere(passing(draws, center, distance, radius * (1.0 + gap)), center, radius)
 }
 
-/// The line starts 10⁻¹⁵ to a tenth of the radius above the surface.
+/// Draws a line that starts 10⁻¹⁵ to a tenth of the radius above the surface.
 pub(super) fn near_surface(draws: &mut Draws) -> Question {
     let (center, radius) = (draws.point(5.0), draws.power(-2.0, 2.0));
     let height = radius * draws.power(-15.0, -1.0);
@@ -47,7 +49,8 @@ pub(super) fn near_surface(draws: &mut Draws) -> Question {
     sphere(line, center, radius)
 }
 
-/// A sphere for a ground: the eye a few units above it, radius 10³ to 10⁸.
+/// Draws a sphere that serves as the ground: its radius is 10³ to 10⁸, and the line starts a few
+/// units above it.
 pub(super) fn ground(draws: &mut Draws) -> Question {
     let radius = draws.power(3.0, 8.0);
     let center = [draws.between(-5.0, 5.0), -radius, draws.between(-5.0, 5.0)];
@@ -57,7 +60,7 @@ pub(super) fn ground(draws: &mut Draws) -> Question {
     sphere(Line { origin, direction }, center, radius)
 }
 
-/// Every coordinate of another size.
+/// Draws a sphere and a line whose coordinates all have different magnitudes.
 pub(super) fn coordinates(draws: &mut Draws) -> Question {
     let mut point = || std::array::from_fn(|_| draws.sign() * draws.power(-8.0, 8.0));
     let (origin, center): ([f64; 3], [f64; 3]) = (point(), point());
@@ -70,7 +73,7 @@ pub(super) fn coordinates(draws: &mut Draws) -> Question {
     sphere(Line { origin, direction: way.map(|x| x / length) }, center, radius)
 }
 
-/// A scene of generic size a million units from the origin.
+/// Draws a generic sphere and line, a million units from the origin.
 pub(super) fn offset(draws: &mut Draws) -> Question {
     let Question::Sphere { line, center, radius } = generic(draws) else {
         unreachable!("a sphere was drawn")
@@ -80,8 +83,8 @@ pub(super) fn offset(draws: &mut Draws) -> Question {
     sphere(line, along(center, by, 1.0), radius)
 }
 
-/// All lengths multiplied by up to 10 to the ± of what the precision holds; the direction by
-/// another number.
+/// Draws a generic sphere and line at any scale that the precision can hold. The direction is
+/// scaled by another factor.
 pub(super) fn scale(draws: &mut Draws) -> Question {
     let Question::Sphere { line, center, radius } = generic(draws) else {
         unreachable!("a sphere was drawn")

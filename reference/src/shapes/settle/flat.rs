@@ -1,20 +1,21 @@
-//! Plane, square and box in two words: comparisons of quotients, with the denominators multiplied
-//! out. [rule 15]
+//! Plane, square and box in two words: quotients are compared with the denominators multiplied out.
+//! [rule 15]
 
 use super::line::{Line, coordinates, double, times};
-use crate::ray::Ray;
-use crate::real::{Real, exponent, scaled};
-use crate::two::{Two, Two3};
-use crate::vec3::Vec3;
+use crate::numbers::real::{Real, exponent, scaled};
+use crate::numbers::two::{Two, Two3};
+use crate::numbers::vec3::Vec3;
+use crate::rays::ray::Ray;
 
-/// Where coordinates begin: a product of two of them stays within what Dekker's product can take.
+/// The exponent that the greatest coordinate is scaled to. A product of two stays within what
+/// Dekker's product can take.
 const ROOM: i32 = 300;
 
-/// Returns t = (k − N·P) / N·d of the plane with that N and k; `None` for a parallel ray.
+/// Returns t = (k − N·P) / N·d of the plane with these N and k; `None` for a parallel ray.
 #[cold]
 #[inline(never)]
 pub(in crate::shapes) fn plane<T: Real>(normal: &Vec3<T>, k: T, ray: &Ray<T>) -> Option<T> {
-    let of_normal = -exponent(coordinates([*normal])); // into units where N is some 1
+    let of_normal = -exponent(coordinates([*normal])); // scales N to some 1
     let (n, k) = (times(double(*normal), of_normal), scaled(k.f64(), of_normal));
     let line = Line::new(ray, k, ROOM)?;
     let dot = |v: Vec3<f64>| (Two3::of(n).dot(Two3::of(v)), n.abs().dot(v.abs()));
@@ -25,8 +26,8 @@ pub(in crate::shapes) fn plane<T: Real>(normal: &Vec3<T>, k: T, ray: &Ray<T>) ->
     (slope != Two::ZERO).then(|| line.t((Two::of(k) - along).certain(k.abs() + terms) / slope))
 }
 
-/// Whether the ray's line passes the plane of the square within `half` of both axes; not for a ray
-/// along it.
+/// Returns whether the ray's line passes the plane of the square within `half` of both axes; false
+/// for a ray along it.
 #[cold]
 #[inline(never)]
 pub(in crate::shapes) fn square<T: Real>(half: T, ray: &Ray<T>) -> bool {
@@ -41,7 +42,7 @@ pub(in crate::shapes) fn square<T: Real>(half: T, ray: &Ray<T>) -> bool {
     d.z != 0.0 && is_within(o.x, d.x) && is_within(o.y, d.y)
 }
 
-/// Where a line passes the plane of a face: at `way` / `along`, the latter above 0.
+/// The point where a line passes the plane of a face: t = `way` / `along`, the latter above 0.
 #[derive(Clone, Copy)]
 struct Passing {
     way: Two,
@@ -50,7 +51,7 @@ struct Passing {
 }
 
 impl Passing {
-    /// Whether this one comes later; not where the order is in doubt.
+    /// Returns whether this point comes later on the line; false where the order is in doubt.
     fn is_after(&self, other: &Self) -> bool {
         let (here, there) = (self.way * Two::of(other.along), other.way * Two::of(self.along));
         (here - there).certain((here.abs() + there.abs()).f64()) > Two::ZERO
@@ -58,7 +59,7 @@ impl Passing {
 }
 
 /// Returns where the ray's line enters the box between these corners, and where it leaves: t and
-/// the face.
+/// the face. `None` for a miss.
 #[cold]
 #[inline(never)]
 pub(in crate::shapes) fn cuboid<T: Real>(

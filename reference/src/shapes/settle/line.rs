@@ -1,23 +1,26 @@
-//! A ray in units in which nothing over- or underflows.
+//! Lines in units in which nothing overflows or underflows.
 
-use crate::ray::Ray;
-use crate::real::{Real, exponent, scaled};
-use crate::two::Two;
-use crate::vec3::Vec3;
+use crate::numbers::real::{Real, exponent, scaled};
+use crate::numbers::two::Two;
+use crate::numbers::vec3::Vec3;
+use crate::rays::ray::Ray;
 
-/// A ray in units of its own.
+/// The line of a ray, in units of its own.
 pub(super) struct Line {
     pub(super) origin: Vec3<f64>,
     pub(super) direction: Vec3<f64>,
-    /// The power of two by which lengths of the scene become lengths here.
+    /// The exponent of the power of two that scales lengths of the scene to lengths here.
     pub(super) lengths: i32,
-    /// The power of two by which the direction of the ray becomes the one here.
+    /// The exponent of the power of two that scales the direction of the ray to the one here.
     ways: i32,
 }
 
 impl Line {
-    /// Returns `ray` in units in which the greatest coordinate of its origin, or `size` where that
-    /// is greater, is some 2^`room`, and the greatest one of its direction some 1.
+    /// Returns the line of `ray`, scaled; `None` where the ray has no direction, or something is
+    /// not finite.
+    ///
+    /// The greatest coordinate of the origin, or `size` where that is greater, becomes some
+    /// 2^`room`. The greatest component of the direction becomes some 1.
     pub(super) fn new<T: Real>(ray: &Ray<T>, size: f64, room: i32) -> Option<Self> {
         let (origin, direction) = (double(ray.origin), double(ray.direction));
         let (length, way) = (
@@ -45,7 +48,7 @@ impl Line {
         scaled(length.f64(), self.lengths)
     }
 
-    /// Returns the parameter along the ray as given; ∞ where that is beyond all numbers.
+    /// Returns the parameter along the ray as given; ∞ where it overflows.
     pub(super) fn t<T: Real>(&self, t: Two) -> T {
         T::of(scaled(t.f64(), self.ways - self.lengths))
     }
@@ -61,12 +64,12 @@ pub(super) fn times(v: Vec3<f64>, e: i32) -> Vec3<f64> {
     v.map(|x| scaled(x, e))
 }
 
-/// Returns the greatest amount of a coordinate; NaN where one is.
+/// Returns the greatest magnitude of a coordinate; NaN if one is.
 pub(super) fn coordinates<T: Real, const N: usize>(points: [Vec3<T>; N]) -> f64 {
     greatest(&points.map(|p| greatest(&[p.x.f64(), p.y.f64(), p.z.f64()])))
 }
 
-/// Returns the greatest amount; NaN where one is.
+/// Returns the greatest magnitude; NaN if one is.
 pub(super) fn greatest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, x| if x.abs() > most || x.is_nan() { x.abs() } else { most })
 }

@@ -1,14 +1,14 @@
-//! The second step of certified formulas: the same questions in two words a number, for what the
-//! rounding of one leaves open. [rule 21]
+//! The second step of certified formulas: the same computations in two words per number, where the
+//! rounding of one word leaves the result open. [rule 21]
 //!
-//! Lengths and directions are scaled by powers of two first, which rounds nothing: nothing over- or
-//! underflows, be the scene as large or as small as it may. What is less than
-//! [`DOUBT`](crate::two::DOUBT) of its terms counts as zero, and borders are closed: so no hit is
-//! lost, and none is found that is farther than that beside a border. A ray without direction, or
-//! one that is not finite, meets nothing.
+//! Lengths and directions are scaled by powers of two first, which rounds nothing: nothing
+//! overflows or underflows, however large or small the scene is. A value that is less than
+//! [`DOUBT`](crate::numbers::two::DOUBT) of its terms counts as zero, and borders are closed: so no
+//! hit is lost, and none is found that is farther than that beside a border. A ray without
+//! direction, or one that is not finite, hits nothing.
 //!
-//! Shapes come as their numbers, so that nothing here depends on their files; and by reference, so
-//! that a first step need not hold the numbers ready for a second one that is rare.
+//! Shapes are passed as their numbers, so that nothing here depends on their files. They are passed
+//! by reference, so that a first step need not load the numbers for a second one that is rare.
 
 mod flat;
 mod line;

@@ -1,15 +1,16 @@
 //! Cylinder and cone in two words.
 
 use super::line::{Line, greatest};
-use crate::ray::Ray;
-use crate::real::Real;
-use crate::roots;
-use crate::two::Two;
+use crate::numbers::real::Real;
+use crate::numbers::roots;
+use crate::numbers::two::Two;
+use crate::rays::ray::Ray;
 
-/// Where coordinates begin: the discriminant has their fourth power.
+/// The exponent that the greatest coordinate is scaled to. The discriminant has the fourth power of
+/// coordinates.
 const ROOM: i32 = 150;
 
-/// A cylinder or cone and a ray's line.
+/// A cylinder or cone, and a ray's line.
 pub(in crate::shapes) struct Coil {
     line: Line,
     radii: [f64; 2],
@@ -18,7 +19,9 @@ pub(in crate::shapes) struct Coil {
 
 impl Coil {
     /// Returns the surface with these radii at these values of z, and the line of `ray`, in units
-    /// of their own; `None` where the ray has no direction, or something is not finite.
+    /// of their own.
+    ///
+    /// `None` where the ray has no direction, or something is not finite.
     #[cold]
     #[inline(never)]
     pub(in crate::shapes) fn new<T: Real>(
@@ -32,7 +35,7 @@ impl Coil {
         Some(Self { line, radii: [bottom, top], ends: [z_min, z_max] })
     }
 
-    /// Where the line meets the side between both ends, in ascending order.
+    /// Returns where the line intersects the side between both ends, in ascending order.
     pub(in crate::shapes) fn side(&self) -> Vec<Two> {
         let (o, d) = (self.line.origin, self.line.direction);
         let [bottom, top] = self.radii;
@@ -43,7 +46,7 @@ impl Coil {
         let (dd, oo) = (plane(d.x, d.y), Two::product(o.x, o.x) + Two::product(o.y, o.y));
         let (gg, rr) = (growth * growth, radius * radius);
         let b = radius * growth - plane(o.x, o.y);
-        // b² − a c, multiplied out; beside each of its three roots what the terms of it amount to
+        // b² − a c, multiplied out: with each of its three roots come the magnitudes of its terms
         let (left, right) = (Two::product(o.x, d.y), Two::product(o.y, d.x));
         let across = (left - right, (left.abs() + right.abs()).f64());
         let along = |o_x: f64, d_x: f64| {
@@ -60,7 +63,7 @@ impl Coil {
         roots.into_iter().flatten().filter(|t| self.is_between(*t)).collect()
     }
 
-    /// Whether the line is between both ends there, which belong to it.
+    /// Returns whether the line at `t` is between both ends, which belong to the surface.
     fn is_between(&self, t: Two) -> bool {
         let way = t * Two::of(self.line.direction.z);
         let above = |end: f64| {
@@ -70,8 +73,8 @@ impl Coil {
         above(self.ends[0]) >= Two::ZERO && above(self.ends[1]) <= Two::ZERO
     }
 
-    /// Where the line meets the disc at the lower end, 0, or the upper one, 1; its rim belongs to
-    /// it.
+    /// Returns where the line intersects the disc at the lower end, 0, or the upper one, 1. The rim
+    /// belongs to the disc.
     pub(in crate::shapes) fn cap(&self, end: usize) -> Option<Two> {
         let (o, d, radius) = (self.line.origin, self.line.direction, self.radii[end]);
         let way = Two::sum(self.ends[end], -o.z);
@@ -86,7 +89,7 @@ impl Coil {
         is_within.then(|| way / Two::of(d.z))
     }
 
-    /// The parameter along the ray as given.
+    /// Returns the parameter along the ray as given.
     pub(in crate::shapes) fn t<T: Real>(&self, t: Two) -> T {
         self.line.t(t)
     }

@@ -1,17 +1,17 @@
 //! The sphere in two words. [rule 14]
 
 use super::line::{Line, coordinates, greatest};
-use crate::ray::Ray;
-use crate::real::Real;
-use crate::roots;
-use crate::two::{Two, Two3};
-use crate::vec3::Vec3;
+use crate::numbers::real::Real;
+use crate::numbers::roots;
+use crate::numbers::two::{Two, Two3};
+use crate::numbers::vec3::Vec3;
+use crate::rays::ray::Ray;
 
-/// Where coordinates begin: squares of lengths stay well within what Dekker's product can take, and
-/// so do those 2^500 times smaller.
+/// The exponent that the greatest coordinate is scaled to. Squares of lengths stay well within what
+/// Dekker's product can take, and so do those 2^500 times smaller.
 const ROOM: i32 = 200;
 
-/// A sphere and a ray's line.
+/// A sphere, and a ray's line.
 pub(in crate::shapes) struct Ball {
     line: Line,
     from_center: Two3,
@@ -20,7 +20,7 @@ pub(in crate::shapes) struct Ball {
 }
 
 impl Ball {
-    /// Returns the sphere and the line of `ray` in units of their own; `None` where the ray has no
+    /// Returns the sphere and the line of `ray`, in units of their own; `None` where the ray has no
     /// direction, or something is not finite.
     #[cold]
     #[inline(never)]
@@ -39,10 +39,10 @@ impl Ball {
         })
     }
 
-    /// Both roots in ascending order, in units of this line.
+    /// Returns both roots in ascending order, in units of this line; `None` where there are none.
     ///
-    /// The discriminant is (d·d) r² − ‖f × d‖²: with the products of the cross product nearly exact
-    /// it keeps its digits however far the sphere is.
+    /// The discriminant is (d·d) r² − ‖f × d‖²: with the products of the cross product nearly
+    /// exact, it keeps its digits however far the sphere is.
     fn roots(&self) -> Option<[Two; 2]> {
         let (f, d) = (self.from_center, self.direction);
         let (a, ff, rr) = (d.dot(d), f.dot(f), Two::product(self.radius, self.radius));
@@ -57,16 +57,16 @@ impl Ball {
         roots::ascending(a, -f.dot(d), (ff - rr).certain((ff + rr).f64()), disc)
     }
 
-    /// Both roots in ascending order, along the ray as given; `None` where the ray's line passes
-    /// the sphere by.
+    /// Returns both roots in ascending order, along the ray as given; `None` where the ray's line
+    /// misses the sphere.
     #[cold]
     #[inline(never)]
     pub(in crate::shapes) fn ts<T: Real>(&self) -> Option<[T; 2]> {
         self.roots().map(|roots| roots.map(|t| self.line.t(t)))
     }
 
-    /// The outward direction at the root nearest to `t`, of some length; `None` where there is no
-    /// root, 0 where the sphere has no radius.
+    /// Returns the outward direction at the root nearest to `t`, not normalised; `None` where there
+    /// is no root, 0 where the sphere has no radius.
     #[cold]
     #[inline(never)]
     pub(in crate::shapes) fn outwards<T: Real>(&self, t: T) -> Option<Vec3<f64>> {

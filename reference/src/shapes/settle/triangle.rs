@@ -1,30 +1,30 @@
 //! The triangle in two words. [rule 16] [rule 17]
 
 use super::line::{Line, coordinates, double, times};
-use crate::ray::Ray;
-use crate::real::{Real, exponent};
-use crate::two::{Two, Two3};
-use crate::vec3::Vec3;
+use crate::numbers::real::{Real, exponent};
+use crate::numbers::two::{Two, Two3};
+use crate::numbers::vec3::Vec3;
+use crate::rays::ray::Ray;
 
-/// Where coordinates begin: products of three stay within what Dekker's product can take, and so do
-/// corners 2^1000 times nearer to the ray.
+/// The exponent that the greatest coordinate is scaled to. Products of three stay within what
+/// Dekker's product can take, and so do corners 2^1000 times nearer to the ray.
 const ROOM: i32 = 300;
 
-/// A corner as seen along the ray: moved and sheared, times d_z; beside it what the terms of x and
-/// y amount to.
+/// A corner as seen along the ray, moved and sheared, times d_z; with the magnitudes of the terms
+/// of x and y.
 #[derive(Clone, Copy)]
 struct Corner {
     x: Two,
     y: Two,
-    /// From the origin along the axis of the shear, exactly.
+    /// The coordinate from the origin along the axis of the shear, exactly.
     z: Two,
     terms: [f64; 2],
 }
 
-/// t, and the weights (α, β, γ), where the ray's line meets the triangle; the edge BC need not be
-/// tested.
+/// Returns t, and the weights (α, β, γ), where the ray's line intersects the triangle. `tests_bc`
+/// says whether the edge BC is tested.
 ///
-/// `axes` are those of the shear. A triangle seen edge on is not met.
+/// `axes` are those of the shear. A triangle seen edge on is a miss.
 #[cold]
 #[inline(never)]
 pub(in crate::shapes) fn triangle<T: Real>(
@@ -58,15 +58,15 @@ pub(in crate::shapes) fn triangle<T: Real>(
     Some((line.t(t), Vec3::new(weight(u), weight(v), weight(w))))
 }
 
-/// p × q, 0 where its sign is in doubt; and what its error may amount to in units of
-/// [`DOUBT`](crate::two::DOUBT).
+/// Returns p × q, 0 where its sign is in doubt, and the greatest error of it in units of
+/// [`DOUBT`](crate::numbers::two::DOUBT).
 fn area(p: Corner, q: Corner) -> (Two, f64) {
     let of = |x: Two, y: Two, in_x: f64, in_y: f64| x.f64().abs() * in_y + in_x * y.f64().abs();
     let terms = of(p.x, q.y, p.terms[0], q.terms[1]) + of(q.x, p.y, q.terms[0], p.terms[1]);
     ((p.x * q.y - p.y * q.x).certain(terms), terms)
 }
 
-/// (B − A) × (C − A), components in doubt 0.
+/// Returns (B − A) × (C − A), with 0 for components in doubt.
 fn normal([a, b, c]: [Vec3<f64>; 3]) -> Two3 {
     let (p, q) = (Two3::difference(b, a), Two3::difference(c, a));
     let (n, p1, q1) = (p.cross(q), p.f64().abs(), q.f64().abs());
@@ -77,7 +77,8 @@ fn normal([a, b, c]: [Vec3<f64>; 3]) -> Two3 {
     }
 }
 
-/// The outward direction of a triangle, its greatest component some 1; `None` where it has no area.
+/// Returns the outward direction of a triangle, its greatest component some 1; `None` where it has
+/// no area.
 #[cold]
 #[inline(never)]
 pub(in crate::shapes) fn outwards<T: Real>(corners: &[Vec3<T>; 3]) -> Option<Vec3<T>> {
@@ -88,7 +89,7 @@ pub(in crate::shapes) fn outwards<T: Real>(corners: &[Vec3<T>; 3]) -> Option<Vec
     (greatest > 0.0).then(|| Vec3::new(T::of(unit.x), T::of(unit.y), T::of(unit.z)))
 }
 
-/// (α, β, γ) of a point Q in the plane of ABC; NaN where ABC has no area.
+/// Returns (α, β, γ) of a point Q in the plane of ABC; NaN where ABC has no area.
 #[cold]
 #[inline(never)]
 pub(in crate::shapes) fn barycentric<T: Real>(corners: [Vec3<T>; 3], q: Vec3<T>) -> Vec3<T> {

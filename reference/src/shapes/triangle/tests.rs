@@ -7,21 +7,21 @@ fn vec(v: [f64; 3]) -> Vec3<f64> {
     Vec3::new(v[0], v[1], v[2])
 }
 
-/// With (0,0,0) (4,0,0) (0,4,0).
+/// Checks a ray against the triangle (0,0,0) (4,0,0) (0,4,0).
 fn check(origin: [f64; 3], direction: [f64; 3], expected: Option<(f64, [f64; 3])>) {
     let triangle =
         Triangle { corners: [vec([0.0; 3]), vec([4.0, 0.0, 0.0]), vec([0.0, 4.0, 0.0])] };
     let ray = Ray::leaving(Lecture, vec(origin), vec(direction));
-    let met = triangle.meet(Lecture, &ray, &Shear::of(&ray), 7);
-    let found = met.map(|m| (m.t, m.weights));
+    let hit = triangle.intersect(Lecture, &ray, &Shear::of(&ray), 7);
+    let found = hit.map(|m| (m.t, m.weights));
     assert_eq!(found, expected.map(|(t, w)| (t, vec(w))), "from {origin:?} along {direction:?}");
-    if let Some(met) = met {
-        assert_eq!(barycentric(Lecture, triangle.corners, ray.at(met.t)), met.weights);
+    if let Some(hit) = hit {
+        assert_eq!(barycentric(Lecture, triangle.corners, ray.at(hit.t)), hit.weights);
     }
 }
 
 #[test]
-fn meetings_worked_out_on_paper() {
+fn hits_computed_on_paper() {
     check([1.0, 1.0, 3.0], [0.0, 0.0, -1.0], Some((3.0, [0.5, 0.25, 0.25])));
     // from behind, t in units of d
     check([1.0, 1.0, -3.0], [0.0, 0.0, 2.0], Some((1.5, [0.5, 0.25, 0.25])));
@@ -41,16 +41,19 @@ fn no_ray_slips_between_two_triangles_that_share_an_edge() {
     for step in 1..1000 {
         let aim = a + (b - a) * (f64::from(step) / 1000.0);
         let ray = Ray::leaving(Lecture, origin, (aim - origin).normalised());
-        let meets =
-            |corners| Triangle { corners }.meet(Lecture, &ray, &Shear::of(&ray), 0).is_some();
-        assert!(meets([a, b, sides[0]]) || meets([b, a, sides[1]]), "lost at step {step}");
+        let intersects =
+            |corners| Triangle { corners }.intersect(Lecture, &ray, &Shear::of(&ray), 0).is_some();
+        assert!(
+            intersects([a, b, sides[0]]) || intersects([b, a, sides[1]]),
+            "lost at step {step}"
+        );
     }
 }
 
 #[test]
-fn a_triangle_without_area_is_never_met() {
+fn a_triangle_without_area_is_never_hit() {
     let line = Triangle { corners: [vec([0.0; 3]), vec([1.0, 0.0, 0.0]), vec([2.0, 0.0, 0.0])] };
     assert!(!line.has_area());
     let ray = Ray::leaving(Lecture, vec([1.0, 0.0, 3.0]), vec([0.0, 0.0, -1.0]));
-    assert_eq!(line.meet(Lecture, &ray, &Shear::of(&ray), 0), None);
+    assert_eq!(line.intersect(Lecture, &ray, &Shear::of(&ray), 0), None);
 }

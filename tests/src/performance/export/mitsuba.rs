@@ -1,4 +1,4 @@
-//! A scene for Mitsuba 3: the XML, and a PLY file a mesh.
+//! Exports a scene for Mitsuba 3 as XML, with a PLY file for each mesh.
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -9,12 +9,13 @@ use cases::{Light, Material, Scene};
 use super::{File, Known};
 use crate::performance::ply;
 
-/// `scene.xml` and its meshes: one ray a pixel, a shadow ray from what it meets to each light on
-/// average, or, where something reflects or refracts, one branch at random. Ellipsoids become
-/// spheres of the same volume, ambient light and background are left out.
+/// Returns `scene.xml` and its meshes. Mitsuba casts one ray per pixel. From its hit it casts a
+/// shadow ray to each light on average, or, if something reflects or refracts, follows one branch
+/// at random. Ellipsoids become spheres of the same volume. Ambient light and background are left
+/// out.
 ///
 /// # Errors
-/// Names an object of another shape than sphere or mesh.
+/// Returns the name of an object that is neither a sphere nor an untransformed mesh.
 pub fn export(scene: &Scene) -> Result<Vec<File>, String> {
     let mut out = head(scene);
     for light in &scene.lights {
@@ -53,7 +54,7 @@ fn head(scene: &Scene) -> String {
     let spawns =
         |m: &Material| scene.render.max_depth > 0 && (m.kr != DVec3::ZERO || m.kt != DVec3::ZERO);
     let integrator = if scene.materials.iter().any(spawns) {
-        // its depth counts the eye ray, and Russian roulette would end paths early
+        // Mitsuba's depth counts the eye ray. Russian roulette would end paths early.
         let depth = scene.render.max_depth + 1;
         format!(
             "<integrator type=\"path\"><integer name=\"max_depth\" value=\"{depth}\"/><integer \
@@ -84,8 +85,8 @@ fn head(scene: &Scene) -> String {
     )
 }
 
-/// Light falls off with the square of the distance there; it is as bright as the scene's at the
-/// distance of the origin.
+/// Returns a light. Mitsuba's light falls off with the square of the distance. At the distance of
+/// the origin it is as bright as the scene's.
 fn emitter(light: &Light) -> String {
     match light {
         Light::Point { position, colour, .. } => format!(
@@ -107,7 +108,8 @@ fn emitter(light: &Light) -> String {
     }
 }
 
-/// Glass has two sides of itself, all else is given them.
+/// Returns a material. Glass is two-sided by itself; the other materials are wrapped to be
+/// two-sided.
 fn bsdf(n: usize, m: &Material) -> String {
     if m.kt != DVec3::ZERO {
         let index = super::relative_index(m);

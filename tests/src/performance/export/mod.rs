@@ -1,5 +1,5 @@
-//! A scene in the formats of other renderers, as near as each comes: the same camera, shapes,
-//! lights and depth.
+//! Exports a scene to the formats of other renderers, as closely as each allows: the same camera,
+//! shapes, lights and depth.
 
 pub mod mitsuba;
 pub mod pov;
@@ -8,58 +8,59 @@ pub mod tachyon;
 use cases::glam::DVec3;
 use cases::{Material, Object, Scene, Shape, maths};
 
-/// A file that a renderer reads: its name and its bytes.
+/// A file for a renderer: its name and its bytes.
 pub type File = (String, Vec<u8>);
 
-/// A shape that every renderer here knows.
+/// A shape that every renderer here supports.
 enum Known<'a> {
     Sphere { center: DVec3, radius: f64 },
     Mesh(&'a cases::Mesh),
 }
 
-/// The shape of an object. Errs where the benchmark's scenes have no such shape, or a mesh that is
-/// moved.
+/// Returns the shape of an object. It is an error if the shape is neither a sphere nor an
+/// untransformed mesh.
 fn known<'a>(scene: &'a Scene, object: &Object) -> Result<Known<'a>, String> {
     match object.shape {
         Shape::Sphere { center, radius } => Ok(Known::Sphere { center, radius }),
         Shape::Mesh { mesh } if object.is_untransformed() => Ok(Known::Mesh(&scene.meshes[mesh])),
-        _ => Err(format!("`{}` is neither a sphere nor a mesh that is not moved", object.name)),
+        _ => Err(format!("`{}` is neither a sphere nor an untransformed mesh", object.name)),
     }
 }
 
-/// Half the height of the view plane at distance 1. [rule 1]
+/// Returns half the height of the view plane at distance 1. [rule 1]
 fn half_height(scene: &Scene) -> f64 {
     maths::tan(scene.camera.fov_y_deg.to_radians() / 2.0)
 }
 
-/// Width over height.
+/// Returns the width of the picture divided by its height.
 fn aspect(scene: &Scene) -> f64 {
     f64::from(scene.render.width) / f64::from(scene.render.height)
 }
 
-/// The sphere of the same volume in world space: for those who know no ellipsoids.
+/// Returns the centre and the radius of the sphere of the same volume in world space, for renderers
+/// without ellipsoids.
 fn as_sphere(object: &Object, center: DVec3, radius: f64) -> (DVec3, f64) {
     let m = object.world_from_object;
     (m.transform_point3(center), radius * maths::pow(m.matrix3.determinant().abs(), 1.0 / 3.0))
 }
 
-/// A share that stands for all three channels.
+/// Returns the mean of the three channels.
 fn mean(colour: DVec3) -> f64 {
     (colour.x + colour.y + colour.z) / 3.0
 }
 
-/// What all lights together give to every surface. [rule 3]
+/// Returns the sum of the ambient light of all lights. [rule 3]
 fn ambient(scene: &Scene) -> DVec3 {
     scene.lights.iter().map(cases::Light::ambient).sum()
 }
 
-/// The index of a material against the air around it, whose index is that of rule 9.
+/// Returns the index of a material relative to the air around it, which has the index of rule 9.
 fn relative_index(material: &Material) -> f64 {
     const AIR: f64 = 1.0003;
     material.index / AIR
 }
 
-/// Three numbers with `between` between them; none is −0.
+/// Formats three numbers with `between` between them. None is −0.
 fn numbers(v: DVec3, between: &str) -> String {
     let v = v + DVec3::ZERO;
     format!("{}{between}{}{between}{}", v.x, v.y, v.z)
@@ -71,8 +72,8 @@ mod tests {
 
     use super::*;
 
-    /// Eye at (0, 0, 5), looking along −z, upright; half the height of the view plane is 1; a
-    /// triangle, a moved sphere, glass.
+    /// A tiny scene with a triangle, a transformed sphere, and glass. The eye is at (0, 0, 5),
+    /// looks along −z, and is upright. Half the height of the view plane is 1.
     const TINY: &str = "
         [render]\nsize = [8, 4]\nmax_depth = 3\n[scene]\nbackground = [0.5, 0, 0.25]
         [scene.camera]\neye = [0, 0, 5]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 90
@@ -108,7 +109,7 @@ mod tests {
 
     #[test]
     fn a_scene_reaches_pov_ray_with_its_own_camera_and_depth() {
-        // the view plane at distance 1 is 4 wide and 2 high; a depth of 3 is a trace level of 3
+        // The view plane at distance 1 is 4 wide and 2 high. A depth of 3 is a trace level of 3.
         let parts = [
             "max_trace_level 3",
             "background { color rgb <0.5,0,0.25> }",

@@ -1,4 +1,4 @@
-//! A scene for POV-Ray 3.7.
+//! Exports a scene for POV-Ray 3.7.
 
 use std::fmt::Write as _;
 
@@ -7,14 +7,14 @@ use cases::{Light, Material, Mesh, Scene};
 
 use super::{File, Known};
 
-/// A directional light is one this far away, its rays parallel.
+/// The distance of the light that replaces a directional light, with parallel rays.
 const FAR: f64 = 1e6;
 
-/// One file, `scene.pov`: ellipsoids, refraction, tinted shadows and half-vector highlights as in
-/// the scene.
+/// Returns one file, `scene.pov`. Ellipsoids, refraction, tinted shadows and half-vector highlights
+/// are as in the scene.
 ///
 /// # Errors
-/// Names an object of another shape than sphere or mesh.
+/// Returns the name of an object that is neither a sphere nor an untransformed mesh.
 pub fn export(scene: &Scene) -> Result<Vec<File>, String> {
     let mut out = head(scene);
     for light in &scene.lights {
@@ -56,14 +56,14 @@ pub fn export(scene: &Scene) -> Result<Vec<File>, String> {
 
 fn head(scene: &Scene) -> String {
     let (camera, half) = (&scene.camera, super::half_height(scene));
-    // exact where the tangent is
+    // A tangent that should be 1 is made exact.
     let half = if (half - 1.0).abs() < 1e-15 { 1.0 } else { half };
     format!(
         "#version 3.7;\nglobal_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout 0 \
             ambient_light rgb 1 }}\n\
          background {{ color rgb {} }}\n\
          camera {{ perspective location {} right {} up {} direction {} }}\n",
-        // its level is our depth: the same reflected and refracted rays are cast
+        // POV-Ray's level is our depth: the same reflected and refracted rays are cast.
         scene.render.max_depth.max(1),
         v(scene.background),
         v(camera.eye),
@@ -73,8 +73,8 @@ fn head(scene: &Scene) -> String {
     )
 }
 
-/// Texture and interior. POV-Ray takes the transmitted share off diffuse light, which is made up
-/// for.
+/// Returns texture and interior. POV-Ray subtracts the transmitted share from diffuse light, so kd
+/// is divided by 1 − kt.
 fn looks(scene: &Scene, m: &Material) -> String {
     let kt = super::mean(m.kt);
     let mut text = format!(
@@ -114,7 +114,8 @@ fn mesh(mesh: &Mesh, looks: &str) -> String {
     )
 }
 
-/// As the mesh files have it, so that the text holds no digits that they do not.
+/// Rounds to single precision as in the mesh files, so that the text has no digits that the files
+/// lack.
 fn single(v: DVec3) -> DVec3 {
     let short = |x: f64| (x as f32).to_string().parse().unwrap_or(x);
     DVec3::new(short(v.x), short(v.y), short(v.z))

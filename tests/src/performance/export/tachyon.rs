@@ -1,4 +1,4 @@
-//! A scene for Tachyon 0.99, which is left-handed: z is turned about.
+//! Exports a scene for Tachyon 0.99, which is left-handed: the sign of z is flipped.
 
 use std::fmt::Write as _;
 
@@ -7,11 +7,11 @@ use cases::{Light, Material, Mesh, Scene};
 
 use super::{File, Known};
 
-/// One file, `scene.dat`. Tachyon knows no ellipsoids, which become spheres of the same volume, and
-/// no refraction: rays go straight through.
+/// Returns one file, `scene.dat`. Tachyon has no ellipsoids, which become spheres of the same
+/// volume, and no refraction: rays go straight through.
 ///
 /// # Errors
-/// Names an object of another shape than sphere or mesh.
+/// Returns the name of an object that is neither a sphere nor an untransformed mesh.
 pub fn export(scene: &Scene) -> Result<Vec<File>, String> {
     let mut out = head(scene);
     for light in &scene.lights {
@@ -76,7 +76,7 @@ fn texture(scene: &Scene, n: usize, m: &Material) -> String {
 fn triangles(out: &mut String, mesh: &Mesh, material: usize) {
     let short = |p: DVec3| format!("{} {} {}", p.x as f32, p.y as f32, (0.0 - p.z) as f32);
     for [a, b, c] in &mesh.triangles {
-        // the other hand's orientation
+        // The orientation is reversed for the left-handed frame.
         let corners = [a, c, b];
         let corner = |of: &[DVec3], k: usize| short(of[*corners[k] as usize]);
         *out += if mesh.normals.is_some() { "STRI" } else { "TRI" };

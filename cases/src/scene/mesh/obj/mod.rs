@@ -1,9 +1,9 @@
-//! Wavefront files: the vertices, normals and faces of the format, as its documents and the usual
-//! programs write them.
+//! Reads Wavefront files: the vertices, normals and faces of the format, as its documents and the
+//! usual programs write them.
 //!
-//! What no mesh of triangles needs is passed over, whatever it holds: texture coordinates, colours
-//! and weights of vertices, lines, points, groups, materials, free-form curves and surfaces, and
-//! keywords that the format does not have.
+//! Parts that no mesh of triangles needs are skipped, whatever they hold: texture coordinates,
+//! colours and weights of vertices, lines, points, groups, materials, free-form curves and
+//! surfaces, and keywords that the format does not have.
 
 mod scan;
 mod statements;
@@ -16,8 +16,8 @@ use scan::Scan;
 use statements::{NONE, Obj};
 use vertices::Vertices;
 
-/// Returns the mesh of a file, with normals only if they are wanted. A vertex is a pair of position
-/// and normal that some corner has; vertices come in the order of the corners.
+/// Parses a file. The mesh has normals only if `with_normals`. A vertex is a pair of position and
+/// normal that some corner has; vertices are in the order of the corners.
 ///
 /// # Errors
 /// The file has no triangles, or something that they need cannot be used.
@@ -25,7 +25,7 @@ pub(super) fn parse(bytes: &[u8], with_normals: bool) -> Result<Mesh, Fault> {
     mesh(&Obj::read(bytes, with_normals)?)
 }
 
-/// Returns the mesh of the statements.
+/// Builds the mesh of the statements.
 fn mesh(obj: &Obj) -> Result<Mesh, Fault> {
     if obj.faces.is_empty() {
         return Err(without_faces(obj));
@@ -56,7 +56,7 @@ fn without_faces(obj: &Obj) -> Fault {
     }
 }
 
-/// Returns the fault, at a corner of a face unless it has a place of its own.
+/// Moves the fault to corner `n` of a face, unless it has a place of its own.
 fn at_corner(obj: &Obj, fault: Fault, face: usize, n: usize) -> Fault {
     let mut scan = Scan::new(obj.bytes, face);
     scan.keyword();

@@ -1,11 +1,11 @@
-//! The statements of a Wavefront file, word by word.
+//! Splits a Wavefront file into statements and words.
 //!
 //! A line ends with CR, LF, or both. A comment runs from `#` to the end of its line. A `\` at the
-//! end of a line continues a statement on the next one; behind it there may be blanks.
+//! end of a line continues a statement on the next one; blanks may follow the `\`.
 
 use crate::scene::mesh::text::{Word, is_blank, is_end};
 
-/// A reader of the statements from some byte on.
+/// A reader of the statements from an offset on.
 #[derive(Clone, Copy)]
 pub(super) struct Scan<'a> {
     bytes: &'a [u8],
@@ -22,13 +22,13 @@ impl<'a> Scan<'a> {
         Self { bytes, at }
     }
 
-    /// Returns the byte that comes next.
+    /// Returns the offset of the next byte.
     pub(super) fn at(&self) -> usize {
         self.at
     }
 
-    /// Returns the keyword of the next statement, at the start of a line or behind all words of
-    /// one.
+    /// Returns the keyword of the next statement. The reader is at the start of a line or after all
+    /// words of a statement.
     pub(super) fn keyword(&mut self) -> Option<Word<'a>> {
         loop {
             if let Some(word) = self.word() {
@@ -41,7 +41,7 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// Returns the next word of the statement.
+    /// Returns the next word of the statement, or `None` at its end.
     pub(super) fn word(&mut self) -> Option<Word<'a>> {
         loop {
             match *self.bytes.get(self.at)? {
@@ -66,7 +66,7 @@ impl<'a> Scan<'a> {
         Some(Word { at, text: &self.bytes[at..self.at] })
     }
 
-    /// Returns where the next line begins, if the `\` that comes next continues the statement
+    /// Returns the offset of the next line if the `\` at the current offset continues the statement
     /// there.
     fn continuation(&self) -> Option<usize> {
         let rest = &self.bytes[self.at + 1..];
@@ -80,24 +80,23 @@ impl<'a> Scan<'a> {
         Some(self.at + 1 + n_blanks + n_ends)
     }
 
-    /// Passes over the rest of a comment, or of a statement that is not used.
+    /// Skips the rest of a comment, or of a statement that is not used.
     ///
-    /// If the line ends with `\`, the next line is passed over too, unless it is a statement that
-    /// is used: such a comment can end with the name of a folder, and no vertex must be lost for
-    /// it.
+    /// If the line ends with `\`, the next line is skipped too, unless it is a statement that is
+    /// used: a comment can end with the name of a folder, which must not cost a vertex.
     pub(super) fn skip(&mut self) {
         while self.skip_line() {
             let mut next = *self;
             match next.word() {
-                // Lines without a word between here and there end with `\` as well. To look at each
-                // of them would take time in proportion to their square.
+                // The lines between here and this word hold no word and end with `\` as well. A
+                // look at each of them would take quadratic time.
                 Some(word) if !is_used(word.text) => self.at = word.at,
                 _ => return,
             }
         }
     }
 
-    /// Moves to the next line; returns whether this one ends with `\`.
+    /// Moves to the next line. Returns whether this one ends with `\` and another one follows.
     fn skip_line(&mut self) -> bool {
         let rest = &self.bytes[self.at..];
         let length = rest.iter().position(|byte| is_end(*byte)).unwrap_or(rest.len());

@@ -6,12 +6,12 @@ use super::scan::{Scan, is_used};
 use crate::scene::mesh::fault::{Fault, Place};
 use crate::scene::mesh::text::{Word, beginning, real, whole};
 
-/// Stands for the normal of a corner that has none.
+/// Index of a corner's normal if it has none.
 pub(super) const NONE: u32 = u32::MAX;
 
 const CORNERS: &str = "a corner is written v, v/vt, v//vn or v/vt/vn, each of them a whole number";
-/// The most numbers that may follow the three of a vertex: a weight, or a colour with its opacity,
-/// or both.
+/// Largest count of numbers after the three of a vertex: a weight, or a colour with its opacity, or
+/// both.
 const MOST_BEHIND: usize = 5;
 pub(super) const INDICES: &str = "indices count from 1; negative ones count back from the latest";
 
@@ -27,7 +27,7 @@ pub(super) struct Obj<'a> {
     pub(super) other: Option<Word<'a>>,
 }
 
-/// A corner of a face. Its indices, from 0, may be too large: they can name what comes later.
+/// A corner of a face. Its indices, from 0, may be too large, because they can name later vertices.
 #[derive(Clone, Copy)]
 pub(super) struct Corner {
     pub(super) position: u32,
@@ -35,14 +35,14 @@ pub(super) struct Corner {
 }
 
 pub(super) struct Face {
-    /// Where its corners end in the list of all.
+    /// End of its corners in the list of all corners.
     pub(super) end: usize,
-    /// The byte at which it stands.
+    /// Offset of the statement.
     pub(super) at: usize,
 }
 
 impl<'a> Obj<'a> {
-    /// Returns the statements of the file; the normals are read only if they are wanted.
+    /// Reads the statements of a file. The normals are read only if `with_normals`.
     pub(super) fn read(bytes: &'a [u8], with_normals: bool) -> Result<Self, Fault> {
         let mut obj = Self {
             bytes,
@@ -67,7 +67,7 @@ impl<'a> Obj<'a> {
         Ok(obj)
     }
 
-    /// Adds a face with the corners that come next.
+    /// Adds a face with the corners that follow.
     fn face(
         &mut self,
         scan: &mut Scan<'a>,
@@ -98,7 +98,7 @@ impl<'a> Obj<'a> {
         Ok(())
     }
 
-    /// Takes note of a statement that is not used, unless its keyword shows that something is lost.
+    /// Records a statement that is not used. Fails if its keyword shows that something is lost.
     fn check_unused(&mut self, keyword: Word<'a>) -> Result<(), Fault> {
         let text = keyword.text;
         let of_lower_case = text.to_ascii_lowercase();
@@ -130,7 +130,7 @@ impl<'a> Obj<'a> {
         Ok(())
     }
 
-    /// Returns the place of the statement number `n` of those with this keyword, from 0.
+    /// Returns the place of the `n`-th statement with this keyword, from 0, or else the file.
     pub(super) fn statement(&self, wanted: &[u8], n: u32) -> Place {
         let mut scan = Scan::new(self.bytes, beginning(self.bytes).unwrap_or(0));
         let mut left = n;
@@ -150,10 +150,10 @@ impl<'a> Obj<'a> {
     }
 }
 
-/// Returns the three numbers of a statement that has nothing but numbers.
+/// Reads the three numbers of a statement that has only numbers.
 ///
 /// Up to [`MOST_BEHIND`] others may follow: a weight, and the parts of a colour. A word among them
-/// shows that the next statement has been drawn into this one, which would lose it.
+/// shows that the next statement was joined to this one, which would lose it.
 fn vector(scan: &mut Scan<'_>, keyword: Word<'_>) -> Result<DVec3, Fault> {
     let vector = three(scan, keyword)?;
     let mut n_behind = 0;
@@ -168,7 +168,7 @@ fn vector(scan: &mut Scan<'_>, keyword: Word<'_>) -> Result<DVec3, Fault> {
     Ok(vector)
 }
 
-/// Returns the three numbers that come next in a statement.
+/// Reads the next three numbers of a statement.
 fn three(scan: &mut Scan<'_>, keyword: Word<'_>) -> Result<DVec3, Fault> {
     let mut numbers = [0.0; 3];
     for (n, number) in numbers.iter_mut().enumerate() {
@@ -187,7 +187,7 @@ fn three(scan: &mut Scan<'_>, keyword: Word<'_>) -> Result<DVec3, Fault> {
     Ok(DVec3::from_array(numbers))
 }
 
-/// Returns the index from 0 that a part of a corner means, where so many of its kind have come
+/// Returns the index from 0 that a part of a corner means. `n_before` vertices or normals have come
 /// before.
 fn index(word: Word<'_>, part: Option<&[u8]>, kind: &str, n_before: usize) -> Result<u32, Fault> {
     let Some(number) = part.and_then(whole) else {

@@ -8,13 +8,13 @@ use super::statements::{Corner, INDICES, NONE, Obj};
 use crate::scene::mesh::checks::{checked_normal, checked_position};
 use crate::scene::mesh::fault::Fault;
 
-/// The vertices of a mesh: the pairs of position and normal that corners have.
+/// The vertices of a mesh: one for every pair of position and normal that a corner has.
 pub(super) struct Vertices<'a> {
     obj: &'a Obj<'a>,
     is_smooth: bool,
-    /// For each position, the normal that it last had and the number of the vertex.
+    /// Latest normal of each position, and the number of the vertex with it.
     latest: Vec<(u32, u32)>,
-    /// The vertices whose positions have several normals.
+    /// Numbers of the vertices whose positions have several normals.
     others: HashMap<(u32, u32), u32>,
     pub positions: Vec<DVec3>,
     /// Empty if no corner has a normal.
@@ -29,7 +29,7 @@ impl<'a> Vertices<'a> {
         Self { obj, is_smooth, latest, others: HashMap::new(), positions: vec![], normals: vec![] }
     }
 
-    /// Returns the number of the vertex at a corner.
+    /// Returns the number of the vertex at a corner, which is added if it is new.
     pub(super) fn number(&mut self, corner: Corner) -> Result<u32, Fault> {
         let Corner { position, normal } = corner;
         let n_positions = self.latest.len();

@@ -4,7 +4,7 @@ use crate::problem::{did_you_mean, quoted as listed};
 use crate::scene::mesh::fault::{Fault, quoted};
 use crate::scene::mesh::text::{Word, beginning, is_blank, is_end};
 
-/// How the numbers are written.
+/// The encoding of the numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Encoding {
     Text,
@@ -25,7 +25,7 @@ pub(super) enum Kind {
     Float64,
 }
 
-/// Both families of names for the types.
+/// The names of the types; every type has two.
 const KINDS: [(&str, Kind); 16] = [
     ("char", Kind::Int8),
     ("int8", Kind::Int8),
@@ -46,7 +46,7 @@ const KINDS: [(&str, Kind); 16] = [
 ];
 
 impl Kind {
-    /// Returns the bytes of a number in the binary encodings.
+    /// Returns the size of a number in the binary encodings, in bytes.
     pub(super) fn size(self) -> usize {
         match self {
             Self::Int8 | Self::Uint8 => 1,
@@ -56,7 +56,7 @@ impl Kind {
         }
     }
 
-    /// Returns the least and the greatest value of a whole number; `None` for the other types.
+    /// Returns the least and the greatest value of an integer type; `None` for the other types.
     pub(super) fn range(self) -> Option<(i64, i64)> {
         match self {
             Self::Int8 => Some((i8::MIN.into(), i8::MAX.into())),
@@ -80,7 +80,7 @@ pub(super) struct Property<'a> {
     pub count: Option<Kind>,
 }
 
-/// An element: so many records, each with all properties.
+/// An element: a number of records, each with all properties.
 #[derive(Debug)]
 pub(super) struct Element<'a> {
     pub name: Word<'a>,
@@ -102,15 +102,16 @@ impl Element<'_> {
 pub(super) struct Header<'a> {
     pub encoding: Encoding,
     pub elements: Vec<Element<'a>>,
-    /// The byte behind the header.
+    /// Offset of the first byte after the header.
     pub end: usize,
 }
 
 impl<'a> Header<'a> {
-    /// Returns the header of a file of these bytes.
+    /// Parses the header of a file of these bytes.
     ///
     /// # Errors
-    /// A line that the format does not have, or a header without end.
+    /// The file does not begin with a header, or the header has a line that the format does not
+    /// have, names no format, or does not end.
     pub(super) fn parse(bytes: &'a [u8]) -> Result<Self, Fault> {
         let mut lines = Lines::new(bytes, beginning(bytes)?);
         let first = lines.next_words();
@@ -143,7 +144,7 @@ impl<'a> Header<'a> {
                 [Word { text: b"property", .. }, ref rest @ ..] => {
                     let Some(element) = elements.last_mut() else {
                         return Err(words[0]
-                            .fault("stands before all elements", "declare its element first"));
+                            .fault("comes before all elements", "declare its element first"));
                     };
                     element.properties.push(property(&words[0], rest)?);
                 }
@@ -163,10 +164,10 @@ impl<'a> Header<'a> {
         Ok(Self { encoding, elements, end: lines.at })
     }
 
-    /// Returns the element of that name, if there is one.
+    /// Returns the element of that name, or `None` if there is none.
     ///
     /// # Errors
-    /// There are several.
+    /// Several elements have that name.
     pub(super) fn element(&self, name: &str) -> Result<Option<&Element<'a>>, Fault> {
         let mut found = self.elements.iter().filter(|element| element.name.text == name.as_bytes());
         let first = found.next();
@@ -183,13 +184,13 @@ impl<'a> Header<'a> {
 struct Lines<'a> {
     bytes: &'a [u8],
     at: usize,
-    /// Whether lines end with CR alone, as the first one does. An LF behind `end_header` then
+    /// Whether lines end with CR alone, as the first one does. An LF after `end_header` then
     /// belongs to the numbers.
     ends_with_cr: bool,
 }
 
 impl<'a> Lines<'a> {
-    /// As many words of a line are looked at: those of a list, and one that would be too many.
+    /// Number of words of a line that are read: those of a list, and one that would be too many.
     const MOST_WORDS: usize = 6;
 
     fn new(bytes: &'a [u8], at: usize) -> Self {
@@ -198,7 +199,7 @@ impl<'a> Lines<'a> {
         Self { bytes, at, ends_with_cr }
     }
 
-    /// Returns the words of the next line; `None` where the file ends before the line does.
+    /// Returns the words of the next line, or `None` if the file ends before the line does.
     fn next_words(&mut self) -> Option<Vec<Word<'a>>> {
         let (start, rest) = (self.at, &self.bytes[self.at..]);
         let length = rest.iter().position(|byte| is_end(*byte))?;
@@ -234,7 +235,7 @@ fn element<'a>(name: Word<'a>, count: Word<'a>) -> Result<Element<'a>, Fault> {
     let digits = digits.ok_or_else(|| {
         count.fault("is not a number of records", "give a whole number of at least 0")
     })?;
-    // No file can hold the largest number of records either, so a larger one need not be exact.
+    // No file can hold `usize::MAX` records, so a larger number need not be exact.
     let n = digits.parse().unwrap_or(usize::MAX);
     Ok(Element { name, count: n, written: count, properties: vec![] })
 }

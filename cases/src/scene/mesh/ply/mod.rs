@@ -1,9 +1,9 @@
-//! PLY files, as text and in both binary encodings.
+//! Reads PLY files, as text and in both binary encodings.
 //!
-//! The elements `vertex` and `face` make the mesh. All other elements and properties are passed
-//! over, whatever they hold. In the text encoding the numbers are a stream of words: lines do not
-//! matter. Anything but white space behind the last element is an error, since it shows that the
-//! header does not describe the file.
+//! The elements `vertex` and `face` make the mesh. All other elements and properties are skipped,
+//! whatever they hold. In the text encoding the numbers are a stream of words: lines do not matter.
+//! Anything but white space after the last element is an error, because it shows that the header
+//! does not describe the file.
 
 mod header;
 mod records;
@@ -21,10 +21,10 @@ use values::{Binary, Text, Values};
 
 const POSITION: [&str; 3] = ["x", "y", "z"];
 const NORMAL: [&str; 3] = ["nx", "ny", "nz"];
-/// The names of the list of a face's corners; the first is the better one if a file has both.
+/// The names of the list of a face's corners. The first one is used if a file has both.
 const CORNERS: [&str; 2] = ["vertex_indices", "vertex_index"];
 
-/// Returns the mesh of a file, with normals only if they are wanted.
+/// Parses a file. The mesh has normals only if `with_normals`.
 ///
 /// # Errors
 /// The file has no triangles, or something that they need cannot be used.
@@ -38,10 +38,10 @@ pub(super) fn parse(bytes: &[u8], with_normals: bool) -> Result<Mesh, Fault> {
     }
 }
 
-/// What is done with a property of a record.
+/// The use that is made of a property of a record.
 #[derive(Clone, Copy)]
 enum Use {
-    /// The property is passed over.
+    /// The property is skipped.
     Skip,
     /// The property is a coordinate: x, y, z, and nx, ny, nz from 3 on.
     Coordinate(usize),
@@ -49,14 +49,14 @@ enum Use {
     Corners,
 }
 
-/// What is read of a file.
+/// The parts of a file that are read.
 struct Plan<'a> {
     header: &'a Header<'a>,
-    /// What each property of `vertex` is.
+    /// Use of each property of `vertex`.
     vertex: Vec<Use>,
     has_normals: bool,
     n_vertices: usize,
-    /// What each property of `face` is.
+    /// Use of each property of `face`.
     face: Vec<Use>,
 }
 
@@ -126,7 +126,7 @@ impl<'a> Plan<'a> {
         }
         let surplus = values.surplus();
         if surplus > 0 {
-            let (at, what) = (values.at(), format!("bytes behind the last element: {surplus}"));
+            let (at, what) = (values.at(), format!("bytes after the last element: {surplus}"));
             let help = "the header does not describe the file: correct its counts and types, or \
                 cut the rest off";
             return Err(Fault {
@@ -154,8 +154,8 @@ impl<'a> Plan<'a> {
         Ok(Mesh { vertices, triangles, normals: self.has_normals.then_some(normals) })
     }
 
-    /// Returns the positions of all vertices, and their normals as they stand in the file if they
-    /// are wanted.
+    /// Returns the positions of all vertices, and their normals as in the file, if these are
+    /// needed.
     fn vertices(
         &self,
         element: &Element<'_>,
@@ -236,7 +236,7 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// Returns the number of the property of that name, if the element has one.
+/// Returns the index of the property of that name, or `None` if the element has none.
 fn position(element: &Element<'_>, name: &str) -> Result<Option<usize>, Fault> {
     let mut found =
         (0..element.properties.len()).filter(|n| element.properties[*n].name == name.as_bytes());
@@ -250,11 +250,11 @@ fn is_list_of_whole(property: &Property<'_>) -> bool {
     property.count.is_some() && property.kind.range().is_some()
 }
 
-/// Replaces each vector by what `checked` makes of it. The list `used` names those that the mesh
-/// needs; one that it does not need becomes `spare` where it cannot be used.
+/// Replaces each vector by the result of `checked`. A vector for which `checked` fails becomes
+/// `spare`, unless the list `used` of the vectors that the mesh needs names it.
 ///
 /// # Errors
-/// The mesh needs a vector that cannot be used: the number of its vertex, and why.
+/// The mesh needs a vector for which `checked` fails: the number of its vertex, and the fault.
 fn settle(
     vectors: &mut [DVec3],
     used: impl Iterator<Item = u32>,

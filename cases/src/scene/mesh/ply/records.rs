@@ -1,15 +1,15 @@
-//! Records of elements: whether they can all be there, and passing over them.
+//! Records of elements: checks that they can all be there, and skips them.
 
 use super::header::{Element, Kind, Property};
 use super::values::Values;
 use crate::scene::mesh::fault::{Fault, Place};
 
-/// Refuses an element that promises more records than the rest of the file can hold.
+/// Refuses an element that has more records than the rest of the file can hold.
 pub(super) fn check_count(element: &Element<'_>, values: &mut impl Values) -> Result<(), Fault> {
     let least = |property: &Property<'_>| property.count.unwrap_or(property.kind);
     let per_record =
         element.properties.iter().map(|property| 1.0 / values.most(least(property)) as f64);
-    // A record takes this share of what is left, or more.
+    // A record takes at least this share of the rest of the file.
     let share: f64 = per_record.sum();
     if share > 0.0 && element.count as f64 * share > 1.0 + 1e-9 {
         let help = "write the file again, or correct the count";
@@ -18,7 +18,7 @@ pub(super) fn check_count(element: &Element<'_>, values: &mut impl Values) -> Re
     Ok(())
 }
 
-/// Passes over records of an element.
+/// Skips `n` records of an element.
 pub(super) fn skip(element: &Element<'_>, values: &mut impl Values, n: usize) -> Result<(), Fault> {
     if element.properties.is_empty() {
         return Ok(());
@@ -31,7 +31,7 @@ pub(super) fn skip(element: &Element<'_>, values: &mut impl Values, n: usize) ->
     Ok(())
 }
 
-/// Passes over a property of a record.
+/// Skips a property of a record.
 pub(super) fn pass(property: &Property<'_>, values: &mut impl Values) -> Result<(), Fault> {
     let n = match property.count {
         Some(count) => n_entries(property, count, values)?,
@@ -40,7 +40,7 @@ pub(super) fn pass(property: &Property<'_>, values: &mut impl Values) -> Result<
     values.skip(property.kind, n)
 }
 
-/// Returns the number of entries of a list, which are known to fit into the rest of the file.
+/// Reads the number of entries of a list, and checks that the rest of the file can hold them.
 pub(super) fn n_entries(
     property: &Property<'_>,
     count: Kind,
@@ -63,7 +63,7 @@ pub(super) fn n_entries(
     }
 }
 
-/// Returns the fault with its place in record `n` of an element.
+/// Moves the fault to its place in record `n` of an element.
 pub(super) fn within(fault: Fault, element: &Element<'_>, n: usize, values: &impl Values) -> Fault {
     let name = String::from_utf8_lossy(&element.name.text[..element.name.text.len().min(40)]);
     match fault.place {

@@ -1,30 +1,30 @@
-//! The numbers behind a header, one after another, in each of the encodings.
+//! The numbers after a header, one after another, in each of the encodings.
 
 use super::header::Kind;
 use crate::scene::mesh::fault::{Fault, Place, quoted};
 use crate::scene::mesh::text::{is_blank, is_end, real, whole};
 
-/// A stream of numbers. Its faults lack the element that they belong to.
+/// A stream of numbers. Its faults do not name the element that they belong to.
 pub(super) trait Values {
-    /// Returns the byte at which the next number starts, or will be looked for.
+    /// Returns the offset at which the next number starts or is expected.
     fn at(&mut self) -> usize;
 
-    /// Returns the place of a byte, for a fault in that element.
+    /// Returns the place of an offset, for a fault in that element.
     fn place(&self, at: usize, element: String) -> Place;
 
-    /// Returns the next number, of that type, as a double.
+    /// Reads the next number, which has that type, as a double.
     fn real(&mut self, kind: Kind) -> Result<f64, Fault>;
 
-    /// Returns the next number, of that type of whole numbers.
+    /// Reads the next number, which has that integer type.
     fn whole(&mut self, kind: Kind) -> Result<i64, Fault>;
 
-    /// Passes over numbers of that type, whatever they are.
+    /// Skips `n` numbers of that type, whatever they are.
     fn skip(&mut self, kind: Kind, n: usize) -> Result<(), Fault>;
 
-    /// Returns how many numbers of that type the rest can hold at most.
+    /// Returns how many numbers of that type the rest of the file can hold at most.
     fn most(&self, kind: Kind) -> usize;
 
-    /// Returns the bytes that are left when all elements have been read, and must not be there.
+    /// Returns the number of bytes after the last element. The file is wrong if there are any.
     fn surplus(&mut self) -> usize;
 }
 
@@ -35,7 +35,7 @@ fn short(at: usize) -> Fault {
     Fault::at(at, "the file ends here", HELP_SHORT)
 }
 
-/// Numbers as words; how they stand in lines does not matter.
+/// Numbers as words. Line ends do not matter.
 #[derive(Clone)]
 pub(super) struct Text<'a> {
     bytes: &'a [u8],
@@ -185,7 +185,7 @@ impl<const LITTLE: bool> Values for Binary<'_, LITTLE> {
     }
 
     fn surplus(&mut self) -> usize {
-        // Editors and some programs add the end of a line.
+        // Editors and some programs append a line end.
         let rest = &self.bytes[self.at..];
         if rest.iter().all(|byte| is_end(*byte) || is_blank(*byte)) { 0 } else { rest.len() }
     }

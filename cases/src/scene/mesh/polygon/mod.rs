@@ -1,8 +1,8 @@
-//! Faces of more than three corners, cut into triangles.
+//! Cuts faces of more than three corners into triangles.
 //!
 //! A convex polygon becomes a fan about its first corner. Any other simple polygon is triangulated
-//! by a sweep ([`sweep`]). Both look at the polygon along the axis that is most nearly its normal.
-//! The corners need not lie in one plane exactly, since files round them and modellers bend them:
+//! by a sweep ([`sweep`]). Both flatten the polygon along the axis that is most nearly its normal.
+//! The corners need not lie in one plane exactly, because files round them and modellers bend them;
 //! the triangles are then the surface. A polygon that is bent so much that this surface is a guess
 //! is an error, and so is one that crosses itself.
 
@@ -15,32 +15,32 @@ use robust::orient2d;
 
 use plane::{Plane, Point, order};
 
-/// How far a corner may lie off the mean plane, as a share of the diagonal of the polygon's box.
+/// Greatest distance of a corner from the mean plane, as a share of the diagonal of the polygon's
+/// box.
 const MOST_BENT: f64 = 0.1;
 
-/// A polygon that crosses itself and is thinner than this has no area; the largest coordinate is 1.
+/// Thickness below which a polygon that crosses itself has no area; the largest coordinate is 1.
 ///
 /// It is four roundings to single precision, in which most files are written.
 const THIN: f64 = 4.0 / 16_777_216.0;
 
-/// Why a polygon has no triangles that are certain to be its surface.
+/// The reason why no triangles are certain to be the surface of a polygon.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub(super) enum PolygonError {
     /// The order of the corners encloses no surface.
     #[error("crosses or touches itself")]
     Crosses,
-    /// The corners are too far from lying in one plane.
+    /// The corners are too far from one plane: by this share of the polygon's size.
     #[error("is not flat: a corner lies {:.1} % of the face's size off the mean plane, and {:.0} \
         % is allowed",
         .0 * 100.0, MOST_BENT * 100.0)]
     Bent(f64),
 }
 
-/// Returns the triangles of the polygon with these finite corners, as numbers of corners.
+/// Triangulates the polygon with these finite corners. The triangles are indices of corners.
 ///
 /// Each triangle has the polygon's orientation, and all of them have an area. A polygon without
-/// area
-/// has no triangles. A corner at the place of an earlier one is replaced by that one.
+/// area has no triangles. A corner at the place of an earlier one is replaced by that one.
 ///
 /// # Errors
 /// The polygon is bent by more than [`MOST_BENT`], or crosses itself as seen along its normal.
@@ -82,9 +82,9 @@ fn is_thin(corners: &[DVec3]) -> bool {
     corners.iter().all(|corner| (*corner - corners[0]).cross(along).length() <= THIN)
 }
 
-/// What is known of a polygon before it is flattened.
+/// The properties of a polygon that is not flattened yet.
 struct Shape {
-    /// The vector area, so that it points along the mean normal.
+    /// The vector area, which points along the mean normal.
     area: DVec3,
     /// The axis along which the polygon is flattened.
     axis: usize,
@@ -100,7 +100,7 @@ impl Shape {
             area += part;
             sizes += part.abs();
         }
-        // Sizes do not cancel, so the axis is right even for a polygon that crosses itself.
+        // Sizes do not cancel, so that the axis is right even for a polygon that crosses itself.
         let axis = (0..3).fold(0, |best, axis| if sizes[axis] > sizes[best] { axis } else { best });
         let (min, max) = corners
             .iter()
@@ -122,14 +122,14 @@ impl Shape {
         if off <= MOST_BENT * self.size { Ok(()) } else { Err(PolygonError::Bent(off / self.size)) }
     }
 
-    /// Returns whether corners that are at one place when flattened are at one place.
+    /// Returns whether corners that coincide when flattened coincide in space.
     fn is_unfolded(&self, corners: &[DVec3], plane: &Plane) -> bool {
         let firsts = plane.place_of.iter().map(|place| plane.corners[*place]);
         firsts.zip(corners).all(|(first, corner)| corners[first][self.axis] == corner[self.axis])
     }
 }
 
-/// Returns whether the way around turns to one side at every corner, and goes around once.
+/// Returns whether the polygon turns to the same side at every corner, and goes around once.
 fn is_strictly_convex(corners: &[Point]) -> bool {
     let n = corners.len();
     let at = |n: usize| corners[n % corners.len()];

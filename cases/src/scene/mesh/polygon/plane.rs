@@ -1,4 +1,4 @@
-//! Polygons in the plane: their corners in the order of a sweep, and the edges that bound them.
+//! Polygons in the plane: their corners in the order of a sweep, and their edges.
 
 use std::cmp::Ordering;
 
@@ -13,7 +13,7 @@ pub(super) fn order(a: Point, b: Point) -> Ordering {
     axis(a.x, b.x).then(axis(a.y, b.y))
 }
 
-/// The corners of a polygon, those at one place taken together.
+/// The corners of a polygon, where corners at one place are merged.
 pub(super) struct Plane {
     /// The places of the corners, in the order of the sweep.
     pub places: Vec<Point>,
@@ -48,9 +48,11 @@ impl Plane {
         plane
     }
 
-    /// Returns the edges in order of their left ends, and again in order of their right ends.
+    /// Returns the edges in the order of their left ends, and again in the order of their right
+    /// ends.
     ///
-    /// Edges that cancel are left out. `None` means that an edge is walked twice in one direction.
+    /// Edges that cancel are left out. The result is `None` if the polygon runs along an edge twice
+    /// in the same direction.
     pub(super) fn edges(&self) -> Option<(Vec<Edge>, Vec<Edge>)> {
         let next = self.place_of.iter().cycle().skip(1);
         let mut steps: Vec<(usize, usize, i32)> = self
@@ -76,7 +78,7 @@ impl Plane {
         Some((starting, ending))
     }
 
-    /// Returns the edge as the sweep compares it with others.
+    /// Returns the edge in the form in which the sweep compares edges.
     pub(super) fn active(&self, edge: &Edge) -> Active {
         let [left, right] = [edge.left, edge.right].map(|place| self.places[place]);
         Active { left, right, is_forward: edge.is_forward }
@@ -85,7 +87,8 @@ impl Plane {
 
 /// An active edge: the sweep has passed its left end, but not its right end.
 ///
-/// The order of active edges is from below to above. It is total as long as no two of them cross.
+/// Active edges are ordered from below to above. The order is total as long as no two of them
+/// cross.
 #[derive(Clone, Copy)]
 pub(super) struct Active {
     pub left: Point,
@@ -95,12 +98,13 @@ pub(super) struct Active {
 }
 
 impl Active {
-    /// Returns a stand-in for the point, which compares as an edge that starts there.
+    /// Returns an edge without length, which compares as an edge that starts at the point.
     pub(super) fn at(point: Point) -> Self {
         Self { left: point, right: point, is_forward: true }
     }
 
-    /// Returns a number below 0 for a point below the edge, and 0 for one on the line through it.
+    /// Returns a number below 0 for a point below the edge, and 0 for a point on the line through
+    /// it.
     fn side(&self, point: Point) -> f64 {
         orient2d(self.left, self.right, point)
     }

@@ -1,5 +1,4 @@
-//! The parts of a polygon's interior that a sweep crosses, and the triangles that they leave
-//! behind.
+//! The parts of a polygon's interior that a sweep crosses, and their triangles.
 
 use robust::orient2d;
 
@@ -12,10 +11,10 @@ pub(super) enum Side {
     Upper,
 }
 
-/// Corners of a region that wait for their triangles.
+/// Corners of a region whose triangles are not complete.
 ///
-/// All but the first lie on one side. The way along them bends away from the region, so no two of
-/// them that are not neighbours see each other.
+/// All but the first lie on one side. The chain bends away from the region, so that no two of its
+/// corners see each other unless they are neighbours.
 struct Chain {
     places: Vec<usize>,
     side: Side,
@@ -24,9 +23,9 @@ struct Chain {
 /// A part of the interior between an active edge and the next one above it.
 enum Region {
     One(Chain),
-    /// Two parts have met at a corner, with which both chains end; the first is the lower one. The
-    /// line from there to the next corner of the region will bound both.
-    Met(Chain, Chain),
+    /// Two parts that were joined at a corner, with which both chains end; the first is the lower
+    /// one. The line from there to the next corner of the region will bound both.
+    Joined(Chain, Chain),
     Closed,
 }
 
@@ -44,12 +43,12 @@ impl<'a> Regions<'a> {
         Self { plane, is_ccw, list: vec![], triangles: vec![] }
     }
 
-    /// Returns the triangles, as numbers of corners; each has the orientation of the polygon.
+    /// Returns the triangles as indices of corners. Each has the orientation of the polygon.
     pub(super) fn into_triangles(self) -> Vec<[usize; 3]> {
         self.triangles
     }
 
-    /// Returns the number of a new region that starts at `place`.
+    /// Starts a region at `place`, and returns its number.
     pub(super) fn start(&mut self, place: usize) -> usize {
         self.list.push(Region::One(Chain { places: vec![place], side: Side::Lower }));
         self.list.len() - 1
@@ -59,11 +58,11 @@ impl<'a> Regions<'a> {
     pub(super) fn add(&mut self, place: usize, region: usize, side: Side) {
         let mut chain = match (self.take(region), side) {
             (Region::One(chain), _) => chain,
-            (Region::Met(mut lower, upper), Side::Lower) => {
+            (Region::Joined(mut lower, upper), Side::Lower) => {
                 self.extend(&mut lower, place, side);
                 upper
             }
-            (Region::Met(lower, mut upper), Side::Upper) => {
+            (Region::Joined(lower, mut upper), Side::Upper) => {
                 self.extend(&mut upper, place, side);
                 lower
             }
@@ -77,7 +76,7 @@ impl<'a> Regions<'a> {
     pub(super) fn finish(&mut self, place: usize, region: usize) {
         let chains = match self.take(region) {
             Region::One(chain) => [Some(chain), None],
-            Region::Met(lower, upper) => [Some(lower), Some(upper)],
+            Region::Joined(lower, upper) => [Some(lower), Some(upper)],
             Region::Closed => return,
         };
         for mut chain in chains.into_iter().flatten() {
@@ -86,21 +85,21 @@ impl<'a> Regions<'a> {
         }
     }
 
-    /// Joins two regions at the corner where what lay between them ends; `low` is the result.
-    pub(super) fn meet(&mut self, place: usize, low: usize, high: usize) {
+    /// Joins two regions at the corner where the gap between them ends. `low` becomes the result.
+    pub(super) fn intersect(&mut self, place: usize, low: usize, high: usize) {
         self.add(place, low, Side::Upper);
         self.add(place, high, Side::Lower);
         if let (Region::One(lower), Region::One(upper)) = (self.take(low), self.take(high)) {
-            self.list[low] = Region::Met(lower, upper);
+            self.list[low] = Region::Joined(lower, upper);
         }
     }
 
-    /// Splits a region at a corner within it, by the line to its latest corner.
+    /// Splits a region at a corner within it, along the line to its latest corner.
     ///
-    /// The region becomes its lower part; the number of the upper part is returned.
+    /// The region becomes its lower part. Returns the number of the upper part.
     pub(super) fn split(&mut self, place: usize, region: usize) -> usize {
         let (mut lower, mut upper) = match self.take(region) {
-            Region::Met(lower, upper) => (lower, upper),
+            Region::Joined(lower, upper) => (lower, upper),
             Region::One(chain) => {
                 let latest: Vec<usize> = chain.places.last().copied().into_iter().collect();
                 match chain.side {
@@ -121,7 +120,7 @@ impl<'a> Regions<'a> {
         std::mem::replace(&mut self.list[region], Region::Closed)
     }
 
-    /// Adds a corner to a chain, with the triangles that it completes.
+    /// Adds a corner to a chain, and emits the triangles that it completes.
     fn extend(&mut self, chain: &mut Chain, place: usize, side: Side) {
         if chain.places.len() > 1 && chain.side != side {
             chain.places.windows(2).for_each(|pair| self.emit([pair[0], pair[1], place]));
@@ -140,7 +139,7 @@ impl<'a> Regions<'a> {
         chain.side = side;
     }
 
-    /// Returns a number above 0 where the way through the places turns left.
+    /// Returns a number above 0 if the path through the places turns left.
     fn turn(&self, places: [usize; 3]) -> f64 {
         let [a, b, c] = places.map(|place| self.plane.places[place]);
         orient2d(a, b, c)

@@ -1,25 +1,24 @@
-//! The triangulation of a simple polygon in the plane, by a sweep with exact predicates.
+//! Triangulates a simple polygon in the plane by a sweep with exact predicates.
 //!
 //! The sweep passes the corners from left to right and keeps the active edges in order from below
-//! to above; the interior lies between one edge and the next. The work is O(n log n), whatever the
-//! polygon looks like. (M. I. Shamos and D. Hoey, Geometric intersection problems, 1976; M. R.
-//! Garey
-//! and others, Triangulating a simple polygon, 1978.)
+//! to above; the interior lies between one edge and the next. The work is O(n log n) for every
+//! polygon. (M. I. Shamos and D. Hoey, Geometric intersection problems, 1976; M. R. Garey and
+//! others, Triangulating a simple polygon, 1978.)
 //!
 //! No decision depends on rounding, so a polygon is either triangulated without gap and overlap or
-//! refused. Corners may repeat, lie in a row, and be joined by a bridge to a hole: an edge that is
-//! walked once in each direction bounds nothing.
+//! refused. Corners may repeat, lie in a row, and be joined by a bridge to a hole: an edge along
+//! which the polygon runs once in each direction bounds nothing.
 
 use std::collections::BTreeMap;
 
 use super::plane::{Active, Edge, Plane};
 use super::regions::{Regions, Side};
 
-/// Returns the triangles of a polygon, as numbers of its corners.
+/// Returns the triangles of a polygon, as indices of its corners.
 ///
-/// Every triangle has the orientation of the polygon. A corner that another one repeats is replaced
-/// by the first corner at its place. A polygon without area has no triangles. `None` means that the
-/// polygon crosses itself, or touches itself at other points than common corners.
+/// Every triangle has the orientation of the polygon. Of several corners at one place, the first
+/// stands for all. A polygon without area has no triangles. The result is `None` if the polygon
+/// crosses itself, or touches itself at other points than common corners.
 pub(super) fn triangles(plane: &Plane) -> Option<Vec<[usize; 3]>> {
     let (starting, ending) = plane.edges()?;
     let Some(first) =
@@ -40,17 +39,17 @@ pub(super) fn triangles(plane: &Plane) -> Option<Vec<[usize; 3]>> {
     Some(sweep.regions.into_triangles())
 }
 
-/// Takes the edges at the head of the list for which `holds` is true.
+/// Removes the edges at the head of the list for which `holds` is true, and returns them.
 fn starting_with<'a>(edges: &mut &'a [Edge], holds: impl Fn(&Edge) -> bool) -> &'a [Edge] {
     let (taken, rest) = edges.split_at(edges.iter().take_while(|edge| holds(edge)).count());
     *edges = rest;
     taken
 }
 
-/// An active edge with the number of the region that it bounds.
+/// An active edge, and the number of the region that it bounds.
 type Bound = (Active, usize);
 
-/// The state of a sweep. Its steps return `None` where the polygon is not simple.
+/// The state of a sweep. Its steps return `None` if the polygon is not simple.
 struct Sweep<'a> {
     plane: &'a Plane,
     /// Whether the polygon runs counter-clockwise.
@@ -60,7 +59,7 @@ struct Sweep<'a> {
 }
 
 impl Sweep<'_> {
-    /// Passes a place at which these edges end and start.
+    /// Passes a place at which the edges `ending` end and the edges `starting` start.
     fn pass(&mut self, place: usize, ending: &[Edge], starting: &[Edge]) -> Option<()> {
         let mut ended: Vec<Bound> = vec![];
         for edge in ending {
@@ -84,7 +83,7 @@ impl Sweep<'_> {
         }
         match (low, high, started.is_empty()) {
             (Some(low), Some(high), true) if !ended.is_empty() => {
-                self.regions.meet(place, low, high);
+                self.regions.intersect(place, low, high);
                 self.active.insert(above?.0, low);
                 Some(())
             }
@@ -107,9 +106,9 @@ impl Sweep<'_> {
         self.is_ccw == edge.is_forward
     }
 
-    /// Returns the active edges next below and above a place at which these edges start.
+    /// Returns the active edges next below and above a place at which the edges `started` start.
     ///
-    /// Neighbours are compared as soon as they become neighbours, so that no crossing is passed.
+    /// Neighbours are compared as soon as they become neighbours, so that no crossing is missed.
     fn neighbours(
         &self,
         place: usize,
@@ -130,7 +129,7 @@ impl Sweep<'_> {
         pairs.into_iter().all(stay).then_some((below, above))
     }
 
-    /// Closes the regions between edges that end at a place; returns the region above them.
+    /// Closes the regions between edges that end at a place. Returns the region above them.
     fn close(
         &mut self,
         place: usize,
@@ -153,7 +152,7 @@ impl Sweep<'_> {
         Some(inside)
     }
 
-    /// Enters the edges that start at a place, between the regions `low` and `high`.
+    /// Inserts the edges that start at a place, between the regions `low` and `high`.
     fn open(
         &mut self,
         place: usize,

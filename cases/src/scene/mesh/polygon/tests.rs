@@ -1,5 +1,4 @@
-//! Polygons with triangles worked out on paper, and random ones whose triangles are checked
-//! exactly.
+//! Polygons with triangles computed by hand, and random ones whose triangles are checked exactly.
 
 use std::collections::HashMap;
 
@@ -9,11 +8,11 @@ use robust::orient2d;
 use super::plane::{Plane, Point, order};
 use super::{PolygonError, sweep, triangulate};
 
-/// Knuth's linear congruential generator; the high bits are the good ones.
+/// Knuth's linear congruential generator, of which the high bits are used.
 struct Dice(u64);
 
 impl Dice {
-    /// A number from 0 to 1.
+    /// Returns a number from 0 to 1.
     fn share(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
@@ -32,7 +31,7 @@ fn in_space(corners: &[[f64; 2]]) -> Vec<DVec3> {
     corners.iter().map(|[x, y]| DVec3::new(*x, *y, 0.0)).collect()
 }
 
-/// Each triangle with its least corner first, and all of them in order.
+/// Turns each triangle so that its least corner comes first, and sorts the triangles.
 fn sorted(triangles: &[[usize; 3]]) -> Vec<[usize; 3]> {
     let turned = |[a, b, c]: [usize; 3]| {
         [[a, b, c], [b, c, a], [c, a, b]].into_iter().min().unwrap_or_default()
@@ -122,7 +121,7 @@ fn what_is_no_surface_is_refused() {
             true,
         ),
         (
-            "a line, but for rounding",
+            "a line up to rounding",
             &[
                 DVec3::ZERO,
                 DVec3::new(0.1, 0.3, 0.0),
@@ -135,19 +134,21 @@ fn what_is_no_surface_is_refused() {
     ] {
         assert_eq!(triangulate(corners).is_ok(), is_right, "{name}: {:?}", triangulate(corners));
     }
-    // The corners lie z/4 above or below the mean plane, along a normal of which z is 2/√(4 + 2z²).
+    // The corners lie z/4 above or below the mean plane, along a normal with z = 2/√(4 + 2z²).
     let Err(PolygonError::Bent(share)) = triangulate(&height(0.8)) else { panic!("bent") };
     assert!((share - 0.2 * 2.0 / (4.0_f64 + 1.28).sqrt() / 2.64_f64.sqrt()).abs() < 1e-12);
 }
 
-/// Twice the area, exactly for small whole numbers.
+/// Returns twice the area, which is exact for small whole numbers.
 fn double_area(corners: &[Point]) -> f64 {
     let next = corners.iter().cycle().skip(1);
     corners.iter().zip(next).map(|(a, b)| a.x * b.y - a.y * b.x).sum()
 }
 
-/// Whether the triangles are a triangulation: each has the polygon's orientation, and every edge
-/// belongs to the polygon or to two triangles that run along it in opposite directions.
+/// Returns whether the triangles are a triangulation.
+///
+/// Each must have the polygon's orientation, and every edge must belong to the polygon or to two
+/// triangles that run along it in opposite directions.
 fn is_triangulation(corners: &[Point], triangles: &[[usize; 3]]) -> bool {
     let side = double_area(corners).signum();
     let mut edges: HashMap<(usize, usize), i32> = HashMap::new();
@@ -165,7 +166,7 @@ fn is_triangulation(corners: &[Point], triangles: &[[usize; 3]]) -> bool {
         && edges.values().all(|sum| *sum == 0)
 }
 
-/// How often the closed way goes around the point, which lies on no edge.
+/// Returns how often the closed path goes around the point, which lies on no edge.
 fn winding(corners: &[Point], point: Point) -> i32 {
     let next = corners.iter().cycle().skip(1);
     let crossing = |(a, b): (&Point, &Point)| match (a.y <= point.y, b.y <= point.y) {
@@ -176,7 +177,7 @@ fn winding(corners: &[Point], point: Point) -> i32 {
     corners.iter().zip(next).map(crossing).sum()
 }
 
-/// Whether no two edges have a point in common, but for the corner between neighbours.
+/// Returns whether no two edges have a point in common except the corner between neighbours.
 fn is_simple(corners: &[Point]) -> bool {
     let n = corners.len();
     let at = |n: usize| corners[n % corners.len()];
@@ -185,7 +186,7 @@ fn is_simple(corners: &[Point]) -> bool {
         let (low, high) = if order(a, b).is_lt() { (a, b) } else { (b, a) };
         side(a, b, p) == 0 && order(low, p).is_le() && order(p, high).is_le()
     };
-    let meet = |i: usize, j: usize| {
+    let intersect = |i: usize, j: usize| {
         let (a, b, c, d) = (at(i), at(i + 1), at(j), at(j + 1));
         let cross = side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
         match (j == i + 1, (j + 1) % n == i) {
@@ -201,7 +202,7 @@ fn is_simple(corners: &[Point]) -> bool {
             }
         }
     };
-    (0..n).all(|i| (i + 1..n).all(|j| !meet(i, j)))
+    (0..n).all(|i| (i + 1..n).all(|j| !intersect(i, j)))
 }
 
 #[test]
@@ -240,7 +241,7 @@ fn small_polygons_are_triangulated_exactly_or_refused() {
     );
 }
 
-/// Polygons with as many corners, whose shapes are hard on other algorithms.
+/// Returns polygons of `n` corners whose shapes are hard for other algorithms.
 fn large(n: usize) -> [(&'static str, Vec<Point>); 4] {
     let polar = |n_turns: f64, radius: &dyn Fn(usize) -> f64| -> Vec<[f64; 2]> {
         let point = |i: usize| {

@@ -1,4 +1,4 @@
-//! An analytic scene, seen through one ray a pixel, through many, and otherwise.
+//! An analytic scene, sampled by one ray per pixel, by many, and with errors.
 
 use std::sync::LazyLock;
 
@@ -11,8 +11,8 @@ use crate::record::FindingKind;
 const WIDTH: u32 = 96;
 const HEIGHT: u32 = 72;
 
-/// Discs, one of them shaded and one small, a tilted edge and a slope, at a point of the plane in
-/// pixels.
+/// Returns the light at a point of the plane, in pixels. The scene has two discs, one shaded and
+/// one small, a tilted edge and a slope.
 fn scene(x: f64, y: f64) -> DVec3 {
     let disc =
         |cx: f64, cy: f64, r: f64| 1.0 - ((x - cx) * (x - cx) + (y - cy) * (y - cy)) / (r * r);
@@ -29,10 +29,10 @@ fn scene(x: f64, y: f64) -> DVec3 {
     DVec3::new(0.1, 0.1, 0.15 + 0.002 * y)
 }
 
-/// A point within a pixel or beside it, from its centre, and its weight.
+/// A sample: its offset from the centre of the pixel, and its weight.
 type Sample = (f64, f64, f64);
 
-/// The mean of `light` over the samples of each pixel.
+/// Renders `light` as the weighted mean over the samples of each pixel.
 fn seen(light: impl Fn(f64, f64) -> DVec3, samples: impl Fn(u32, u32) -> Vec<Sample>) -> Image {
     Image::from_fn(WIDTH, HEIGHT, |i, j| {
         let (x, y) = (f64::from(i) + 0.5, f64::from(j) + 0.5);
@@ -42,7 +42,7 @@ fn seen(light: impl Fn(f64, f64) -> DVec3, samples: impl Fn(u32, u32) -> Vec<Sam
     })
 }
 
-/// A grid of n × n points over a square of `width` pixels, weighted by `weight` of the distances in
+/// Returns a grid of n × n samples over a square of `width` pixels. `weight` takes the offsets in
 /// pixels.
 fn grid(n: u32, width: f64, weight: fn(f64, f64) -> f64) -> Vec<Sample> {
     let at = |k: u32| ((f64::from(k) + 0.5) / f64::from(n) - 0.5) * width;
@@ -53,7 +53,7 @@ fn even(_: f64, _: f64) -> f64 {
     1.0
 }
 
-/// Numbers from 0 to 1 that look random and are always the same.
+/// Returns a number from 0 to 1 that looks random and depends only on the arguments.
 fn random(i: u32, j: u32, k: u32) -> f64 {
     let mut state = (u64::from(i) << 40 | u64::from(j) << 20 | u64::from(k))
         .wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -64,7 +64,7 @@ fn random(i: u32, j: u32, k: u32) -> f64 {
     (state >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// `n` random points in each pixel.
+/// Returns `n` random samples in each pixel.
 fn jitter(n: u32) -> impl Fn(u32, u32) -> Vec<Sample> {
     move |i, j| {
         (0..n).map(|k| (random(i, j, 2 * k) - 0.5, random(i, j, 2 * k + 1) - 0.5, 1.0)).collect()
@@ -75,14 +75,15 @@ fn shifted(by: f64) -> Vec<Sample> {
     vec![(by, by, 1.0)]
 }
 
-/// The answer: one ray a pixel; 3 pixels may be out together and 7 in all.
+/// The answer to the scene with one ray per pixel. A cluster of 3 pixels may be out, and 7 pixels
+/// in all.
 static ANSWER: LazyLock<ImageAnswer> = LazyLock::new(|| {
     let mut answer = ImageAnswer::exact(seen(scene, |_, _| shifted(0.0)), 1.0, 7);
     (answer.limits.cluster, answer.limits.unearned) = (3, 0.5);
     answer
 });
 
-/// The mean over 3 × 3 pixels, as a filter that is laid over the finished picture.
+/// Filters a finished picture by the mean over 3 × 3 pixels.
 fn blurred(picture: &Image) -> Image {
     let clamp = |at: u32, by: u32, size: u32| (at + by).saturating_sub(1).min(size - 1);
     Image::from_fn(WIDTH, HEIGHT, |i, j| {
@@ -165,20 +166,20 @@ fn other_mistakes_count_beside_anti_aliasing() {
 fn a_step_of_one_colour_needs_neighbours_on_both_sides() {
     let flat = ImageAnswer::exact(Image::from_fn(9, 9, |_, _| DVec3::splat(0.5)), 1.0, 0);
     let off = Image::from_fn(9, 9, |i, j| DVec3::splat(if (i, j) == (4, 4) { 0.6 } else { 0.5 }));
-    assert_eq!(stands(&off, &flat, 40), Stands::Apart);
+    assert_eq!(classify(&off, &flat, 40), Relation::Apart);
     let step = ImageAnswer::exact(
         Image::from_fn(9, 9, |i, _| DVec3::splat(if i < 4 { 0.0 } else { 1.0 })),
         1.0,
         0,
     );
     let table = [
-        (0.9, Stands::Near),
-        (0.5, Stands::Between),
-        (0.1, Stands::Flipped),
-        (f64::NAN, Stands::Apart),
+        (0.9, Relation::Near),
+        (0.5, Relation::Between),
+        (0.1, Relation::Flipped),
+        (f64::NAN, Relation::Apart),
     ];
     for (light, expected) in table {
         let actual = Image::from_fn(9, 9, |_, _| DVec3::splat(light));
-        assert_eq!(stands(&actual, &step, 40), expected, "{light}");
+        assert_eq!(classify(&actual, &step, 40), expected, "{light}");
     }
 }

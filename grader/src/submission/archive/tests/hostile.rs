@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use super::make::{central_entries, gzipped, patched};
 use super::*;
 
-/// The upper byte of "version made by" in the central directory, and the systems that stand there.
+/// The offset of the upper byte of "version made by" in the central directory, and its values.
 const MADE_BY: usize = 5;
 const FAT: u8 = 0;
 const UNIX: u8 = 3;
@@ -91,7 +91,7 @@ fn entries_that_share_their_bytes_are_refused() {
     let noise: Vec<u8> =
         (0..4096_u32).map(|n| (n.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
     let mut zip = zipped(&[file("a", &noise), file("b", b"")]);
-    // The second entry of the directory gets sizes, checksum and place of the first.
+    // The second entry of the directory gets the sizes, checksum and offset of the first.
     let entries = central_entries(&zip);
     for (from, to) in [(10, 28), (42, 46)] {
         zip.copy_within(entries[0] + from..entries[0] + to, entries[1] + from);
@@ -122,7 +122,7 @@ fn what_is_no_archive_is_said_to_be_broken() {
     refused_one(Format::TarGz, &whole[..whole.len() - 12], &SMALL, "the archive is broken");
 }
 
-/// An archive of each format with a bit of everything.
+/// An archive of each format, with an entry of every kind.
 static SAMPLES: LazyLock<[(Format, Vec<u8>); 3]> = LazyLock::new(|| {
     let long =
         Entry { name: b"././@LongLink", kind: EntryType::GNULongName, data: b"a/long/name\0" };
@@ -138,8 +138,8 @@ static SAMPLES: LazyLock<[(Format, Vec<u8>); 3]> = LazyLock::new(|| {
     [(Format::Zip, zip), (Format::TarGz, gzipped(&tar)), (Format::Tar, tar)]
 });
 
-/// Unpacks `bytes`: nothing may come out beside the folder, no limit may be exceeded, and nothing
-/// may panic.
+/// Checks that unpacking `bytes` writes nothing beside the folder, exceeds no limit and does not
+/// panic.
 fn survives(format: Format, bytes: &[u8]) {
     if let Ok((found, aside)) = unpacked(bytes, format, &SMALL) {
         let bytes: usize = found.iter().map(|(_, bytes)| bytes.len()).sum();

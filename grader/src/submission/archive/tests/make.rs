@@ -72,8 +72,8 @@ pub(super) fn zipped(entries: &[Entry]) -> Vec<u8> {
     out.finish().unwrap().into_inner()
 }
 
-/// Returns `bytes` with `to` wherever `from` stood, which must be twice: in both headers of an
-/// entry of a zip archive.
+/// Returns `bytes` with `from` replaced by `to`. There must be two places: both headers of an entry
+/// of a zip archive.
 pub(super) fn patched(bytes: &[u8], from: &[u8], to: &[u8]) -> Vec<u8> {
     assert_eq!(from.len(), to.len());
     let mut bytes = bytes.to_owned();

@@ -1,0 +1,17 @@
+//! Numbers: single and double precision from one source, vectors, and arithmetic in two words of
+//! f64.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`real`] | [`real::Real`], which f32 and f64 implement |
+//! | [`two`] | numbers of two words, for decisions that one word leaves open |
+//! | [`vec3`] | vectors of three components |
+//! | [`roots`] | the one solver of quadratics [rule 14] |
+//! | [`bounds`] | boxes that are aligned with the axes |
+
+pub mod bounds;
+pub mod real;
+pub mod roots;
+pub(crate) mod stream;
+pub mod two;
+pub mod vec3;

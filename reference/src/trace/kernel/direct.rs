@@ -1,0 +1,162 @@
+//! The light that reaches a point directly from the light sources: shading and shadow rays.
+//! [rule 3] [rule 5] [rule 6]
+
+use cases::Effect;
+
+use super::{Kernel, ShadingPoint};
+use crate::light::lights::Light;
+use crate::light::shade;
+use crate::numbers::real::Real;
+use crate::numbers::vec3::Vec3;
+use crate::rays::ray::{HitPoint, Ray};
+use crate::rules::{Ambient, LightOrder, RuleSource, ShadowReach, Tint};
+use crate::trace::simulated::EffectSource;
+use crate::watch::Watch;
+use crate::watch::work::{Tally, Work};
+use crate::world::search::Crossings;
+
+impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
+    /// Returns ke and the light of every light source at a point. `weight` is the weight of the
+    /// path in the pixel. [rule 3]
+    pub fn shade(&self, at: &ShadingPoint<T>, weight: Vec3<T>, watch: &mut impl Watch) -> Vec3<T> {
+        let material = &self.world.materials[at.material];
+        let n_lights = self.world.lights.len();
+        let is_dull = shade::is_dull(self.rules, material);
+        let mut colour = shade::emission(self.rules, material, n_lights);
+        for n in 0..n_lights {
+            let j = if self.rules.get().style.lights == LightOrder::Reversed {
+                n_lights - 1 - n
+            } else {
+                n
+            };
+            let light = &self.world.lights[j];
+            let ambient = shade::ambient(self.rules, material, light, j, at.is_inside);
+            if self.rules.get().ambient == Ambient::Shadowed {
+                for term in self.shadowed(at, light, ambient, watch) {
+                    colour += term;
+                }
+                continue;
+            }
+            colour += ambient;
+            if is_dull || (shade::is_bounded(self.rules) && light.colour == Vec3::ZERO) {
+                continue;
+            }
+            let Some((to_light, r)) = light.direction_from(self.rules, at.hit_point.point) else {
+                continue;
+            };
+            if !shade::is_lit(self.rules, material, at.normal, to_light) {
+                continue;
+            }
+            let weakened = light.attenuation(self.rules, r, watch);
+            if self.is_faint_light(
+                || light.colour * weakened * (material.kd + material.ks),
+                weight,
+                watch,
+            ) {
+                continue;
+            }
+            let reaching = self.shadow(&at.hit_point, to_light, r, watch) * weakened;
+            if reaching == Vec3::ZERO && shade::is_bounded(self.rules) {
+                continue;
+            }
+            let arriving = reaching * light.colour;
+            colour += shade::light_term(
+                self.rules,
+                material,
+                arriving,
+                at.normal,
+                at.to_viewer,
+                to_light,
+                watch,
+            );
+        }
+        colour
+    }
+
+    /// Returns the ambient and the direct term of a light for rules by which shadows darken both.
+    fn shadowed(
+        &self,
+        at: &ShadingPoint<T>,
+        light: &Light<T>,
+        ambient: Vec3<T>,
+        watch: &mut impl Watch,
+    ) -> [Vec3<T>; 2] {
+        let material = &self.world.materials[at.material];
+        let Some((to_light, r)) = light.direction_from(self.rules, at.hit_point.point) else {
+            return [Vec3::ZERO; 2];
+        };
+        let reaching = self.shadow(&at.hit_point, to_light, r, watch)
+            * light.attenuation(self.rules, r, watch);
+        let arriving = reaching * light.colour;
+        let direct = shade::light_term(
+            self.rules,
+            material,
+            arriving,
+            at.normal,
+            at.to_viewer,
+            to_light,
+            watch,
+        );
+        [ambient * reaching, direct]
+    }
+
+    /// Returns whether a light can be skipped, because the most that it adds, `most`, is below the
+    /// cutoff. A skipped light is reported to the watch.
+    #[inline(always)]
+    fn is_faint_light(
+        &self,
+        most: impl Fn() -> Vec3<T>,
+        weight: Vec3<T>,
+        watch: &mut impl Watch,
+    ) -> bool {
+        let cutoff = T::of(self.effects.light_cutoff());
+        if cutoff > T::ZERO && most().max_element() < cutoff {
+            watch.did(Work::FaintLight);
+            watch.faint_light(|| weight * most());
+            return true;
+        }
+        false
+    }
+
+    /// Returns S_j at a point of a surface, for a light in the direction `to_light` at the distance
+    /// `r`. [rule 5] [rule 6]
+    pub fn shadow(
+        &self,
+        hit_point: &HitPoint<T>,
+        to_light: Vec3<T>,
+        r: T,
+        watch: &mut impl Watch,
+    ) -> Vec3<T> {
+        if !self.effects.has(Effect::Shadows) || !self.rules.get().casts_shadows {
+            return Vec3::ONE;
+        }
+        watch.shadow_ray();
+        let reach =
+            if self.rules.get().shadow_reach == ShadowReach::Unbounded { T::INFINITY } else { r };
+        let ray = Ray::to_light(self.rules, hit_point, to_light, reach);
+        if self.effects.has(Effect::TintedShadows) && self.rules.get().tint != Tint::Opaque {
+            return self.tint(&ray, watch);
+        }
+        if self.world.occluded(self.rules, &ray, watch) { Vec3::ZERO } else { Vec3::ONE }
+    }
+
+    /// Returns the product of kt over all crossings of the ray, in order of t. [rule 6]
+    fn tint(&self, ray: &Ray<T>, tally: &mut impl Tally) -> Vec3<T> {
+        let tint = self.rules.get().tint;
+        let kt = |object: usize| self.world.materials[self.world.objects[object].material].kt;
+        let blocks = |object| tint != Tint::FirstCrossing && kt(object) == Vec3::ZERO;
+        let mut crossings = Crossings::none();
+        if !self.world.crossings(self.rules, ray, blocks, &mut crossings, tally) {
+            return Vec3::ZERO;
+        }
+        let counts = |n: usize| match tint {
+            Tint::PerObject => crossings[..n].iter().all(|before| before.1 != crossings[n].1),
+            Tint::FirstCrossing => n == 0,
+            Tint::Clear => false,
+            Tint::PerCrossing | Tint::Opaque => true,
+        };
+        (0..crossings.len())
+            .filter(|n| counts(*n))
+            .fold(Vec3::ONE, |light, n| light * kt(crossings[n].1))
+    }
+}
