@@ -31,6 +31,18 @@ fn the_handout_is_that_of_the_committed_course() {
 }
 
 #[test]
+fn a_row_of_the_handout_has_as_many_cells_as_its_head() {
+    let page = cases::course::markdown(&cases::Course::default());
+    let n_bars = |line: &str| line.replace("\\|", "").matches('|').count();
+    let mut head = None;
+    for line in page.lines() {
+        head = line.starts_with('|').then(|| head.unwrap_or_else(|| n_bars(line)));
+        assert!(head.is_none_or(|n| n == n_bars(line)), "{line}");
+    }
+    assert!(page.contains("\\|N·L\\|"), "the page has no cell with a bar");
+}
+
+#[test]
 fn the_example_of_the_scene_format_is_a_scene() {
     let text = cases::schema::scene_format_markdown();
     let example = text.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();

@@ -33,7 +33,7 @@ pub fn markdown(course: &Course) -> String {
     page += "| key | what it decides | this course | rule |\n|---|---|---|---|\n";
     for (decision, value) in DECISIONS.iter().zip(&chosen) {
         let mark = if decision.legal.lecture() == *value { "" } else { " (not as in the lecture)" };
-        let (key, decides) = (decision.key, decision.decides);
+        let (key, decides) = (decision.key, cell(decision.decides));
         let _ = writeln!(
             page,
             "| `{key}` | {decides} | {}{mark} | {} |",
@@ -55,7 +55,12 @@ pub fn markdown(course: &Course) -> String {
 fn explained(decision: &Decision, value: &str) -> String {
     let Legal::OneOf(values) = decision.legal else { return format!("`{value}`") };
     let means = values.iter().find(|(written, _)| *written == value).map_or("", |(_, means)| means);
-    format!("`{value}`: {means}")
+    format!("`{value}`: {}", cell(means))
+}
+
+/// Returns `text` as a cell of a table. A bar, as in |N·L|, would end the cell.
+fn cell(text: &str) -> String {
+    text.replace('|', "\\|")
 }
 
 fn values(decision: &Decision) -> String {
