@@ -27,7 +27,7 @@ impl Report {
         let rounds = measured.first().map_or(0, |row| row.times_s.len());
         let mut report = Self {
             schema: 1,
-            scene: plain::shown(name),
+            scene: one_line(name),
             width: scene.render.width,
             height: scene.render.height,
             machine,
@@ -107,4 +107,22 @@ fn effects(sweep: &Sweep, measured: &[Measured]) -> Vec<EffectRow> {
 
 fn milliseconds(one: &Measured) -> Times {
     Times::of(&one.times_s.iter().map(|seconds| 1e3 * seconds).collect::<Vec<_>>())
+}
+
+/// Returns the name of a scene as reports show it: guarded, with line breaks and tabs as codes, so
+/// that no name adds a line to a report.
+fn one_line(name: &str) -> String {
+    plain::shown(name).replace('\n', "\\u{a}").replace('\t', "\\u{9}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_adds_no_line() {
+        assert_eq!(one_line("ball.toml"), "ball.toml");
+        assert_eq!(one_line("a\n## b\tc"), "a\\u{a}## b\\u{9}c");
+        assert!(!one_line("a\r\u{2028}\u{202e}b").contains(['\r', '\u{2028}', '\u{202e}']));
+    }
 }
