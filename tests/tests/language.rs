@@ -46,11 +46,10 @@ const GENERATED: &[&str] = &[
     "docs/scene-format.md",
 ];
 
-/// Returns the names and texts of the tracked files that end in `.ending`, without submissions and
-/// programs of others.
+/// Returns the names and texts of the tracked files that end in `.ending`, without submissions.
 fn texts(ending: &str) -> Vec<(String, String)> {
     let is_ours = |path: &String| {
-        !["tests/submissions/", "tests/peers/"].iter().any(|start| path.starts_with(start))
+        !path.starts_with("tests/submissions/")
             && Path::new(path).extension().is_some_and(|found| found == ending)
     };
     let text = |path: String| {

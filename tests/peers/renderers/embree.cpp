@@ -1,8 +1,8 @@
-// Has Embree 4 look for what rays meet, one thread, and prints what that took as JSON.
+// Traces rays with Embree 4 on one thread, and prints times and sizes as JSON.
 //
 //     embree default|robust|packets MESH.ply RAYS ANSWERS PASSES
 //
-// `packets` asks for 16 rays at a time. RAYS is the file that the benchmark writes; ANSWERS becomes a float a ray: the distance, 0 for
+// `packets` traces 16 rays at a time. RAYS is the file that the benchmark writes; ANSWERS becomes a float a ray: the distance, 0 for
 // anything in the way of an any-hit ray, infinity for a miss. The wheel from which the library comes has no headers: what is used
 // of its C interface is declared here.
 #include <chrono>

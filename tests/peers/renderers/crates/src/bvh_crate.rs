@@ -33,13 +33,14 @@ impl BHShape<f32, 3> for Triangle {
 
 impl Triangle {
     /// Möller and Trumbore, both sides.
-    fn meet(&self, ray: &Ray<f32, 3>) -> f32 {
+    fn intersect(&self, ray: &Ray<f32, 3>) -> f32 {
         let [a, b, c] = self.corners;
         let (ab, ac, from) = (b - a, c - a, ray.origin - a);
         let p = ray.direction.cross(&ac);
         let inverse = 1.0 / ab.dot(&p);
         let q = from.cross(&ab);
-        let (u, v, t) = (from.dot(&p) * inverse, ray.direction.dot(&q) * inverse, ac.dot(&q) * inverse);
+        let (u, v, t) =
+            (from.dot(&p) * inverse, ray.direction.dot(&q) * inverse, ac.dot(&q) * inverse);
         if u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 { t } else { f32::INFINITY }
     }
 }
@@ -58,19 +59,24 @@ pub fn build(mesh: Mesh) -> Plain {
 
 impl Searcher for Plain {
     #[inline(always)]
-    fn ask(&self, ray: &[f32; 7], is_any_hit: bool) -> f32 {
+    fn trace(&self, ray: &[f32; 7], is_any_hit: bool) -> f32 {
         let [x, y, z, dx, dy, dz, length] = *ray;
         let ray = Ray::new(Point3::new(x, y, z), Vector3::new(dx, dy, dz));
         if is_any_hit {
-            let mut met = self.tree.traverse_iterator(&ray, &self.triangles).map(|triangle| triangle.meet(&ray));
-            return met.find(|t| *t < length).unwrap_or(f32::INFINITY);
+            let mut hits = self
+                .tree
+                .traverse_iterator(&ray, &self.triangles)
+                .map(|triangle| triangle.intersect(&ray));
+            return hits.find(|t| *t < length).unwrap_or(f32::INFINITY);
         }
         let mut nearest = f32::INFINITY;
-        for (triangle, (enter, _)) in self.tree.nearest_traverse_iterator(&ray, &self.triangles).map(with_box(&ray)) {
+        for (triangle, (enter, _)) in
+            self.tree.nearest_traverse_iterator(&ray, &self.triangles).map(with_box(&ray))
+        {
             if enter > nearest {
                 break;
             }
-            nearest = nearest.min(triangle.meet(&ray));
+            nearest = nearest.min(triangle.intersect(&ray));
         }
         if nearest < length { nearest } else { f32::INFINITY }
     }
@@ -82,5 +88,10 @@ impl Searcher for Plain {
 
 /// A triangle with the distances at which the ray enters and leaves its box.
 fn with_box<'a>(ray: &Ray<f32, 3>) -> impl Fn(&'a Triangle) -> (&'a Triangle, (f32, f32)) {
-    move |triangle| (triangle, ray.intersection_slice_for_aabb(&triangle.aabb()).unwrap_or((0.0, f32::INFINITY)))
+    move |triangle| {
+        (
+            triangle,
+            ray.intersection_slice_for_aabb(&triangle.aabb()).unwrap_or((0.0, f32::INFINITY)),
+        )
+    }
 }

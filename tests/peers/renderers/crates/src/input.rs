@@ -29,8 +29,14 @@ pub fn mesh(path: &str) -> Mesh {
     let size = 4 * header.matches("property float").count();
     let (vertices, faces) = bytes[body..].split_at(size * count("element vertex"));
     Mesh {
-        vertices: vertices.chunks_exact(size).map(|one| four::<3>(one).map(f32::from_le_bytes)).collect(),
-        triangles: faces.chunks_exact(13).map(|one| four::<3>(&one[1..]).map(u32::from_le_bytes)).collect(),
+        vertices: vertices
+            .chunks_exact(size)
+            .map(|one| four::<3>(one).map(f32::from_le_bytes))
+            .collect(),
+        triangles: faces
+            .chunks_exact(13)
+            .map(|one| four::<3>(&one[1..]).map(u32::from_le_bytes))
+            .collect(),
     }
 }
 

@@ -1,4 +1,4 @@
-//! Has crates look for what rays meet, one thread, and prints what that took as JSON.
+//! Traces rays with other crates on one thread, and prints times and sizes as JSON.
 //!
 //! ```text
 //! crates obvhs|parry3d|bvh MESH.ply RAYS ANSWERS PASSES
@@ -16,10 +16,10 @@ use input::{Mesh, Set};
 
 /// A library with its tree built.
 trait Searcher {
-    /// Distance to what the ray meets first, infinite for a miss; of any-hit rays, to anything it
-    /// meets.
-    fn ask(&self, ray: &[f32; 7], is_any_hit: bool) -> f32;
-    /// Bytes of the tree and what it points to, where the library tells.
+    /// Returns the distance to the nearest hit, or to any hit for an any-hit ray; infinite for a
+    /// miss.
+    fn trace(&self, ray: &[f32; 7], is_any_hit: bool) -> f32;
+    /// Returns the bytes of the tree and what it points to, if the library reports them.
     fn bytes(&self) -> Option<usize>;
 }
 
@@ -31,7 +31,13 @@ fn cpu_s() -> f64 {
 
 /// What a library does with a mesh and rays. One instance a library, so that each search is
 /// compiled into its loop.
-fn measure<S: Searcher>(version: &str, build: fn(Mesh) -> S, mesh: Mesh, sets: &[Set], passes: usize) -> Vec<f32> {
+fn measure<S: Searcher>(
+    version: &str,
+    build: fn(Mesh) -> S,
+    mesh: Mesh,
+    sets: &[Set],
+    passes: usize,
+) -> Vec<f32> {
     let begun = cpu_s();
     let searcher = build(mesh);
     let build_s = cpu_s() - begun;
@@ -43,7 +49,7 @@ fn measure<S: Searcher>(version: &str, build: fn(Mesh) -> S, mesh: Mesh, sets: &
         for pass in 0..=passes {
             let begun = cpu_s();
             for (ray, answer) in set.rays.iter().zip(&mut answers) {
-                *answer = searcher.ask(ray, set.is_any_hit);
+                *answer = searcher.trace(ray, set.is_any_hit);
             }
             if pass > 0 {
                 taken.push(cpu_s() - begun);
@@ -53,8 +59,10 @@ fn measure<S: Searcher>(version: &str, build: fn(Mesh) -> S, mesh: Mesh, sets: &
         all.extend(answers);
     }
     let bytes = searcher.bytes().map_or("null".to_owned(), |bytes| bytes.to_string());
-    println!("{{\"version\": \"{version}\", \"build_s\": {build_s}, \"bytes\": \
-        {bytes}, \"seconds\": {seconds:?}}}");
+    println!(
+        "{{\"version\": \"{version}\", \"build_s\": {build_s}, \"bytes\": \
+        {bytes}, \"seconds\": {seconds:?}}}"
+    );
     all
 }
 

@@ -20,7 +20,11 @@ pub struct Obvhs {
 
 pub fn build(mesh: Mesh) -> Obvhs {
     let corner = |i: u32| Vec3A::from_array(mesh.vertices[i as usize]);
-    let all = mesh.triangles.iter().map(|[a, b, c]| Triangle { v0: corner(*a), v1: corner(*b), v2: corner(*c) });
+    let all = mesh.triangles.iter().map(|[a, b, c]| Triangle {
+        v0: corner(*a),
+        v1: corner(*b),
+        v2: corner(*c),
+    });
     let all: Vec<Triangle> = all.collect();
     let tree = build_bvh2_from_tris(&all, BvhBuildParams::medium_build(), &mut Duration::default());
     let triangles = tree.primitive_indices.iter().map(|i| all[*i as usize]).collect();
@@ -29,7 +33,7 @@ pub fn build(mesh: Mesh) -> Obvhs {
 
 impl Searcher for Obvhs {
     #[inline(always)]
-    fn ask(&self, ray: &[f32; 7], is_any_hit: bool) -> f32 {
+    fn trace(&self, ray: &[f32; 7], is_any_hit: bool) -> f32 {
         let [x, y, z, dx, dy, dz, length] = *ray;
         let ray = Ray::new(Vec3A::new(x, y, z), Vec3A::new(dx, dy, dz), 0.0, length);
         let test = |ray: &Ray, i: usize| self.triangles[i].intersect(ray);

@@ -16,7 +16,7 @@ pub fn build(mesh: Mesh) -> Parry {
 
 impl Searcher for Parry {
     #[inline(always)]
-    fn ask(&self, ray: &[f32; 7], _is_any_hit: bool) -> f32 {
+    fn trace(&self, ray: &[f32; 7], _is_any_hit: bool) -> f32 {
         let [x, y, z, dx, dy, dz, length] = *ray;
         let ray = Ray::new(Vector::new(x, y, z), Vector::new(dx, dy, dz));
         self.0.cast_local_ray(&ray, length.min(f32::MAX), false).unwrap_or(f32::INFINITY)
