@@ -20,7 +20,11 @@ fn all() -> Vec<Variant> {
 /// Returns every n-th of `variants`, where n is the value of `MUTANTS`, or 9.
 fn sample(variants: Vec<Variant>) -> Vec<Variant> {
     let step = match std::env::var("MUTANTS") {
-        Ok(n) => n.parse().ok().filter(|n| *n > 0).unwrap_or_else(|| panic!("MUTANTS={n}")),
+        Ok(n) => n
+            .parse()
+            .ok()
+            .filter(|n| *n > 0)
+            .unwrap_or_else(|| panic!("MUTANTS={n}: the value is a whole number above 0")),
         Err(_) => 9,
     };
     variants.into_iter().step_by(step).collect()
