@@ -222,28 +222,11 @@ pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) ->
     nearest.filter(|(n, candidate)| near_enough(candidate, *n)).map(|(_, candidate)| candidate)
 }
 
-/// Returns the edit distance. A swap of neighbours counts once; words are cut at 64 characters.
+/// Returns the edit distance, in which a swap of neighbours counts once. Words are cut at 64
+/// characters, so that a long one in a file costs no time.
 fn edits(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) =
-        (a.chars().take(64).collect(), b.chars().take(64).collect());
-    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
-    for i in 0..=a.len() {
-        for j in 0..=b.len() {
-            rows[i][j] = match (i, j) {
-                (0, n) | (n, 0) => n,
-                _ => {
-                    let change = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
-                    let swap = if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                        rows[i - 2][j - 2] + 1
-                    } else {
-                        usize::MAX
-                    };
-                    change.min(swap).min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1)
-                }
-            };
-        }
-    }
-    rows[a.len()][b.len()]
+    let cut = |word: &str| word.chars().take(64).collect::<String>();
+    strsim::osa_distance(&cut(a), &cut(b))
 }
 
 /// Returns a list of names for a message: `` `a`, `b` and `c` ``; "none" for an empty list.

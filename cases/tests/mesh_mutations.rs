@@ -4,20 +4,7 @@ use std::path::{Path, PathBuf};
 
 use cases::problem::Problems;
 use cases::{Mesh, scene};
-
-/// Knuth's linear congruential generator, of which the high bits are used.
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        ((self.0 >> 33) as usize) % n.max(1)
-    }
-
-    fn pick<'a, T: ?Sized>(&mut self, list: &[&'a T]) -> &'a T {
-        list[self.below(list.len())]
-    }
-}
+use fastrand::Rng;
 
 const SCRAPS: [&[u8]; 40] = [
     b"",
@@ -64,24 +51,24 @@ const SCRAPS: [&[u8]; 40] = [
 
 /// Returns `bytes` with a digit changed, or with one or two stretches replaced: by scraps, by other
 /// stretches, or by random bytes.
-fn mutated(bytes: &[u8], dice: &mut Dice) -> Vec<u8> {
+fn mutated(bytes: &[u8], dice: &mut Rng) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
-    if dice.below(3) == 0 {
+    if dice.usize(..3) == 0 {
         let digits: Vec<usize> =
             (0..bytes.len()).filter(|at| bytes[*at].is_ascii_digit()).collect();
-        bytes[digits[dice.below(digits.len())]] = b'0' + dice.below(10) as u8;
+        bytes[digits[dice.usize(..digits.len())]] = b'0' + dice.usize(..10) as u8;
         return bytes;
     }
-    for _ in 0..1 + dice.below(2) {
-        let at = dice.below(bytes.len() + 1);
-        let end = (at + dice.below(5)).min(bytes.len());
-        let put = match dice.below(4) {
+    for _ in 0..1 + dice.usize(..2) {
+        let at = dice.usize(..bytes.len() + 1);
+        let end = (at + dice.usize(..5)).min(bytes.len());
+        let put = match dice.usize(..4) {
             0 => {
-                let from = dice.below(bytes.len());
-                bytes[from..(from + dice.below(60)).min(bytes.len())].to_vec()
+                let from = dice.usize(..bytes.len().max(1));
+                bytes[from..(from + dice.usize(..60)).min(bytes.len())].to_vec()
             }
-            1 => (0..dice.below(6)).map(|_| dice.below(256) as u8).collect(),
-            _ => dice.pick(&SCRAPS).to_vec(),
+            1 => (0..dice.usize(..6)).map(|_| dice.u8(..)).collect(),
+            _ => pick(dice, &SCRAPS).to_vec(),
         };
         bytes.splice(at..end, put);
     }
@@ -89,17 +76,24 @@ fn mutated(bytes: &[u8], dice: &mut Dice) -> Vec<u8> {
 }
 
 /// Returns random bytes, some of which begin like a file of one of the formats.
-fn arbitrary(dice: &mut Dice) -> Vec<u8> {
-    let start: &[u8] = dice.pick(&[
-        &b""[..],
-        b"ply\nformat ascii 1.0\n",
-        b"ply\nformat binary_big_endian 1.0\n",
-        b"v 0 0 0\n",
-    ]);
-    let rest = (0..dice.below(200)).flat_map(|_| match dice.below(3) {
-        0 => vec![dice.below(256) as u8],
-        1 => vec![b' ', b'0' + dice.below(10) as u8],
-        _ => dice.pick(&SCRAPS).to_vec(),
+fn pick<'a, T: ?Sized>(dice: &mut Rng, list: &[&'a T]) -> &'a T {
+    list[dice.usize(..list.len())]
+}
+
+fn arbitrary(dice: &mut Rng) -> Vec<u8> {
+    let start: &[u8] = pick(
+        dice,
+        &[
+            &b""[..],
+            b"ply\nformat ascii 1.0\n",
+            b"ply\nformat binary_big_endian 1.0\n",
+            b"v 0 0 0\n",
+        ],
+    );
+    let rest = (0..dice.usize(..200)).flat_map(|_| match dice.usize(..3) {
+        0 => vec![dice.u8(..)],
+        1 => vec![b' ', b'0' + dice.usize(..10) as u8],
+        _ => pick(dice, &SCRAPS).to_vec(),
     });
     start.iter().copied().chain(rest).collect()
 }
@@ -132,10 +126,10 @@ fn is_sound(mesh: &Mesh) -> bool {
 /// Reads each of `n` files that `draw` makes, in every way. The result must be a sound mesh, or a
 /// problem with a message that people can read. Returns how many were read and how many were
 /// refused.
-fn check(end: &str, n: usize, mut draw: impl FnMut(&mut Dice) -> Vec<u8>) -> [usize; 2] {
+fn check(end: &str, n: usize, mut draw: impl FnMut(&mut Rng) -> Vec<u8>) -> [usize; 2] {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(format!("mesh.{end}"));
-    let (mut dice, mut counts) = (Dice(7), [0, 0]);
+    let (mut dice, mut counts) = (Rng::with_seed(7), [0, 0]);
     for _ in 0..n {
         let bytes = draw(&mut dice);
         std::fs::write(&path, &bytes).unwrap();
@@ -185,7 +179,7 @@ fn check_mutations(end: &str) {
     let seeds = seeds(end);
     assert!(seeds.len() > 30, "{end} has only {} seeds", seeds.len());
     let [n_read, n_refused] = check(end, 4000, |dice| {
-        let seed = dice.below(seeds.len());
+        let seed = dice.usize(..seeds.len());
         mutated(&seeds[seed], dice)
     });
     assert!(

@@ -3,16 +3,7 @@
 use std::path::Path;
 
 use cases::scene;
-
-/// Knuth's linear congruential generator, of which the high bits are used.
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        ((self.0 >> 33) as usize) % n
-    }
-}
+use fastrand::Rng;
 
 const SCRAPS: [&str; 16] = [
     "",
@@ -35,23 +26,23 @@ const SCRAPS: [&str; 16] = [
 
 /// Returns `text` with a digit changed, or with one to four stretches replaced by scraps or by
 /// other stretches of itself.
-fn mutated(text: &str, dice: &mut Dice) -> String {
+fn mutated(text: &str, dice: &mut Rng) -> String {
     let mut bytes = text.as_bytes().to_vec();
-    if dice.below(2) == 0 {
+    if dice.usize(..2) == 0 {
         let digits: Vec<usize> =
             (0..bytes.len()).filter(|at| bytes[*at].is_ascii_digit()).collect();
-        bytes[digits[dice.below(digits.len())]] = b'0' + dice.below(10) as u8;
+        bytes[digits[dice.usize(..digits.len())]] = b'0' + dice.usize(..10) as u8;
         return String::from_utf8_lossy(&bytes).into_owned();
     }
-    for _ in 0..1 + dice.below(4) {
-        let at = dice.below(bytes.len() + 1);
-        let end = (at + dice.below(12)).min(bytes.len());
-        let put = match dice.below(3) {
+    for _ in 0..1 + dice.usize(..4) {
+        let at = dice.usize(..bytes.len() + 1);
+        let end = (at + dice.usize(..12)).min(bytes.len());
+        let put = match dice.usize(..3) {
             0 => {
-                let from = dice.below(text.len());
-                &text.as_bytes()[from..(from + dice.below(60)).min(text.len())]
+                let from = dice.usize(..text.len());
+                &text.as_bytes()[from..(from + dice.usize(..60)).min(text.len())]
             }
-            _ => SCRAPS[dice.below(SCRAPS.len())].as_bytes(),
+            _ => SCRAPS[dice.usize(..SCRAPS.len())].as_bytes(),
         };
         bytes.splice(at..end, put.iter().copied());
     }
@@ -62,7 +53,7 @@ fn mutated(text: &str, dice: &mut Dice) -> String {
 /// must say why and where a file is wrong.
 fn check(text: &str, read: impl Fn(&str) -> Result<cases::Scene, cases::problem::Problems>) {
     let (mut n_read, mut n_refused) = (0, 0);
-    let mut dice = Dice(7);
+    let mut dice = Rng::with_seed(7);
     for _ in 0..2000 {
         let mutation = mutated(text, &mut dice);
         match read(&mutation) {

@@ -6,23 +6,10 @@ use std::process::Command;
 
 use cases::film::exr::{Depth, Part, rgb};
 use cases::film::{Image, Kind, PictureError, Rows, encode, exr, most_bytes, read_exact};
+use fastrand::Rng;
 use glam::DVec3;
 
 const SIZE: (u32, u32) = (13, 11);
-
-/// Knuth's linear congruential generator, of which the high bits are used.
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        ((self.0 >> 33) as usize) % n
-    }
-
-    fn byte(&mut self) -> u8 {
-        self.below(256) as u8
-    }
-}
 
 /// Returns a picture of each kind that can be read.
 fn good() -> Vec<(&'static str, Vec<u8>)> {
@@ -48,20 +35,20 @@ fn good() -> Vec<(&'static str, Vec<u8>)> {
 }
 
 /// Replaces one to four stretches of `bytes`. Half of the time it corrects the CRCs of a PNG.
-fn mutated(bytes: &[u8], dice: &mut Dice) -> Vec<u8> {
+fn mutated(bytes: &[u8], dice: &mut Rng) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
-    for _ in 0..1 + dice.below(4) {
-        let at = dice.below(bytes.len() + 1);
-        let end = (at + dice.below(6)).min(bytes.len());
-        let put: Vec<u8> = match dice.below(4) {
-            0 => vec![[0, 1, 0x7f, 0x80, 0xff][dice.below(5)]; end - at],
-            1 => (0..dice.below(6)).map(|_| dice.byte()).collect(),
-            2 => (at..end).map(|_| dice.byte()).collect(),
+    for _ in 0..1 + dice.usize(..4) {
+        let at = dice.usize(..bytes.len() + 1);
+        let end = (at + dice.usize(..6)).min(bytes.len());
+        let put: Vec<u8> = match dice.usize(..4) {
+            0 => vec![[0, 1, 0x7f, 0x80, 0xff][dice.usize(..5)]; end - at],
+            1 => (0..dice.usize(..6)).map(|_| dice.u8(..)).collect(),
+            2 => (at..end).map(|_| dice.u8(..)).collect(),
             _ => vec![],
         };
         bytes.splice(at..end, put);
     }
-    if dice.below(2) == 0 { with_right_crcs(bytes) } else { bytes }
+    if dice.usize(..2) == 0 { with_right_crcs(bytes) } else { bytes }
 }
 
 /// Corrects the CRC of every chunk of a PNG, so that the decoder gets the changed content.
@@ -108,7 +95,7 @@ fn read(bytes: &[u8]) -> Result<(), PictureError> {
 
 /// Reads `n` mutations of every good picture.
 fn check(n: usize) {
-    let mut dice = Dice(11);
+    let mut dice = Rng::with_seed(11);
     for (kind, bytes) in good() {
         let (mut n_read, mut n_refused) = (0, 0);
         for _ in 0..n {
@@ -133,7 +120,7 @@ fn mutated_pictures_never_panic() {
 
 #[test]
 fn arbitrary_bytes_never_panic() {
-    let mut dice = Dice(5);
+    let mut dice = Rng::with_seed(5);
     let heads: [&[u8]; 6] = [
         b"",
         b"\x89PNG\r\n\x1a\n",
@@ -144,7 +131,7 @@ fn arbitrary_bytes_never_panic() {
     ];
     for head in heads {
         for _ in 0..2000 {
-            let tail: Vec<u8> = (0..dice.below(200)).map(|_| dice.byte()).collect();
+            let tail: Vec<u8> = (0..dice.usize(..200)).map(|_| dice.u8(..)).collect();
             let _ = read(&with_right_crcs([head, &tail].concat()));
         }
     }

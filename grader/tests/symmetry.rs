@@ -7,6 +7,7 @@ use std::io::Cursor;
 
 use cases::film::{Image, Quantiser, Rows, WORDS_IN_BYTE, byte};
 use cases::glam::DVec3;
+use fastrand::Rng;
 use forms::Form;
 use grader::judge::{Comparison, RowsCompared};
 
@@ -20,30 +21,6 @@ fn words(form: Form, light: f64) -> Option<f64> {
         Form::DeepPng => Some(f64::from(Quantiser::Rounding.word(light))),
         Form::Pfm | Form::Exr => Some(f64::from(light as f32) * f64::from(u16::MAX)),
         Form::HalfExr => None,
-    }
-}
-
-/// Knuth's linear congruential generator, of which the high bits are used.
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        ((self.0 >> 33) as usize) % n
-    }
-
-    /// Returns light that is hard to compare: on a level or between two, out of bounds, or not
-    /// finite.
-    fn light(&mut self) -> f64 {
-        match self.below(12) {
-            0..=3 => self.below(256) as f64 / 255.0,
-            4..=6 => self.below(65536) as f64 / 65535.0,
-            7 => (self.below(256) as f64 + 0.5) / 255.0,
-            8 => -(self.below(3) as f64) / 2.0,
-            9 => 1.0 + self.below(9) as f64,
-            10 => self.below(1 << 24) as f64 / f64::from(1 << 24),
-            _ => [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -0.0, 1e30][self.below(5)],
-        }
     }
 }
 
@@ -64,14 +41,27 @@ fn compare(one: &[u8], other: &[u8], slack: f64) -> Comparison {
     compared.finish()
 }
 
+/// Returns light that is hard to compare: on a level or between two, out of bounds, or not finite.
+fn light(dice: &mut Rng) -> f64 {
+    match dice.usize(..12) {
+        0..=3 => f64::from(dice.u8(..)) / 255.0,
+        4..=6 => f64::from(dice.u16(..)) / 65535.0,
+        7 => (f64::from(dice.u8(..)) + 0.5) / 255.0,
+        8 => -(dice.usize(..3) as f64) / 2.0,
+        9 => 1.0 + dice.usize(..9) as f64,
+        10 => dice.usize(..1 << 24) as f64 / f64::from(1 << 24),
+        _ => [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -0.0, 1e30][dice.usize(..5)],
+    }
+}
+
 /// Makes two pictures of the same size that differ in some pixels.
-fn pair(dice: &mut Dice) -> [Image; 2] {
-    let (width, height) = (1 + dice.below(7) as u32, 1 + dice.below(5) as u32);
+fn pair(dice: &mut Rng) -> [Image; 2] {
+    let (width, height) = (1 + dice.usize(..7) as u32, 1 + dice.usize(..5) as u32);
     let one =
-        Image::from_fn(width, height, |_, _| DVec3::from_array([(); 3].map(|()| dice.light())));
-    let other = Image::from_fn(width, height, |i, j| match dice.below(3) {
-        0 => DVec3::from_array([(); 3].map(|()| dice.light())),
-        1 => one.pixel(i, j) + DVec3::Y * dice.below(4) as f64 / 255.0,
+        Image::from_fn(width, height, |_, _| DVec3::from_array([(); 3].map(|()| light(dice))));
+    let other = Image::from_fn(width, height, |i, j| match dice.usize(..3) {
+        0 => DVec3::from_array([(); 3].map(|()| light(dice))),
+        1 => one.pixel(i, j) + DVec3::Y * dice.usize(..4) as f64 / 255.0,
         _ => one.pixel(i, j),
     });
     [one, other]
@@ -79,11 +69,11 @@ fn pair(dice: &mut Dice) -> [Image; 2] {
 
 #[test]
 fn it_makes_no_difference_which_picture_comes_first() {
-    let mut dice = Dice(3);
+    let mut dice = Rng::with_seed(3);
     let (mut n_agree, mut n_differ) = (0, 0);
     for _ in 0..200 {
         let images = pair(&mut dice);
-        let slack = [0.0, 0.5, 1.0, 3.0, 3.25, 254.0][dice.below(6)];
+        let slack = [0.0, 0.5, 1.0, 3.0, 3.25, 254.0][dice.usize(..6)];
         for a in FORMS {
             for b in FORMS {
                 let [one, other] = [a.bytes(&images[0]), b.bytes(&images[1])];
@@ -136,12 +126,12 @@ fn n_out(images: &[Image; 2], forms: [Form; 2], slack: f64) -> Option<u32> {
 
 #[test]
 fn bytes_are_compared_as_words_are() {
-    let mut dice = Dice(4);
+    let mut dice = Rng::with_seed(4);
     for _ in 0..500 {
-        let (n, slack) = (3 * 5 * 4, dice.below(5) as f64 / 2.0);
-        let one: Vec<u8> = (0..n).map(|_| dice.below(256) as u8).collect();
+        let (n, slack) = (3 * 5 * 4, dice.usize(..5) as f64 / 2.0);
+        let one: Vec<u8> = (0..n).map(|_| dice.u8(..)).collect();
         let other: Vec<u8> =
-            one.iter().map(|level| level.saturating_add(dice.below(4) as u8 / 2)).collect();
+            one.iter().map(|level| level.saturating_add(dice.usize(..4) as u8 / 2)).collect();
         let words = |bytes: &[u8]| {
             bytes.iter().map(|level| f64::from(*level) * WORDS_IN_BYTE).collect::<Vec<f64>>()
         };

@@ -277,7 +277,8 @@ fn a_page_needs_nothing_and_allows_nothing_but_its_style() {
         .unwrap();
     let policy = policy.replace("&#x2f;", "/").replace("&#x27;", "'");
     assert!(
-        policy.starts_with(&format!("default-src 'none'; style-src 'sha256-{hash}';")),
+        policy
+            .starts_with(&format!("default-src 'none'; img-src data:; style-src 'sha256-{hash}';")),
         "{policy}"
     );
     assert_eq!(

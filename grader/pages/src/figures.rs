@@ -1,4 +1,4 @@
-//! Formats of measured numbers.
+//! Formats of measured numbers and of shares.
 
 /// Formats a number with three significant digits, such as `1.23`, `0.00149` or `1.23e-5`.
 ///
@@ -18,6 +18,18 @@ pub fn figure(x: f64) -> String {
             format!("{x:.n_decimals$}")
         }
         _ => scientific,
+    }
+}
+
+/// Formats a share in percent. A share above 0 never reads as 0 %, and a share below 1 never reads
+/// as 100 %.
+pub fn percent(share: f64) -> String {
+    match 100.0 * share {
+        0.0 => "0 %".to_owned(),
+        p if p < 0.01 => "<0.01 %".to_owned(),
+        p if p < 10.0 => format!("{p:.2} %"),
+        p if p < 100.0 => format!("{:.1} %", p.min(99.9)),
+        p => format!("{p:.0} %"),
     }
 }
 
@@ -55,6 +67,20 @@ mod tests {
         ];
         for (x, text) in table {
             assert_eq!(figure(x), text, "{x:?}");
+        }
+    }
+
+    #[test]
+    fn a_share_is_all_or_nothing_only_where_it_is() {
+        for (share, text) in [
+            (0.0, "0 %"),
+            (1e-6, "<0.01 %"),
+            (0.01234, "1.23 %"),
+            (0.5, "50.0 %"),
+            (0.99999, "99.9 %"),
+            (1.0, "100 %"),
+        ] {
+            assert_eq!(percent(share), text);
         }
     }
 }

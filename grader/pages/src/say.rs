@@ -1,5 +1,6 @@
 //! The only module that prints. No output panics if its reader is gone, as in `grader lint | head`.
 
+use std::error::Error;
 use std::io::{self, Write};
 
 use anstream::{AutoStream, ColorChoice};
@@ -39,6 +40,24 @@ pub fn raw(bytes: &[u8]) -> io::Result<()> {
     }
 }
 
+/// Returns the message of an error, followed by those of its causes, each after a colon.
+///
+/// A cause is left out if its words are already part of the text, because the messages of some
+/// libraries contain their causes.
+pub fn chain(error: &(dyn Error + 'static)) -> String {
+    let mut text = error.to_string();
+    let mut next = error.source();
+    while let Some(cause) = next {
+        let words = cause.to_string();
+        if !text.contains(&words) {
+            text += ": ";
+            text += &words;
+        }
+        next = cause.source();
+    }
+    text
+}
+
 /// Returns text as it goes to a stream. Colours are removed before the text is guarded, because
 /// they could split a command.
 fn finished(text: &str, colours: ColorChoice) -> String {
@@ -52,6 +71,37 @@ fn finished(text: &str, colours: ColorChoice) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// An error that states its cause in its own message, unless that is hidden.
+    #[derive(Debug)]
+    struct Outer {
+        message: &'static str,
+        cause: Option<Box<Outer>>,
+    }
+
+    impl std::fmt::Display for Outer {
+        fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+            f.write_str(self.message)
+        }
+    }
+
+    impl Error for Outer {
+        fn source(&self) -> Option<&(dyn Error + 'static)> {
+            self.cause.as_deref().map(|cause| cause as &(dyn Error + 'static))
+        }
+    }
+
+    #[test]
+    fn a_chain_names_every_cause_once() {
+        let error = |message, cause: Option<Outer>| Outer { message, cause: cause.map(Box::new) };
+        let full = || error("the disk is full", None);
+        assert_eq!(chain(&full()), "the disk is full");
+        let written = error("cannot write it", Some(full()));
+        assert_eq!(chain(&written), "cannot write it: the disk is full");
+        let stated = error("cannot write it: the disk is full", Some(full()));
+        let graded = error("nothing was graded", Some(stated));
+        assert_eq!(chain(&graded), "nothing was graded: cannot write it: the disk is full");
+    }
 
     #[test]
     fn text_ends_its_line_and_gives_no_command() {

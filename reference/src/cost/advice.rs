@@ -1,8 +1,8 @@
 //! Advice on which setting to pick, in sentences.
 
-use pages::figures::figure;
+use pages::figures::{figure, percent};
 
-use super::figures::{levels, percent};
+use super::figures::levels;
 use super::report::{Report, Row};
 use super::setting::{Formula, Setting};
 use crate::expect::variations::Precision;

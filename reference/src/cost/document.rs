@@ -1,15 +1,11 @@
 //! The page `docs/accuracy.md` on the cost of accuracy, rendered from measurements.
 
 use cases::Scene;
-use minijinja::syntax::SyntaxConfig;
-use minijinja::value::Serde;
-use minijinja::{Environment, context};
-use pages::figures::figure;
+use pages::page::{Serde, Value, context, text};
 use serde::Serialize;
 
 use super::bench::Bench;
 use super::error::Error;
-use super::figures::percent;
 use super::functions_report::FunctionsReport;
 use super::report::Report;
 use super::scaled::scaled;
@@ -92,20 +88,9 @@ pub fn picture_name(stem: &str, scene: &str) -> String {
 
 /// Returns the page in Markdown. `stem` is the stem of its file.
 pub fn markdown(document: &Document, stem: &str) -> String {
-    let syntax = SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build();
-    let mut engine = Environment::new();
-    engine.set_syntax(syntax.expect("the delimiters are the usual ones"));
-    engine.add_filter("figure", figure);
-    engine.add_filter("percent", percent);
-    engine.add_function("picture", {
-        let stem = stem.to_owned();
-        move |scene: &str| picture_name(&stem, scene)
-    });
-    let page = minijinja::Value::from(Serde(document));
-    engine
-        .render_str(
-            include_str!("accuracy.md.in"),
-            context! { page, sizes => SIZES.to_vec(), sized => SIZED },
-        )
-        .expect("the template is part of this program and a test renders all of it")
+    let pictures: Vec<String> =
+        document.scenes.iter().map(|report| picture_name(stem, &report.scene)).collect();
+    let page = Value::from(Serde(document));
+    let values = context! { page, pictures, sizes => SIZES.to_vec(), sized => SIZED };
+    text(include_str!("accuracy.md.in"), &values)
 }

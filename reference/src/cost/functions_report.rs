@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use cases::front::on_front;
-use minijinja::context;
 use pages::figures::figure;
+use pages::page::context;
 use serde::Serialize;
 
 use super::forms::Forms;

@@ -1,14 +1,9 @@
 //! The report as a self-contained HTML page: no network, no script.
 
-use base64::Engine;
-use base64::prelude::BASE64_STANDARD;
-use minijinja::value::Serde;
-use minijinja::{AutoEscape, Environment, context};
-use pages::figures::figure;
+use pages::figures::{figure, percent};
+use pages::page::{Layout, Serde, Value, context, html};
 use serde::Serialize;
-use sha2::{Digest, Sha256};
 
-use super::figures::percent;
 use super::plot::{self, Place, Plot, Point, Shape};
 use super::report::{Report, Row};
 use super::setting::Formula;
@@ -97,25 +92,15 @@ pub fn page(report: &Report) -> String {
     render(TEMPLATE, &sorted, &plots, names)
 }
 
-/// Returns `template` rendered with `report`. The content security policy allows only our own style
-/// sheet, by its hash.
+/// Returns `template` rendered with `report`, `plots` and `names`, in the style of these pages.
 pub(super) fn render(
     template: &str,
     report: &impl Serialize,
     plots: &[String],
-    names: minijinja::Value,
+    names: Value,
 ) -> String {
     let style = format!("{LOOK}{}", plot::STYLE);
-    let hash = BASE64_STANDARD.encode(Sha256::digest(style.as_bytes()));
-    let policy = format!(
-        "default-src 'none'; style-src 'sha256-{hash}'; base-uri 'none'; form-action 'none'"
-    );
-    let mut engine = Environment::new();
-    engine.set_auto_escape_callback(|_| AutoEscape::Html);
-    engine.add_filter("figure", figure);
-    engine.add_filter("percent", percent);
-    let report = minijinja::Value::from(Serde(report));
-    engine
-        .render_str(template, context! { policy, style, plots => plots.to_vec(), report, names })
-        .expect("the template is part of this program and the tests render all of it")
+    let report = Value::from(Serde(report));
+    let values = context! { plots => plots.to_vec(), report, names };
+    html(Layout { template, style: &style, script: "" }, &values)
 }

@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use pages::figures::figure;
+use pages::figures::{figure, percent};
 
-use super::figures::{percent, signed};
+use super::figures::signed;
 use super::report::{EffectRow, Report, Row};
 
 const BOLD: &str = "\x1b[1m";

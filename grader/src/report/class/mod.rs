@@ -4,9 +4,11 @@
 //! The table does not depend on time, machine or order of work: the same records give the same
 //! bytes.
 
+use pages::page::{Layout, Serde, Value, context};
+
 use crate::plain::{csv_cell, shown};
 use crate::record::FindingKind;
-use crate::report::{html, words};
+use crate::report::words;
 
 mod entry;
 mod histogram;
@@ -70,6 +72,11 @@ fn cells(row: &rows::Row) -> Vec<String> {
 
 /// Returns the table as a page. Its links lead to `reports/ID.html` beside it.
 pub fn page(entries: &[Entry]) -> String {
-    let (style, script) = (include_str!("../style.css"), include_str!("class.js"));
-    html::page::render(include_str!("class.html"), style, script, &view::class(entries))
+    let layout = Layout {
+        template: include_str!("class.html"),
+        style: include_str!("../style.css"),
+        script: include_str!("class.js"),
+    };
+    let view = Value::from(Serde(view::class(entries)));
+    pages::page::html(layout, &context! { view })
 }

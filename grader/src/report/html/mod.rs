@@ -4,25 +4,23 @@
 //! | file | holds |
 //! |---|---|
 //! | `view.rs` | the record as the values that the template shows |
-//! | `diff.rs` | two texts, line by line |
 //! | `front.rs` | time and error among the settings of the reference |
 //! | `picture.rs` | pictures as data URIs |
-//! | `page.rs` | the template engine, the policy that lets only our script run |
 //! | `submission.html`, `submission.js`, `../style.css` | the look and the interaction |
 //!
 //! The output of a student's program is treated as hostile. It goes through
 //! [`plain::shown`](crate::plain::shown) and is escaped by the template engine. A script in it
-//! could not run even then, because the policy allows only the hash of our own script.
+//! could not run even then, because the policy of [`pages::page`] allows only the hash of our own.
 
 use std::io;
 use std::path::Path;
 
+use pages::page::{Layout, Serde, Value, context};
+
 use crate::files;
 use crate::graded::Graded;
 
-mod diff;
 mod front;
-pub(super) mod page;
 mod picture;
 #[cfg(test)]
 mod tests;
@@ -30,8 +28,13 @@ mod view;
 
 /// Returns the page for a submission.
 pub fn render(graded: &Graded) -> String {
-    let (style, script) = (include_str!("../style.css"), include_str!("submission.js"));
-    page::render(include_str!("submission.html"), style, script, &view::submission(graded))
+    let layout = Layout {
+        template: include_str!("submission.html"),
+        style: include_str!("../style.css"),
+        script: include_str!("submission.js"),
+    };
+    let view = Value::from(Serde(view::submission(graded)));
+    pages::page::html(layout, &context! { view })
 }
 
 /// Writes the page for a submission to `path`. The file appears whole or not at all.

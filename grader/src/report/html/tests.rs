@@ -125,35 +125,6 @@ fn the_policy_names_the_hashes_of_what_is_inline() {
 }
 
 #[test]
-fn answers_differ_by_the_part_of_the_line_that_differs() {
-    let lines = diff::lines("hit\n  t 0.5\n", "hit\n  t -0.5\n");
-    let text =
-        |line: &diff::Line| line.parts.iter().map(|part| part.text.as_str()).collect::<String>();
-    let shown: Vec<String> =
-        lines.iter().map(|line| format!("{}{}", line.sign, text(line))).collect();
-    assert_eq!(shown, [" hit", "-  t 0.5", "+  t -0.5"]);
-    let marked: Vec<&str> = lines
-        .iter()
-        .flat_map(|line| &line.parts)
-        .filter(|part| part.differs)
-        .map(|part| &*part.text)
-        .collect();
-    assert!(marked.iter().all(|text| !text.contains('t')), "{marked:?}");
-    assert!(!marked.is_empty());
-}
-
-#[test]
-fn a_flood_of_lines_is_cut() {
-    let lines = diff::lines("a\n", &"b\n".repeat(10_000));
-    assert!(lines.len() < 210, "{}", lines.len());
-    assert!(
-        lines
-            .iter()
-            .any(|line| line.parts.iter().any(|part| part.text.contains("9800 more lines")))
-    );
-}
-
-#[test]
 fn pictures_are_png_of_the_levels_that_are_judged() {
     let both =
         sample::pictures(true, |i| cases::glam::DVec3::splat(if i == 3 { 0.1 } else { 0.0 }));

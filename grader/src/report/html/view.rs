@@ -2,9 +2,10 @@
 //! Nothing is decided here.
 
 use cases::answer::Mistake;
+use pages::diff;
 use serde::Serialize;
 
-use super::{diff, front, picture};
+use super::{front, picture};
 use crate::graded::{Graded, Pictures};
 use crate::plain::shown;
 use crate::record::{

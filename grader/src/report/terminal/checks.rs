@@ -1,8 +1,8 @@
 //! Writes lines on the checks that did not pass: an example of each group, and the number of the
 //! others.
 
+use pages::diff::{self, Side};
 use pages::lines::count;
-use similar::{ChangeTag, TextDiff};
 
 use super::groups::{self, Cause, Group};
 use super::look::{BAD, GOOD, Look, ODD, indented, line};
@@ -13,8 +13,6 @@ use crate::report::{mistakes, words};
 
 /// The number of groups for which the difference between the answers of an example is shown.
 const MOST_DIFFERENCES: usize = 6;
-/// The number of lines of an answer that are compared.
-const MOST_COMPARED: usize = 200;
 /// The number of differing lines of an answer that are shown.
 const MOST_DIFFERENT: usize = 8;
 /// The number of characters of a message that are shown.
@@ -145,24 +143,17 @@ fn differences(check: &CheckRecord, is_whole: bool, text: &mut String) {
     else {
         return;
     };
-    let lines = |answer: &str| {
-        answer.lines().take(MOST_COMPARED).map(|one| shown(one) + "\n").collect::<String>()
-    };
-    let (expected, actual) = (lines(expected), lines(actual));
-    let diff = TextDiff::from_lines(expected.as_str(), actual.as_str());
-    let changes: Vec<_> = diff
-        .iter_all_changes()
-        .filter(|change| is_whole || change.tag() != ChangeTag::Equal)
-        .collect();
+    let mut changes = diff::lines(expected, actual);
+    changes.retain(|line| is_whole || line.side != Side::Same);
     let most = if is_whole { usize::MAX } else { MOST_DIFFERENT };
-    for same in changes[..changes.len().min(most)].chunk_by(|a, b| !is_whole && a.tag() == b.tag())
-    {
-        let (sign, style) = match same[0].tag() {
-            ChangeTag::Delete => ("- expected ", GOOD),
-            ChangeTag::Insert => ("+ yours    ", BAD),
-            ChangeTag::Equal => ("           ", anstyle::Style::new()),
+    for same in changes[..changes.len().min(most)].chunk_by(|a, b| !is_whole && a.side == b.side) {
+        let (sign, style) = match same[0].side {
+            Side::Expected => ("- expected ", GOOD),
+            Side::Actual => ("+ yours    ", BAD),
+            Side::Same => ("           ", anstyle::Style::new()),
         };
-        let values: Vec<&str> = same.iter().map(|change| change.value().trim_end()).collect();
+        let values: Vec<String> =
+            same.iter().map(|change| change.text().trim_end().to_owned()).collect();
         line(text, &format!("    {style}{sign}{}{style:#}", values.join("  ")));
     }
     if changes.len() > most {

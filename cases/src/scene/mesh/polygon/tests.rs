@@ -2,26 +2,12 @@
 
 use std::collections::HashMap;
 
+use fastrand::Rng;
 use glam::{DMat3, DVec3};
 use robust::orient2d;
 
 use super::plane::{Plane, Point, order};
 use super::{PolygonError, sweep, triangulate};
-
-/// Knuth's linear congruential generator, of which the high bits are used.
-struct Dice(u64);
-
-impl Dice {
-    /// Returns a number from 0 to 1.
-    fn share(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        (self.share() * n as f64) as usize
-    }
-}
 
 fn flat(corners: &[[f64; 2]]) -> Vec<Point> {
     corners.iter().map(|[x, y]| Point { x: *x, y: *y }).collect()
@@ -207,12 +193,12 @@ fn is_simple(corners: &[Point]) -> bool {
 
 #[test]
 fn small_polygons_are_triangulated_exactly_or_refused() {
-    let mut dice = Dice(7);
+    let mut dice = Rng::with_seed(7);
     let (mut n_simple, mut n_weak, mut n_refused) = (0, 0, 0);
     for _ in 0..200_000 {
-        let (n, size) = (3 + dice.below(7), 2 + dice.below(6));
+        let (n, size) = (3 + dice.usize(..7), 2 + dice.usize(..6));
         let corners: Vec<Point> = (0..n)
-            .map(|_| Point { x: dice.below(size) as f64, y: dice.below(size) as f64 })
+            .map(|_| Point { x: dice.usize(..size) as f64, y: dice.usize(..size) as f64 })
             .collect();
         let found = sweep::triangles(&Plane::of(&corners));
         if is_simple(&corners) {
@@ -223,7 +209,7 @@ fn small_polygons_are_triangulated_exactly_or_refused() {
             );
         } else if let Some(found) = found {
             n_weak += 1;
-            let point = Point { x: dice.share() * size as f64, y: dice.share() * size as f64 };
+            let point = Point { x: dice.f64() * size as f64, y: dice.f64() * size as f64 };
             let covers = |abc: &&[usize; 3]| winding(&abc.map(|n| corners[n]), point) != 0;
             let n_covers = found.iter().filter(covers).count();
             assert_eq!(
@@ -275,14 +261,13 @@ fn large_polygons_are_triangulated_exactly() {
 
 #[test]
 fn a_plane_in_any_place_gives_the_same_triangles() {
-    let mut dice = Dice(11);
+    let mut dice = Rng::with_seed(11);
     let expected = sorted(&triangulate(&in_space(DART)).unwrap());
     for n in 0..1000 {
-        let axis =
-            DVec3::new(dice.share() - 0.5, dice.share() - 0.5, dice.share() - 0.5).normalize();
-        let turn = DMat3::from_axis_angle(axis, dice.share() * 6.0);
+        let axis = DVec3::new(dice.f64() - 0.5, dice.f64() - 0.5, dice.f64() - 0.5).normalize();
+        let turn = DMat3::from_axis_angle(axis, dice.f64() * 6.0);
         let size = [1e-290, 1e-9, 1.0, 1e9, 1e17][n % 5];
-        let beside = DVec3::splat(size * dice.share());
+        let beside = DVec3::splat(size * dice.f64());
         let corners: Vec<DVec3> =
             in_space(DART).iter().map(|corner| turn * *corner * size + beside).collect();
         assert_eq!(
