@@ -108,7 +108,7 @@ impl Selection {
 /// `cases/stages` nearest above the binary.
 ///
 /// # Errors
-/// Returns [`GradeError::Input`] if `given` is `None` and neither folder exists.
+/// Returns [`GradeError::Usage`] if `given` is `None` and neither folder exists.
 pub(crate) fn stages(given: Option<&Path>) -> Result<PathBuf, GradeError> {
     if let Some(given) = given {
         return Ok(given.to_owned());
@@ -119,7 +119,7 @@ pub(crate) fn stages(given: Option<&Path>) -> Result<PathBuf, GradeError> {
     let here = Some(PathBuf::from("cases/stages")).filter(|stages| stages.is_dir());
     let none = "there are no cases: neither cases/stages here nor beside the binary; name \
         their folder with --cases DIR";
-    here.or(beside).ok_or_else(|| GradeError::Input(none.to_owned()))
+    here.or(beside).ok_or_else(|| GradeError::Usage(none.to_owned()))
 }
 
 /// The limits of programs.

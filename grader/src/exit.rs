@@ -2,6 +2,7 @@
 
 use std::process::ExitCode;
 
+use grader::blame::Blame;
 use grader::grade::GradeError;
 use grader::sandbox;
 use pages::say;
@@ -36,29 +37,30 @@ pub(crate) type Outcome = Result<Done, GradeError>;
 /// # Errors
 /// A failed write is a failure of the machine. A reader that has gone away is no error.
 pub(crate) fn print(text: &str) -> Result<(), GradeError> {
-    say::out(text).map_err(|why| unprintable(&why))
+    say::out(text).map_err(GradeError::Output)
 }
 
 /// Prints bytes that the grader generated itself, unchanged. The errors are those of [`print`].
 pub(crate) fn print_raw(bytes: &[u8]) -> Result<(), GradeError> {
-    say::raw(bytes).map_err(|why| unprintable(&why))
+    say::raw(bytes).map_err(GradeError::Output)
 }
 
-fn unprintable(why: &std::io::Error) -> GradeError {
-    GradeError::Machine(format!("cannot write to standard output: {why}"))
-}
-
-/// Prints the error, if there is one, and returns the exit code, which is 130 after an interrupt.
+/// Prints the error with its causes, if there is one. Returns the exit code, which is 130 after an
+/// interrupt.
 pub(crate) fn code(outcome: Outcome) -> ExitCode {
     if let Err(why) = &outcome {
-        say::err(why.to_string().trim_end());
+        say::err(say::chain(why).trim_end());
     }
     match outcome {
         Ok(Done::Interrupted) => ExitCode::from(130),
         _ if sandbox::interrupted() => ExitCode::from(130),
         Ok(Done::Passed) => ExitCode::SUCCESS,
         Ok(Done::NotPassed) => ExitCode::from(1),
-        Ok(Done::NoSubmission) | Err(GradeError::Input(_)) => ExitCode::from(2),
-        Ok(Done::Ours) | Err(GradeError::Machine(_)) => ExitCode::from(3),
+        Ok(Done::NoSubmission) => ExitCode::from(2),
+        Ok(Done::Ours) => ExitCode::from(3),
+        Err(why) => match why.blame() {
+            Blame::File => ExitCode::from(2),
+            Blame::Machine => ExitCode::from(3),
+        },
     }
 }

@@ -13,7 +13,6 @@ use std::time::Duration;
 
 use cases::files::{Place, is_standard, is_usage};
 
-use crate::grade::GradeError;
 use crate::sandbox::interrupted;
 
 /// Number of bytes at the beginning of a stream that decide how many are read in all.
@@ -48,7 +47,7 @@ pub enum InputError {
         why: String,
     },
     /// The system fails to read the input.
-    #[error("{}: it cannot be read: {source}", shown(.name))]
+    #[error("{}: it cannot be read", shown(.name))]
     Io {
         /// The name as the caller gave it.
         name: PathBuf,
@@ -238,11 +237,5 @@ impl Seek for Input {
             Self::File(file) => file.seek(to),
             Self::Held(held) => held.seek(to),
         }
-    }
-}
-
-impl From<InputError> for GradeError {
-    fn from(why: InputError) -> Self {
-        if why.is_usage() { Self::Input(why.to_string()) } else { Self::Machine(why.to_string()) }
     }
 }

@@ -12,6 +12,8 @@ use cases::probe::Answer;
 use cases::stage::{Base, Case};
 use cases::{Course, effects};
 
+use pages::say;
+
 use crate::blame::{self, Blame};
 use crate::exam::{Exam, Questions};
 use crate::files;
@@ -51,7 +53,7 @@ pub fn lint(folder: &Path) -> Found {
     }
     answers(&exam, &mut problems);
     if let Err(why) = &exam.fronts {
-        problems.push(format!("{why} (`reference cost --store` measures it again)"));
+        problems.push(format!("{} (`reference cost --store` measures it again)", say::chain(why)));
     }
     unknown_files(&exam, &mut problems);
     let is_of_machine = exam.faults.iter().any(|fault| blame::of(&fault.why) == Blame::Machine);

@@ -22,7 +22,7 @@ fn main() -> ExitCode {
     arguments.color.write_global();
     grader::sandbox::catch_signals();
     let outcome = guarded(|| run(&arguments));
-    exit::code(outcome.unwrap_or_else(|panicked| Err(GradeError::Machine(panicked.to_string()))))
+    exit::code(outcome.unwrap_or_else(|panicked| Err(GradeError::from(panicked))))
 }
 
 fn run(arguments: &Arguments) -> exit::Outcome {

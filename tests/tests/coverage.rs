@@ -265,8 +265,7 @@ fn the_stored_answers_are_what_the_reference_gives() {
         expect::of_case(&stages, &SET, n, case).unwrap_or_else(|why| panic!("{why}")).files
     });
     let checks = STAGES.iter().filter_map(|stage| {
-        expect::of_checks(&stages, stage, &SET.course)
-            .unwrap_or_else(|wrong| panic!("{}", wrong.join("\n")))
+        expect::of_checks(&stages, stage, &SET.course).unwrap_or_else(|wrong| panic!("{wrong:?}"))
     });
     let mistakes = expect::mistakes(&stages, &SET.course).unwrap_or_else(|why| panic!("{why}"));
     none(

@@ -36,7 +36,7 @@ fn stages(folder: &Path) -> Vec<Stage> {
 
 static ORIGINALS: LazyLock<Vec<Original>> = LazyLock::new(|| {
     let originals = folder::originals(&public_stages(), &PUBLIC, || {})
-        .unwrap_or_else(|wrong| panic!("{wrong}"));
+        .unwrap_or_else(|wrong| panic!("{wrong:?}"));
     assert_eq!(originals.constant, Vec::<String>::new(), "a public case has no `[vary]`");
     originals.varying
 });

@@ -85,9 +85,9 @@ pub fn run(
     options: &Options,
     listener: &dyn Listener,
 ) -> Result<Summary, BatchError> {
-    let unwritable = |why| BatchError::Out { out: options.out.clone(), why };
+    let unwritable = |source| BatchError::Out { out: options.out.clone(), source };
     let (submissions, left_aside) = submissions::list(&options.folder, &options.out)
-        .map_err(|why| BatchError::Folder { folder: options.folder.clone(), why })?;
+        .map_err(|source| BatchError::Folder { folder: options.folder.clone(), source })?;
     if submissions.is_empty() {
         return Err(BatchError::Empty(options.folder.clone()));
     }

@@ -3,6 +3,8 @@
 use std::io;
 use std::path::Path;
 
+use pages::say;
+
 use super::progress::Listener;
 use super::store::Store;
 use super::submissions::Submission;
@@ -93,7 +95,7 @@ fn find_or_grade(grader: &impl Grader, store: &Store, one: &Submission) -> io::R
     }
     match graded {
         Err(why) => Ok(Obtained::Failed(why.to_string())),
-        Ok(Err(why)) => Ok(Obtained::Failed(why.to_string())),
+        Ok(Err(why)) => Ok(Obtained::Failed(say::chain(&why))),
         Ok(Ok(graded)) => match fault(&graded.record) {
             Some(why) => Ok(Obtained::Failed(why)),
             None => store.publish(&graded).map(|()| Obtained::Graded(graded.record)),

@@ -60,7 +60,7 @@ impl Grader for Fake {
             ..sample::finding(FindingKind::Internal)
         };
         match text.as_str() {
-            "machine" => return Err(GradeError::Machine("the disk is full".to_owned())),
+            "machine" => return Err(GradeError::Output(std::io::Error::other("the disk is full"))),
             "panic" => panic!("a fault in the grader"),
             "ours" => record.stages[0].checks[0].verdict = Verdict::Ours,
             "internal" => {

@@ -48,7 +48,7 @@ pub enum StoreError {
         source: io::Error,
     },
     /// The machine fails to read the entry, which may be as it was published.
-    #[error("{}: {what} cannot be read: {source}", .folder.display())]
+    #[error("{}: {what} cannot be read", .folder.display())]
     Read {
         /// The folder of the entry.
         folder: PathBuf,
@@ -58,7 +58,7 @@ pub enum StoreError {
         source: io::Error,
     },
     /// The entry cannot be published.
-    #[error("{} cannot be written: {source}", .folder.display())]
+    #[error("{} cannot be written", .folder.display())]
     Write {
         /// The folder of the entry.
         folder: PathBuf,

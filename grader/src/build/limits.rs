@@ -23,9 +23,7 @@ pub(super) fn stopped(outcome: Outcome, limits: &Limits) -> BuildError {
     match outcome {
         Outcome::Interrupted => BuildError::Interrupted,
         Outcome::Machine(shortage) => Fault::Machine(shortage).into(),
-        Outcome::NoProgram(why) => {
-            Fault::Other(format!("the build cannot be started: {why}")).into()
-        }
+        Outcome::NoProgram(why) => Fault::NotStarted(why).into(),
         Outcome::TimedOut(Clock::Cpu) => {
             let seconds = limits.cpu.as_secs();
             rejected(&format!(

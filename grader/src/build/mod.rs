@@ -15,8 +15,8 @@ pub use entry::StoreError;
 pub use error::{BuildError, Fault};
 pub use program::{Built, Program};
 pub use sdk::{Sdk, SdkError};
-pub use toolchain::Toolchain;
-pub use workshop::Workshop;
+pub use toolchain::{Toolchain, ToolchainError};
+pub use workshop::{NoWorkspace, Workshop};
 
 use crate::submission::{Kind, Submission};
 

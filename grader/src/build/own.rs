@@ -16,8 +16,7 @@ const NEEDED: u64 = 16 << 20;
 /// Copies the submission, runs its build command if it has one, and returns its program.
 pub(super) fn build(own: &Own, progress: &dyn Fn(&str)) -> Result<Built, BuildError> {
     let folder = Folder::new().map_err(Fault::from)?;
-    copy(own, &folder)
-        .map_err(|why| Fault::Other(format!("the submission cannot be copied: {why}")))?;
+    copy(own, &folder).map_err(Fault::Copy)?;
     let search = std::env::var_os("PATH").unwrap_or_else(|| "/usr/bin:/bin".into());
     let mut time = Duration::ZERO;
     if let Some(words) = &own.build {

@@ -112,10 +112,8 @@ impl Program {
         let bytes = source.stored.bytes(PROGRAM)?;
         let mut made = source.made.lock().unwrap_or_else(PoisonError::into_inner);
         let placed = sandbox::place_program(&self.path, &bytes).and_then(|()| look(&self.path));
-        let why = |why: io::Error| {
-            Fault::Other(format!("the program cannot be copied to {}: {why}", self.path.display()))
-        };
-        *made = Some(placed.map_err(why)?);
+        let path = self.path.clone();
+        *made = Some(placed.map_err(|source| Fault::Write { path, source })?);
         Ok(())
     }
 }

@@ -52,8 +52,7 @@ pub(super) fn build(
     }
     progress("compiling the submission");
     let time = compile(&workshop.toolchain()?.rustc(), sources, sdk, &folder)?;
-    let missing = || Fault::Other(format!("{} is not there after it was stored", folder.display()));
-    built(Stored::take(&folder).map_err(Fault::from)?.ok_or_else(missing)?, time)
+    built(Stored::take(&folder).map_err(Fault::from)?.ok_or(Fault::Lost(folder))?, time)
 }
 
 fn built(stored: Stored, time: Duration) -> Result<Built, BuildError> {
@@ -70,8 +69,8 @@ fn compile(
 ) -> Result<Duration, BuildError> {
     let folder = Folder::new().map_err(Fault::from)?;
     for (name, text) in sources {
-        let write = files::write(&folder.path().join(name), text.as_bytes());
-        write.map_err(|why| Fault::Other(format!("the build folder: {why}")))?;
+        let path = folder.path().join(name);
+        files::write(&path, text.as_bytes()).map_err(|source| Fault::Write { path, source })?;
     }
     let call = call(rustc, sdk, folder.path());
     let finished = sandbox::run(&call, Turn::Shared);

@@ -1,6 +1,6 @@
 //! Finds the Rust compiler itself, behind the proxy of rustup.
 
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -13,14 +13,28 @@ pub struct Toolchain {
     pub version: String,
 }
 
-const HELP: &str = "install Rust from https://rustup.rs, or put it into PATH";
+/// The reason why there is no compiler.
+#[derive(Debug, thiserror::Error)]
+pub enum ToolchainError {
+    /// There is no compiler that this user may run.
+    #[error(
+        "the Rust compiler cannot be run: install it from https://rustup.rs, or put it into PATH"
+    )]
+    Missing(#[source] io::Error),
+    /// The machine cannot start the compiler.
+    #[error("the machine cannot start the Rust compiler")]
+    NotStarted(#[source] io::Error),
+    /// The compiler ended with an error. The text is its own.
+    #[error("the Rust compiler fails: install it from https://rustup.rs, or put it into PATH: {0}")]
+    Failed(String),
+}
 
 impl Toolchain {
     /// Finds the toolchain that the workspace at `root` selects.
     ///
     /// # Errors
-    /// Fails if there is no compiler that runs. The text says how to get one.
-    pub fn find(root: &Path) -> Result<Self, String> {
+    /// Fails if there is no compiler that runs.
+    pub fn find(root: &Path) -> Result<Self, ToolchainError> {
         let sysroot = PathBuf::from(run(Command::new("rustc")
             .args(["--print", "sysroot"])
             .current_dir(root))?);
@@ -45,18 +59,14 @@ impl Toolchain {
     }
 }
 
-fn run(command: &mut Command) -> Result<String, String> {
+fn run(command: &mut Command) -> Result<String, ToolchainError> {
     let output = command.output().map_err(|why| match why.kind() {
-        ErrorKind::NotFound | ErrorKind::PermissionDenied => {
-            format!("the Rust compiler cannot be run ({why}): {HELP}")
-        }
-        _ => format!("the machine cannot start the Rust compiler: {why}"),
+        ErrorKind::NotFound | ErrorKind::PermissionDenied => ToolchainError::Missing(why),
+        _ => ToolchainError::NotStarted(why),
     })?;
     if !output.status.success() {
-        return Err(format!(
-            "the Rust compiler fails: {}: {HELP}",
-            String::from_utf8_lossy(&output.stderr).trim()
-        ));
+        let said = String::from_utf8_lossy(&output.stderr).trim().to_owned();
+        return Err(ToolchainError::Failed(said));
     }
     Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }

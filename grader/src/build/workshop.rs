@@ -2,11 +2,11 @@
 //! crates.
 
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use super::error::Fault;
 use super::sdk::{Sdk, SdkError};
-use super::toolchain::Toolchain;
+use super::toolchain::{Toolchain, ToolchainError};
 use crate::submission::Template;
 
 /// Everything that building needs, found once and shared by all submissions.
@@ -16,24 +16,30 @@ pub struct Workshop {
     pub root: PathBuf,
     /// The assignment as it is handed out.
     pub template: Template,
-    toolchain: OnceLock<Result<Toolchain, String>>,
-    sdk: OnceLock<Result<Sdk, SdkError>>,
+    toolchain: OnceLock<Result<Toolchain, Arc<ToolchainError>>>,
+    sdk: OnceLock<Result<Sdk, Arc<SdkError>>>,
 }
+
+/// The workspace of the assignment was not found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "the workspace of the assignment (with `student_template` and `cases`) is not above the cases, \
+     the grader's binary, or the current folder: run from within it"
+)]
+pub struct NoWorkspace;
 
 impl Workshop {
     /// Finds the workspace from a folder of cases, from the running binary, or from the current
     /// folder.
     ///
     /// # Errors
-    /// Fails if there is no workspace. The text says what is missing.
-    pub fn open(stages: &Path) -> Result<Self, String> {
+    /// Fails if there is no workspace in any of these places.
+    pub fn open(stages: &Path) -> Result<Self, NoWorkspace> {
         let here = std::env::current_dir().unwrap_or_default();
         let binary = std::env::current_exe().unwrap_or_default();
         let stages = stages.canonicalize().unwrap_or_default();
-        let root = [stages.as_path(), &binary, &here].into_iter().find_map(root_above).ok_or(
-            "the workspace of the assignment (with `student_template` and `cases`) is not above \
-             the cases, the grader's binary, or the current folder: run from within it",
-        )?;
+        let places = [stages.as_path(), &binary, &here];
+        let root = places.into_iter().find_map(root_above).ok_or(NoWorkspace)?;
         Ok(Self {
             root,
             template: Template::carried(),
@@ -50,10 +56,14 @@ impl Workshop {
     /// Returns the compiler.
     ///
     /// # Errors
-    /// Fails if there is no compiler that runs. The text says how to get one.
+    /// Fails if there is no compiler that runs. Later calls return the same error.
     pub fn toolchain(&self) -> Result<&Toolchain, Fault> {
-        let found = self.toolchain.get_or_init(|| Toolchain::find(&self.root));
-        found.as_ref().map_err(|why| Fault::Other(why.clone()))
+        Ok(self.found()?)
+    }
+
+    fn found(&self) -> Result<&Toolchain, Arc<ToolchainError>> {
+        let find = || Toolchain::find(&self.root).map_err(Arc::new);
+        self.toolchain.get_or_init(find).as_ref().map_err(Arc::clone)
     }
 
     /// Returns the compiled crates that student code is linked with. The first call makes them,
@@ -64,16 +74,11 @@ impl Workshop {
     /// same error.
     pub fn sdk(&self, progress: &dyn Fn(&str)) -> Result<&Sdk, Fault> {
         let prepare = || {
-            let toolchain = self.toolchain().map_err(|why| SdkError::Toolchain(why.to_string()))?;
-            Sdk::prepare(
-                toolchain,
-                &self.root,
-                &self.store(),
-                &self.template.dependencies,
-                progress,
-            )
+            let (store, dependencies) = (self.store(), &self.template.dependencies);
+            Sdk::prepare(self.found()?, &self.root, &store, dependencies, progress)
         };
-        self.sdk.get_or_init(prepare).as_ref().map_err(|why| Fault::Other(why.to_string()))
+        let prepared = self.sdk.get_or_init(|| prepare().map_err(Arc::new));
+        prepared.as_ref().map_err(|why| Fault::Sdk(Arc::clone(why)))
     }
 }
 

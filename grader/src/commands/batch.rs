@@ -1,8 +1,7 @@
 //! `grader batch`.
 
-use cases::files::is_usage;
-use grader::batch::{self, BatchError, OnBench, Options, Shown, Summary};
-use grader::grade::{Bench, GradeError, Options as One};
+use grader::batch::{self, OnBench, Options, Shown, Summary};
+use grader::grade::{Bench, Options as One};
 use grader::sandbox::LEVEL;
 use pages::{lines, say};
 
@@ -28,14 +27,7 @@ pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
     let grader = OnBench::new(&bench, &arguments.stage)?;
     let jobs = arguments.jobs.map_or_else(|| One::new(&arguments.folder).jobs, usize::from);
     let options = Options { folder: arguments.folder.clone(), out: arguments.out.clone(), jobs };
-    let summary =
-        batch::run(&grader, &options, &Shown::new(talk.is_quiet)).map_err(|why| match &why {
-            BatchError::Folder { .. } | BatchError::Empty(_) => GradeError::Input(why.to_string()),
-            BatchError::Out { why: cause, .. } if is_usage(cause) => {
-                GradeError::Input(why.to_string())
-            }
-            BatchError::Out { .. } => GradeError::Machine(why.to_string()),
-        })?;
+    let summary = batch::run(&grader, &options, &Shown::new(talk.is_quiet))?;
     if !talk.is_quiet {
         for aside in &summary.left_aside {
             say::err(&format!("left aside: {} ({})", aside.name, aside.why));

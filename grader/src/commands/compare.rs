@@ -24,7 +24,7 @@ pub(crate) fn run(arguments: &Compare) -> Outcome {
     match (b, answer) {
         (Some(b), None) => with_other(a, b, tolerance.unwrap_or(0.0)),
         (None, Some(answer)) => with_answer(a, answer, *tolerance),
-        _ => Err(GradeError::Input("name a second picture, or an answer with --answer".to_owned())),
+        _ => Err(GradeError::Usage("name a second picture, or an answer with --answer".to_owned())),
     }
 }
 
@@ -37,7 +37,7 @@ struct Picture<'a> {
 impl<'a> Picture<'a> {
     fn open(name: &'a Path) -> Result<Self, GradeError> {
         let input = input::open(name, |head| most_bytes(head).map_err(|why| why.to_string()))?;
-        let rows = Rows::open(input).map_err(|why| unreadable(name, &why))?;
+        let rows = Rows::open(input).map_err(|why| unreadable(name, why))?;
         Ok(Self { name, rows })
     }
 
@@ -47,13 +47,8 @@ impl<'a> Picture<'a> {
     }
 }
 
-/// Returns the error of a picture: the machine's if a read fails, else the user's for the content.
-fn unreadable(name: &Path, why: &PictureError) -> GradeError {
-    let text = format!("{}: {why}", input::shown(name));
-    match why {
-        PictureError::Io(_) => GradeError::Machine(text),
-        _ => GradeError::Input(text),
-    }
+fn unreadable(name: &Path, source: PictureError) -> GradeError {
+    GradeError::Picture { name: name.to_owned(), source }
 }
 
 /// Compares two pictures, which are decoded in parallel, band by band.
@@ -62,7 +57,7 @@ fn with_other(a: &Path, b: &Path, slack: f64) -> Outcome {
     let (mut a, mut b) = (Picture::open(a)?, Picture::open(b)?);
     let (width, height) = a.rows.size();
     if (width, height) != b.rows.size() {
-        return Err(GradeError::Input(format!(
+        return Err(GradeError::Usage(format!(
             "{} pixels, {}: nothing to compare",
             a.shown(),
             b.shown()
@@ -97,12 +92,12 @@ fn bands<T: Copy + Default + Send>(
         (vec![T::default(); n_rows * width * 3], vec![T::default(); n_rows * width * 3]);
     for first in (0..height).step_by(n_rows) {
         if interrupted() {
-            return Err(GradeError::Machine("interrupted while comparing".to_owned()));
+            return Err(GradeError::Interrupted("comparing"));
         }
         let n = n_rows.min(height - first) * width * 3;
         let (one, other) = (&mut one[..n], &mut other[..n]);
         let read = |picture: &mut Picture, band: &mut [T]| {
-            read(&mut picture.rows, band).map_err(|why| unreadable(picture.name, &why))
+            read(&mut picture.rows, band).map_err(|why| unreadable(picture.name, why))
         };
         let (mut read_a, mut read_b) = (|| read(a, one), || read(b, other));
         let (a_read, b_read) = if width * height < LEAST_SHARED {
@@ -121,7 +116,7 @@ fn bands<T: Copy + Default + Send>(
 fn with_answer(name: &Path, answer: &Path, tolerance: Option<f64>) -> Outcome {
     let picture = Picture::open(name)?;
     let answer = stored(answer, picture.rows.size())?;
-    let picture = picture.rows.into_image().map_err(|why| unreadable(name, &why))?;
+    let picture = picture.rows.into_image().map_err(|why| unreadable(name, why))?;
     let slack = tolerance.unwrap_or(answer.limits.slack);
     let answer = ImageAnswer { limits: Limits { slack, ..answer.limits }, ..answer };
     let judgement = judge::picture(&picture, &answer);
@@ -142,12 +137,11 @@ fn with_answer(name: &Path, answer: &Path, tolerance: Option<f64>) -> Outcome {
 
 /// Reads the stored answer `name`, which must be one for a picture of `size`.
 fn stored(name: &Path, size: (u32, u32)) -> Result<ImageAnswer, GradeError> {
-    let answer =
-        exam::stored_answer(name).map_err(|why| GradeError::of(why.blame(), why.to_string()))?;
+    let answer = exam::stored_answer(name)?;
     let wanted = (answer.expected.width(), answer.expected.height());
     match wanted == size {
         true => Ok(answer),
-        false => Err(GradeError::Input(format!(
+        false => Err(GradeError::Usage(format!(
             "{} is the answer to a picture of {}×{}, not {}×{}",
             name.display(),
             wanted.0,

@@ -6,6 +6,7 @@ use grader::build::{Toolchain, Workshop};
 use grader::exam::Exam;
 use grader::exercise::Allowance;
 use grader::sandbox::{Folder, LEVEL, memory_left};
+use pages::say;
 
 use crate::arguments::{Doctor, stages};
 use crate::exit::{self, Done, Outcome};
@@ -15,19 +16,28 @@ type Line = (&'static str, Result<String, String>);
 
 pub(crate) fn run(arguments: &Doctor) -> Outcome {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let folder = stages(arguments.cases.as_deref()).map_err(|why| why.to_string());
+    let folder = stages(arguments.cases.as_deref()).map_err(|why| say::chain(&why));
     let here = Workshop::open(folder.as_deref().unwrap_or(Path::new("")));
     let root = here.as_ref().map_or(Path::new("."), |workshop| workshop.root.as_path()).to_owned();
     let lines: Vec<Line> = vec![
-        ("compiler", Toolchain::find(&root).map(|toolchain| toolchain.name().to_owned())),
+        (
+            "compiler",
+            Toolchain::find(&root)
+                .map(|toolchain| toolchain.name().to_owned())
+                .map_err(|why| say::chain(&why)),
+        ),
         ("linker", linker()),
         (
             "workspace",
-            here.as_ref().map(|workshop| workshop.root.display().to_string()).map_err(Clone::clone),
+            here.as_ref()
+                .map(|workshop| workshop.root.display().to_string())
+                .map_err(ToString::to_string),
         ),
         (
             "store",
-            here.as_ref().map_err(Clone::clone).and_then(|workshop| store(&workshop.store())),
+            here.as_ref()
+                .map_err(ToString::to_string)
+                .and_then(|workshop| store(&workshop.store())),
         ),
         ("cases", folder.and_then(|folder| exam(&folder))),
         ("temporary files", temporary_files()),
@@ -60,7 +70,9 @@ fn linker() -> Result<String, String> {
 
 /// Checks that programs can be given folders to work in.
 fn temporary_files() -> Result<String, String> {
-    Folder::new().map(|_| std::env::temp_dir().display().to_string()).map_err(|why| why.to_string())
+    Folder::new()
+        .map(|_| std::env::temp_dir().display().to_string())
+        .map_err(|why| say::chain(&why))
 }
 
 /// Checks that this process can give programs their limits. A limit that is lower but enough is

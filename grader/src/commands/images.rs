@@ -15,16 +15,16 @@ pub(crate) fn run(arguments: &Images, talk: &Talk) -> Outcome {
     match std::fs::metadata(folder) {
         Ok(found) if found.is_dir() => {}
         Ok(_) => {
-            return Err(GradeError::Input(format!("{}: it is not a folder", folder.display())));
+            return Err(GradeError::Usage(format!("{}: it is not a folder", folder.display())));
         }
         Err(why) if why.kind() == ErrorKind::NotFound => {
-            return Err(GradeError::Input(format!(
+            return Err(GradeError::Usage(format!(
                 "{}: there is no such folder",
                 folder.display()
             )));
         }
         Err(why) => {
-            return Err(GradeError::Input(format!(
+            return Err(GradeError::Usage(format!(
                 "{}: it cannot be read: {why}",
                 folder.display()
             )));

@@ -13,11 +13,11 @@ use crate::progress::Talk;
 pub(crate) fn run(arguments: &Lint, talk: &Talk) -> Outcome {
     let folder = stages(arguments.folder.as_deref())?;
     if !folder.is_dir() {
-        return Err(GradeError::Input(format!("{}: there is no such folder", folder.display())));
+        return Err(GradeError::Usage(format!("{}: there is no such folder", folder.display())));
     }
     if !has_stage(&folder) {
         let help = "a stage is a folder such as 01_ray_casting with a stage.toml";
-        return Err(GradeError::Input(format!(
+        return Err(GradeError::Usage(format!(
             "{}: there are no stages in it; {help}",
             folder.display()
         )));

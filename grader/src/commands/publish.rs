@@ -29,14 +29,14 @@ pub(crate) fn check(reports: &Reports) -> Result<(), GradeError> {
         |(n, _): (usize, &&PathBuf)| places[n].is_some() && places[..n].contains(&places[n]);
     if named.iter().filter(|path| is_stdout(path)).count() > 1 {
         let text = "only one of --json, --html and --junit can go to standard output";
-        return Err(GradeError::Input(text.to_owned()));
+        return Err(GradeError::Usage(text.to_owned()));
     }
     if let Some((_, path)) = named.iter().enumerate().find(|named| is_twice(*named)) {
         let text = format!("{}: two reports cannot be the same file", path.display());
-        return Err(GradeError::Input(text));
+        return Err(GradeError::Usage(text));
     }
     if *open && html.as_deref().is_some_and(files::is_stream) {
-        return Err(GradeError::Input("--open shows a file: name one with --html".to_owned()));
+        return Err(GradeError::Usage("--open shows a file: name one with --html".to_owned()));
     }
     Ok(())
 }
@@ -64,7 +64,7 @@ pub(crate) fn publish(graded: &Graded, reports: &Reports, talk: &Talk) -> Outcom
         written = written.and(write(path, &record.to_json()));
     }
     if let Some(path) = junit {
-        let text = junit::to_string(record).map_err(GradeError::Machine);
+        let text = junit::to_string(record).map_err(GradeError::from);
         written = written.and(text.and_then(|text| write(path, &text)));
     }
     if let Some(path) = html {
@@ -83,13 +83,11 @@ pub(crate) fn publish(graded: &Graded, reports: &Reports, talk: &Talk) -> Outcom
 }
 
 fn open(path: &Path) -> Result<(), GradeError> {
-    let opener = if cfg!(target_os = "macos") { "open" } else { "xdg-open" };
-    let mut command = Command::new(opener);
+    let program = if cfg!(target_os = "macos") { "open" } else { "xdg-open" };
+    let mut command = Command::new(program);
     let started =
         command.arg(path).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn();
-    started
-        .map(drop)
-        .map_err(|why| GradeError::Machine(format!("cannot run {opener} to show the page: {why}")))
+    started.map(drop).map_err(|source| GradeError::Open { program, source })
 }
 
 /// Returns the result of the command.

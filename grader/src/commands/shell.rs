@@ -1,5 +1,6 @@
 //! `grader completions`, `grader man` and `grader schema`.
 
+use cases::files::WriteError;
 use clap::CommandFactory;
 use grader::files;
 use grader::grade::GradeError;
@@ -20,13 +21,12 @@ pub(crate) fn completions(arguments: &Completions) -> Outcome {
 }
 
 pub(crate) fn man(arguments: &Man) -> Outcome {
-    match shell::man(Arguments::command(), arguments.what.as_deref()).map_err(GradeError::Input)? {
+    match shell::man(Arguments::command(), arguments.what.as_deref()).map_err(GradeError::Usage)? {
         shell::Man::Page(page) => exit::print_raw(&page)?,
         shell::Man::Folder(folder, pages) => {
-            let unwritable =
-                |why| GradeError::Input(format!("cannot write to {}: {why}", folder.display()));
             for (name, page) in &pages {
-                files::write(&folder.join(name), page).map_err(unwritable)?;
+                let path = folder.join(name);
+                files::write(&path, page).map_err(|source| WriteError::untouched(&path, source))?;
             }
         }
     }

@@ -1,6 +1,7 @@
 //! The cases and their answers, read once and shared by all submissions.
 
 mod faults;
+mod fronts;
 mod single;
 
 use std::collections::BTreeMap;
@@ -11,12 +12,12 @@ use cases::answer::{
     mistakes_path,
 };
 use cases::course::{self, Course};
-use cases::files::{self, ReadError};
-use cases::front::{Fronts, fronts_from_str, fronts_path};
+use cases::front::Fronts;
 use cases::problem::Problems;
 use cases::stage::{Stage, load_all};
 
 pub use faults::{Fault, Subject, Untrusted};
+pub use fronts::FrontsError;
 pub use single::{SingleError, stored_answer};
 
 /// All stages, with all answers that can be trusted.
@@ -35,7 +36,7 @@ pub struct Exam {
     /// Ids of stored answers to unit checks that do not exist.
     pub surplus: Vec<String>,
     /// The measured cost of accuracy, `None` if it was not measured, or why it cannot be read.
-    pub fronts: Result<Option<Fronts>, String>,
+    pub fronts: Result<Option<Fronts>, FrontsError>,
     /// A hash of everything in the folder that a score depends on. Titles, descriptions and times
     /// do not count.
     pub hash: String,
@@ -51,9 +52,6 @@ pub struct Questions {
     /// The answers to unit checks, by id.
     pub units: BTreeMap<String, CheckAnswer>,
 }
-
-/// Largest size in bytes of the file with the cost of accuracy.
-const MAX_FRONTS_BYTES: u64 = 64 << 20;
 
 impl Exam {
     /// Reads the stages in `folder`, their course and their answers. An answer that is missing or
@@ -74,7 +72,7 @@ impl Exam {
         let mistakes = load::mistakes(folder, &course)
             .map_err(|why| faults.push(Fault { subject: Subject::Mistakes, why }))
             .unwrap_or_default();
-        let fronts = fronts(folder);
+        let fronts = fronts::read(folder);
         Ok(Self {
             folder: folder.to_owned(),
             course,
@@ -134,18 +132,6 @@ fn questions(
         Err(why) => faults.push(Fault { subject: Subject::Checks(stage.id.clone()), why }),
     }
     Questions { stage, images, units }
-}
-
-fn fronts(folder: &Path) -> Result<Option<Fronts>, String> {
-    let path = fronts_path(folder);
-    let wrong = |why: &dyn std::fmt::Display| {
-        format!("the cost of accuracy in {} cannot be used: {why}", path.display())
-    };
-    match files::read_text(&path, MAX_FRONTS_BYTES) {
-        Ok(text) => fronts_from_str(&text).map(Some).map_err(|why| wrong(&why)),
-        Err(ReadError::Missing) => Ok(None),
-        Err(why) => Err(wrong(&why)),
-    }
 }
 
 /// Returns a hash of everything in `folder` that a score depends on.

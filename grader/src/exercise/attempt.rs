@@ -8,6 +8,8 @@
 use std::ffi::OsString;
 use std::path::Path;
 
+use pages::say;
+
 use super::allowance::Candidate;
 use super::failure::Failure;
 use crate::sandbox::{self, Call, Clock, Finished, Folder, Limits, Outcome, Room, Shortage, Turn};
@@ -51,7 +53,7 @@ pub(super) fn attempt<T>(
     }
     let is_intact = candidate.program.is_intact();
     if !is_intact && let Err(why) = candidate.program.restore() {
-        return first.not_the_programs(Shortage::Other(why.to_string()));
+        return first.not_the_programs(Shortage::Other(say::chain(&why)));
     }
     if is_intact && !is_doubtful(&first.finished, &task.limits) {
         return first;

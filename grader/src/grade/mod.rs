@@ -1,6 +1,7 @@
 //! Grades one submission, from its folder to its record.
 
 mod diagnosis;
+mod error;
 mod perform;
 mod plan;
 mod progress;
@@ -11,15 +12,13 @@ mod write_up;
 
 use std::path::{Path, PathBuf};
 
-use cases::files::WriteError;
-
 pub use crate::graded::{Front, Graded, Pictures};
+pub use error::GradeError;
 pub use progress::{Progress, Silent};
 pub use write_up::VERSION;
 
 use plan::Plan;
 
-use crate::blame::{self, Blame};
 use crate::build::{BuildError, Built, Workshop, build};
 use crate::exam::Exam;
 use crate::exercise::{self, Allowance, Candidate};
@@ -44,9 +43,7 @@ impl Bench {
     /// # Errors
     /// Returns everything that is wrong with the cases, or an error if there is no workspace.
     pub fn open(stages: &Path) -> Result<Self, GradeError> {
-        let exam = Exam::load(stages)
-            .map_err(|why| GradeError::of(blame::of_problems(&why), why.to_string()))?;
-        let workshop = Workshop::open(stages).map_err(GradeError::Machine)?;
+        let (exam, workshop) = (Exam::load(stages)?, Workshop::open(stages)?);
         Ok(Self { exam, workshop, allowance: Allowance::default() })
     }
 
@@ -60,7 +57,7 @@ impl Bench {
         stages: &[String],
         checks: &[String],
     ) -> Result<Option<String>, GradeError> {
-        let plan = plan::Plan::new(&self.exam, stages, checks).map_err(GradeError::Input)?;
+        let plan = plan::Plan::new(&self.exam, stages, checks).map_err(GradeError::Usage)?;
         Ok(plan.summary(stages, checks))
     }
 
@@ -75,8 +72,7 @@ impl Bench {
     /// # Errors
     /// Returns an error if no compiler is found.
     pub fn epoch(&self) -> Result<String, GradeError> {
-        let compiler =
-            &self.workshop.toolchain().map_err(|why| GradeError::Machine(why.to_string()))?.version;
+        let compiler = &self.workshop.toolchain()?.version;
         let text = format!("{} {VERSION} {:?} {compiler}", self.exam.hash, self.allowance);
         Ok(blake3::hash(text.as_bytes()).to_hex().to_string())
     }
@@ -105,33 +101,6 @@ impl Options {
         let name = submission.display().to_string();
         let jobs = std::thread::available_parallelism().map_or(1, usize::from);
         Self { submission, name, stages: vec![], cases: vec![], jobs }
-    }
-}
-
-/// The reason why there is no record. None of the reasons is the student's fault.
-#[derive(Debug, thiserror::Error)]
-pub enum GradeError {
-    /// The input cannot be read or does not exist: exit code 2.
-    #[error("{0}")]
-    Input(String),
-    /// The machine or the grader failed: exit code 3.
-    #[error("{0}")]
-    Machine(String),
-}
-
-impl GradeError {
-    /// Returns the error for which `blame` is responsible.
-    pub fn of(blame: Blame, text: String) -> Self {
-        match blame {
-            Blame::Machine => Self::Machine(text),
-            Blame::File => Self::Input(text),
-        }
-    }
-}
-
-impl From<WriteError> for GradeError {
-    fn from(why: WriteError) -> Self {
-        if why.is_usage() { Self::Input(why.to_string()) } else { Self::Machine(why.to_string()) }
     }
 }
 
@@ -177,16 +146,16 @@ pub fn check_answers(bench: &Bench, options: &Options) -> Result<(), GradeError>
 }
 
 fn planned<'a>(bench: &'a Bench, options: &Options) -> Result<Plan<'a>, GradeError> {
-    Plan::new(&bench.exam, &options.stages, &options.cases).map_err(GradeError::Input)
+    Plan::new(&bench.exam, &options.stages, &options.cases).map_err(GradeError::Usage)
 }
 
 /// Returns `plan` if all of its checks have trusted answers.
 fn trusted<'a>(bench: &Bench, plan: Plan<'a>) -> Result<Plan<'a>, GradeError> {
     let ids = plan.stages.iter().flat_map(plan::Part::ids);
-    bench
-        .exam
-        .trust(ids)
-        .map_err(|untrusted| GradeError::of(untrusted.blame(), untrusted.to_string()))?;
+    bench.exam.trust(ids).map_err(|untrusted| GradeError::Untrusted {
+        blame: untrusted.blame(),
+        message: untrusted.to_string(),
+    })?;
     Ok(plan)
 }
 
@@ -202,16 +171,11 @@ fn prepare(
 ) -> Result<(String, Prepared), GradeError> {
     let submission = match submission::read(&options.submission, &bench.workshop.template) {
         Ok(submission) => submission,
-        Err(why @ SubmissionError::Unreadable { .. }) => {
-            return Err(GradeError::Input(why.to_string()));
-        }
-        Err(why @ (SubmissionError::Machine { .. } | SubmissionError::Folder(_))) => {
-            return Err(GradeError::Machine(why.to_string()));
-        }
         Err(SubmissionError::Refused(why)) => {
             let finding = Finding::new(FindingKind::Submission, why);
             return Ok((String::new(), Err(rejected(Verdict::Fail, finding, vec![]))));
         }
+        Err(why) => return Err(why.into()),
     };
     let ignored = submission.ignored.clone();
     let prepared = match build(&submission, &bench.workshop, &|what| progress.phase(what)) {
@@ -220,7 +184,7 @@ fn prepare(
             let finding = Finding::new(FindingKind::Build, why + &unused(&submission));
             Err(rejected(Verdict::Fail, finding, ignored))
         }
-        Err(BuildError::Ours(why)) => return Err(GradeError::Machine(why.to_string())),
+        Err(BuildError::Ours(why)) => return Err(why.into()),
         Err(BuildError::Interrupted) => {
             let finding =
                 Finding::new(FindingKind::Internal, "the grader was interrupted while building");
@@ -289,20 +253,20 @@ pub fn explain(
 ) -> Result<Result<String, String>, GradeError> {
     let mut cases = bench.exam.stages.iter().flat_map(|questions| &questions.stage.cases);
     let case = cases.find(|one| one.id == case).ok_or_else(|| {
-        GradeError::Input(format!(
+        GradeError::Usage(format!(
             "there is no image case `{case}`; ids look like `02_shadows/two_lamps`"
         ))
     })?;
     let (width, height) = (case.scene.render.width, case.scene.render.height);
     if x >= width || y >= height {
-        return Err(GradeError::Input(format!(
+        return Err(GradeError::Usage(format!(
             "pixel ({x}, {y}) does not lie in a picture of {width}×{height}"
         )));
     }
     match prepare(bench, &Options::new(path), progress)?.1 {
         Ok((built, _)) => Ok(exercise::explain(&bench.candidate(&built), &case.scene, x, y)),
         Err(Build { finding: Some(finding), .. }) if finding.kind == FindingKind::Submission => {
-            Err(GradeError::Input(finding.message))
+            Err(GradeError::NoSubmission(finding.message))
         }
         Err(build) => Ok(Err(build.finding.map_or(String::new(), |finding| finding.message))),
     }

@@ -11,18 +11,23 @@ use super::{mistakes, words};
 use crate::plain::shown;
 use crate::record::{CheckRecord, FindingKind, Record, StageRecord, Verdict};
 
+/// The reason why a record cannot be encoded as a JUnit document.
+#[derive(Debug, thiserror::Error)]
+#[error("the JUnit report cannot be encoded")]
+pub struct JunitError(#[from] quick_junit::SerializeError);
+
 /// Returns the record as a JUnit document. The build is a suite of its own.
 ///
 /// # Errors
-/// Returns the message of the encoder.
-pub fn to_string(record: &Record) -> Result<String, String> {
+/// Returns the error of the encoder.
+pub fn to_string(record: &Record) -> Result<String, JunitError> {
     let interrupted =
         if record.interrupted { " (interrupted: not everything was run)" } else { "" };
     let mut report =
         Report::new(format!("grade of {}{interrupted}", shown(&record.submission.path)));
     report.add_test_suite(build(record));
     report.add_test_suites(record.stages.iter().map(|stage| suite(record, stage)));
-    report.to_string().map_err(|why| why.to_string())
+    Ok(report.to_string()?)
 }
 
 fn build(record: &Record) -> TestSuite {

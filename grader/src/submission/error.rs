@@ -13,7 +13,7 @@ use crate::sandbox::FolderError;
 #[derive(Debug, thiserror::Error)]
 pub enum SubmissionError {
     /// The path leads nowhere, or the user may not read it. The caller of the grader is to blame.
-    #[error("{}: {source}", path.display())]
+    #[error("{}", path.display())]
     Unreadable {
         /// The file or folder.
         path: PathBuf,
@@ -22,7 +22,7 @@ pub enum SubmissionError {
     },
     /// The machine failed. Neither the student nor the caller is to blame, and another try may
     /// succeed.
-    #[error("{what}: {source}")]
+    #[error("{what}")]
     Machine {
         /// The action that failed.
         what: String,

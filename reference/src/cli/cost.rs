@@ -48,9 +48,9 @@ impl Output {
     fn bytes(self, report: &impl Forms) -> Result<Vec<u8>, Stop> {
         match self {
             Self::Json => {
-                serde_json::to_vec_pretty(report).map_err(|why| Stop::Machine(why.to_string()))
+                serde_json::to_vec_pretty(report).map_err(Stop::machine("cannot encode the report"))
             }
-            Self::Csv => report.csv().map_err(|why| Stop::Machine(why.to_string())),
+            Self::Csv => report.csv().map_err(Stop::machine("cannot encode the report")),
             Self::Svg => Ok(plot::stack(&report.plots(), Place::File).into_bytes()),
             Self::Html => Ok(report.page().into_bytes()),
         }

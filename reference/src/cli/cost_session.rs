@@ -105,7 +105,7 @@ impl Session {
     /// Prepares measurements with this number of threads. From now on Ctrl-C ends them.
     pub(super) fn start(threads: u16, talk: Talk) -> Result<Self, Stop> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build();
-        let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
+        let pool = pool.map_err(Stop::machine("cannot start threads"))?;
         let interrupt = Interrupt::catch()?;
         let clock = if threads == 1 { Clock::Processor } else { Clock::Wall(Instant::now()) };
         Ok(Self { clock, interrupt, pool, talk })

@@ -47,7 +47,7 @@ pub(super) fn run(args: &CostArgs, session: &Session) -> Result<(), Stop> {
         machine: format!("{}, {} of one thread", machine.processor, machine.clock),
         cases: points,
     };
-    let text = fronts_to_string(&fronts).map_err(|why| Stop::Machine(why.to_string()))?;
+    let text = fronts_to_string(&fronts).map_err(Stop::machine("cannot encode the fronts"))?;
     put(&path, text.as_bytes(), session.talk)?;
     if session.talk >= Talk::Normal {
         say::err(&format!("wrote {}: {n_cases} cases", path.display()));

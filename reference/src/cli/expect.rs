@@ -14,7 +14,7 @@ use super::find;
 use super::interrupt::Interrupt;
 use super::output::Talk;
 use super::progress::Bar;
-use super::stop::Stop;
+use super::stop::{Stop, paragraphs};
 use super::values::{CourseArg, STAGES};
 use crate::expect::{self, Answers, CaseAnswer, ExpectError, Expected, Progress, Set};
 
@@ -53,15 +53,15 @@ pub(super) fn run(args: &ExpectArgs, talk: Talk) -> Result<(), Stop> {
         let is_wanted = |id: &str| wanted.is_empty() || wanted.iter().any(|one| one == id);
         match answers(&stages, &set, is_wanted, &interrupt, talk) {
             Ok(answers) => files.extend(answers.files().cloned()),
-            Err(ExpectError::Checks(sentences)) => wrong.extend(sentences),
-            Err(why) => return Err(Stop::of(&why)),
+            Err(ExpectError::Checks(errors)) => wrong.extend(errors),
+            Err(why) => return Err(Stop::of(why)),
         }
     }
     if !wrong.is_empty() {
         let n = wrong.len();
         return Err(Stop::NotPassed(format!(
             "{}\n{n} did not pass; nothing was written",
-            wrong.join("\n")
+            paragraphs(&wrong)
         )));
     }
     if args.check { compare(&files, talk) } else { write(&files, talk) }
@@ -157,11 +157,13 @@ impl Progress for Shown<'_> {
 
 impl Stop {
     /// Returns how a command ends that could not make answers.
-    pub(super) fn of(why: &ExpectError) -> Self {
+    pub(super) fn of(why: ExpectError) -> Self {
         match why {
             ExpectError::Checks(_) => Self::NotPassed(format!("{why}\nnothing was written")),
             ExpectError::Interrupted => Self::Interrupted(why.to_string()),
-            ExpectError::Picture { .. } | ExpectError::List(_) => Self::Machine(why.to_string()),
+            ExpectError::Picture { .. } | ExpectError::List(_) => {
+                Self::machine("nothing was written")(why)
+            }
         }
     }
 }

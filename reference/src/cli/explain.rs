@@ -30,6 +30,8 @@ pub(super) fn run(args: &ExplainArgs) -> Result<(), Stop> {
     match tree {
         Some(tree) if args.json => print_json(&tree),
         Some(tree) => print(tree.to_string().as_bytes()),
-        None => Err(Stop::Machine("no ray was recorded".to_owned())),
+        None => {
+            Err(Stop::Machine { what: "no tree to show", source: "no ray was recorded".into() })
+        }
     }
 }

@@ -19,7 +19,7 @@ impl Interrupt {
         for signal in [SIGINT, SIGTERM] {
             signal_hook::flag::register_conditional_default(signal, Arc::clone(&is_set))
                 .and_then(|_| signal_hook::flag::register(signal, Arc::clone(&is_set)))
-                .map_err(|why| Stop::Machine(format!("cannot wait for Ctrl-C: {why}")))?;
+                .map_err(Stop::machine("cannot wait for Ctrl-C"))?;
         }
         Ok(Self(is_set))
     }

@@ -52,7 +52,11 @@ pub fn run() -> ExitCode {
     };
     match dispatch(&args.command, talk) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(stop) => report(stop),
+        Err(stop) => {
+            let (code, text) = stop.code_and_text();
+            say::err(&text);
+            ExitCode::from(code)
+        }
     }
 }
 
@@ -70,16 +74,4 @@ fn dispatch(command: &Command, talk: Talk) -> Result<(), Stop> {
         Command::Completions { shell } => shell::completions(*shell),
         Command::Man { what } => shell::man(what.as_deref()),
     }
-}
-
-fn report(stop: Stop) -> ExitCode {
-    let (text, code) = match stop {
-        Stop::NotPassed(text) => (text, 1),
-        Stop::Problems(problems) => (problems.render(true), 2),
-        Stop::Usage(text) => (format!("error: {text}"), 2),
-        Stop::Machine(text) => (format!("error: {text}"), 3),
-        Stop::Interrupted(text) => (text, 130),
-    };
-    say::err(&text);
-    ExitCode::from(code)
 }

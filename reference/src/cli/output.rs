@@ -17,20 +17,17 @@ pub(super) enum Talk {
 
 /// Writes bytes to the output stream unchanged. A reader that has gone away is no error.
 pub(super) fn print(bytes: &[u8]) -> Result<(), Stop> {
-    say::raw(bytes).map_err(|why| unprintable(&why))
+    say::raw(bytes).map_err(Stop::machine("cannot write to the output stream"))
 }
 
 /// Prints text for people to the output stream. A reader that has gone away is no error.
 pub(super) fn print_text(text: &str) -> Result<(), Stop> {
-    say::out(text).map_err(|why| unprintable(&why))
-}
-
-fn unprintable(why: &std::io::Error) -> Stop {
-    Stop::Machine(format!("cannot write to the output stream: {why}"))
+    say::out(text).map_err(Stop::machine("cannot write to the output stream"))
 }
 
 /// Prints a value as JSON to the output stream.
 pub(super) fn print_json<T: serde::Serialize>(value: &T) -> Result<(), Stop> {
-    let text = serde_json::to_string_pretty(value).map_err(|why| Stop::Machine(why.to_string()))?;
+    let text =
+        serde_json::to_string_pretty(value).map_err(Stop::machine("cannot encode the report"))?;
     print(format!("{text}\n").as_bytes())
 }

@@ -23,8 +23,8 @@ pub(super) fn run(args: &ProbeArgs) -> Result<(), Stop> {
         let question: Question = serde_json::from_str(&line)
             .map_err(|why| Stop::Usage(format!("cannot understand the question {line}: {why}")))?;
         let reply = Reply { answer: answer(&rules, &question.ask), id: question.id };
-        let text = serde_json::to_string(&reply)
-            .map_err(|why| Stop::Machine(format!("cannot write an answer: {why}")))?;
+        let text =
+            serde_json::to_string(&reply).map_err(Stop::machine("cannot write an answer"))?;
         print(format!("{text}\n").as_bytes())?;
     }
     Ok(())

@@ -49,7 +49,7 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     // This thread is one of the pool, so that `--threads 1` starts no other.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads.map_or(0, usize::from));
     let pool = pool.use_current_thread().build();
-    let pool = pool.map_err(|why| Stop::Machine(format!("cannot start threads: {why}")))?;
+    let pool = pool.map_err(Stop::machine("cannot start threads"))?;
     let samples = args.samples;
     let fineness =
         Fineness { samples, light_cutoff: args.light_cutoff, counts: args.stats.is_some() };
@@ -229,6 +229,6 @@ impl ObjectShape {
                 film::exr::encode((image.width(), image.height()), &[part], "")
             }
         };
-        bytes.map_err(|why| Stop::Machine(format!("cannot encode the picture: {why}")))
+        bytes.map_err(Stop::machine("cannot encode the picture"))
     }
 }

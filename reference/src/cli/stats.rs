@@ -91,7 +91,8 @@ impl Report {
     pub(super) fn say(&self, form: ObjectShape, to_errors: bool) -> Result<(), Stop> {
         let text = match form {
             ObjectShape::Json => {
-                serde_json::to_string_pretty(self).map_err(|why| Stop::Machine(why.to_string()))?
+                serde_json::to_string_pretty(self)
+                    .map_err(Stop::machine("cannot encode the report"))?
                     + "\n"
             }
             ObjectShape::Text => self.text(),

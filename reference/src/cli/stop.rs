@@ -1,7 +1,10 @@
 //! The ways in which a command ends early.
 
+use std::error::Error;
+
 use cases::files::WriteError;
 use cases::problem::Problems;
+use pages::say;
 
 /// The reason for which a command ended early, and with it the exit code.
 #[derive(Debug)]
@@ -12,8 +15,15 @@ pub(super) enum Stop {
     Problems(Problems),
     /// The arguments make no sense, or an input cannot be read: 2.
     Usage(String),
+    /// A file cannot be written: 2 if the name is to blame, 3 if the machine is.
+    Write(WriteError),
     /// The machine failed: 3.
-    Machine(String),
+    Machine {
+        /// What cannot be done.
+        what: &'static str,
+        /// The cause.
+        source: Box<dyn Error>,
+    },
     /// The user has interrupted the command: 130.
     Interrupted(String),
 }
@@ -26,6 +36,34 @@ impl From<Problems> for Stop {
 
 impl From<WriteError> for Stop {
     fn from(why: WriteError) -> Self {
-        if why.is_usage() { Self::Usage(why.to_string()) } else { Self::Machine(why.to_string()) }
+        Self::Write(why)
     }
+}
+
+impl Stop {
+    /// Returns a function that makes a failure of the machine to do `what` of its cause.
+    pub(super) fn machine<E: Error + 'static>(what: &'static str) -> impl FnOnce(E) -> Self {
+        move |source| Self::Machine { what, source: Box::new(source) }
+    }
+
+    /// Returns the exit code and the text for the error stream.
+    pub(super) fn code_and_text(&self) -> (u8, String) {
+        match self {
+            Self::NotPassed(text) => (1, text.clone()),
+            Self::Problems(problems) => (2, problems.render(true)),
+            Self::Usage(text) => (2, format!("error: {text}")),
+            Self::Write(why) => {
+                (if why.is_usage() { 2 } else { 3 }, format!("error: {}", say::chain(why)))
+            }
+            Self::Machine { what, source } => {
+                (3, format!("error: {what}: {}", say::chain(&**source)))
+            }
+            Self::Interrupted(text) => (130, text.clone()),
+        }
+    }
+}
+
+/// Returns the messages of errors with their causes, a paragraph each.
+pub(super) fn paragraphs<E: Error + 'static>(errors: &[E]) -> String {
+    errors.iter().map(|why| say::chain(why)).collect::<Vec<_>>().join("\n")
 }

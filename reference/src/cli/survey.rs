@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use pages::say;
 use rayon::prelude::*;
 
 use super::args::VaryArgs;
@@ -9,7 +10,7 @@ use super::output::{Talk, print};
 use super::progress::Bar;
 use super::stop::Stop;
 use crate::expect::Set;
-use crate::vary::{Care, Original, Varied};
+use crate::vary::{Care, Original, Varied, VaryError};
 
 /// The results of one case over any number of seeds. The sum of two does not depend on their order.
 #[derive(Clone, Debug, Default)]
@@ -25,7 +26,7 @@ struct Seen {
 }
 
 impl Seen {
-    fn of(drawn: Result<Varied, String>) -> Self {
+    fn of(drawn: Result<Varied, VaryError>) -> Self {
         let seen = Self { n_seeds: 1, ..Self::default() };
         match drawn {
             Ok(varied) => Self {
@@ -35,7 +36,7 @@ impl Seen {
                 contested: varied.contested,
                 ..seen
             },
-            Err(why) => Self { failed: vec![why], ..seen },
+            Err(why) => Self { failed: vec![say::chain(&why)], ..seen },
         }
     }
 

@@ -12,7 +12,7 @@ use super::args::VaryArgs;
 use super::interrupt::Interrupt;
 use super::output::Talk;
 use super::progress::Bar;
-use super::stop::Stop;
+use super::stop::{Stop, paragraphs};
 use super::{expect, survey};
 use crate::expect::{Expected, Set};
 use crate::vary::folder::{self, Draft, Originals, WriteSetError};
@@ -54,7 +54,8 @@ fn originals(args: &VaryArgs, set: &Set, talk: Talk) -> Result<Originals, Stop> 
         )));
     }
     let bar = Bar::cases(n_varying as u64, talk);
-    let originals = folder::originals(&args.stages, set, || bar.add(1)).map_err(Stop::Usage)?;
+    let originals = folder::originals(&args.stages, set, || bar.add(1))
+        .map_err(|why| Stop::Usage(paragraphs(&why)))?;
     drop(bar);
     if talk > Talk::Quiet {
         for id in &originals.constant {
@@ -75,7 +76,8 @@ fn write(
 ) -> Result<(), Stop> {
     let Originals { varying, constant } = originals;
     let bar = Bar::cases(varying.len() as u64, talk);
-    let varied = folder::draw(varying, set, seed, || bar.add(1)).map_err(Stop::NotPassed)?;
+    let varied = folder::draw(varying, set, seed, || bar.add(1))
+        .map_err(|why| Stop::NotPassed(paragraphs(&why)))?;
     drop(bar);
     // Nothing has been written so far, so a signal could end the program at once. From now on the
     // first signal ends the work instead.
@@ -83,8 +85,7 @@ fn write(
     let draft = Draft::write(&args.stages, set, &varied, constant, out)?;
     let stages = draft.stages();
     let hidden = Set::new(stage::load_all(&stages, &set.course)?, &set.course);
-    let answers = expect::answers(&stages, &hidden, |_| true, interrupt, talk)
-        .map_err(|why| Stop::of(&why))?;
+    let answers = expect::answers(&stages, &hidden, |_| true, interrupt, talk).map_err(Stop::of)?;
     files::write_all(answers.files().map(Expected::as_output))?;
     draft.publish(out)?;
     if talk >= Talk::Normal {
@@ -97,8 +98,8 @@ fn write(
 impl From<WriteSetError> for Stop {
     fn from(why: WriteSetError) -> Self {
         match why {
-            WriteSetError::Source(text) => Self::Usage(text),
             WriteSetError::Write(why) => why.into(),
+            why => Self::Usage(say::chain(&why)),
         }
     }
 }

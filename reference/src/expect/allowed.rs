@@ -42,14 +42,27 @@ impl Allowance {
     }
 }
 
+/// The reason why the error of an answer has no bound.
+#[derive(Debug, thiserror::Error)]
+pub enum AllowanceError {
+    /// The answer jumps.
+    #[error("the answer jumps where {place} is rounded to single precision")]
+    Jump {
+        /// The place of the number in the question.
+        place: String,
+    },
+    /// The question has no JSON form.
+    #[error("the question cannot be encoded")]
+    Encode(#[from] serde_json::Error),
+}
+
 /// Returns the allowance of a question and its answer.
 ///
 /// # Errors
-/// A sentence with the place of a number in the question at which the answer jumps without a change
-/// of decision, such as from one object's colour to another's. No error bound describes a jump, and
-/// the author must choose other numbers.
-pub fn allowance(rules: &Rules, ask: &Ask, exact: &Answer) -> Result<Allowance, String> {
-    let question = serde_json::to_value(ask).map_err(|why| why.to_string())?;
+/// The answer jumps without a change of decision, such as from one object's colour to another's. No
+/// error bound describes a jump, and the author must choose other numbers.
+pub fn allowance(rules: &Rules, ask: &Ask, exact: &Answer) -> Result<Allowance, AllowanceError> {
+    let question = serde_json::to_value(ask)?;
     let mut places = Vec::new();
     collect(&question, String::new(), &mut places);
     let size =
@@ -70,9 +83,7 @@ pub fn allowance(rules: &Rules, ask: &Ask, exact: &Answer) -> Result<Allowance, 
             if distance > 1e-4 * size.max(1e-3)
                 && nearer.is_some_and(|nearer| nearer > distance / 2.0)
             {
-                return Err(format!(
-                    "the answer jumps where {place} is rounded to single precision"
-                ));
+                return Err(AllowanceError::Jump { place });
             }
             most = most.max(distance);
         }
@@ -170,7 +181,7 @@ mod tests {
         Ask::Sphere { ray, center: DVec3::ZERO, radius: 0.5 }
     }
 
-    fn check(ask: &Ask) -> Result<Allowance, String> {
+    fn check(ask: &Ask) -> Result<Allowance, AllowanceError> {
         allowance(&Rules::LECTURE, ask, &answer(&Rules::LECTURE, ask))
     }
 
@@ -212,6 +223,6 @@ mod tests {
         let ask =
             Ask::Shadow { scene: Box::new(scene), light: 0, point: DVec3::new(1.0, -1.0, 0.0) };
         let error = check(&ask).unwrap_err();
-        assert!(error.contains("jumps"), "{error}");
+        assert!(matches!(error, AllowanceError::Jump { .. }), "{error}");
     }
 }

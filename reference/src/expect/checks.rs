@@ -9,7 +9,7 @@ use cases::answer::{self, CheckAnswer, Digest};
 use cases::probe::{Answer, Ask};
 use cases::stage::{Check, Stage};
 
-use super::allowed::{self, Allowance};
+use super::allowed::{self, Allowance, AllowanceError};
 use super::expected::Expected;
 use crate::rules::Rules;
 use crate::rules::misconceptions;
@@ -18,17 +18,54 @@ use crate::trace::answers;
 /// Allowed relative error of an answer on paper against the reference in double precision.
 const PAPER: f64 = 1e-12;
 
+/// The reason why a check has no answer.
+#[derive(Debug, thiserror::Error)]
+pub enum CheckError {
+    /// The reference cannot answer the question.
+    #[error("{id}: the question cannot be answered: {why}")]
+    Unanswered {
+        /// The check.
+        id: String,
+        /// The answer of the reference.
+        why: String,
+    },
+    /// The error of the answer has no bound.
+    #[error("{id}: choose numbers farther from the edge")]
+    Edge {
+        /// The check.
+        id: String,
+        /// The number at which the answer jumps.
+        source: AllowanceError,
+    },
+    /// The author's answer differs.
+    #[error(
+        "{id}: on paper the answer is {paper}, the reference has {ours}; name in `under` the \
+         courses in which it holds"
+    )]
+    Paper {
+        /// The check.
+        id: String,
+        /// The answer on paper, as JSON.
+        paper: String,
+        /// The reference's answer, as JSON.
+        ours: String,
+    },
+    /// The list cannot be encoded.
+    #[error("the answers cannot be encoded")]
+    Encode(#[from] serde_json::Error),
+}
+
 /// Returns the file of answers to the unit checks of a stage that was loaded for `course`, or
 /// `None` if it has no checks.
 ///
 /// # Errors
-/// A sentence for each check that is ill posed, or whose answer on paper differs from the
+/// An error for each check that is ill posed, or whose answer on paper differs from the
 /// reference's.
 pub fn of_checks(
     stages: &Path,
     stage: &Stage,
     course: &Course,
-) -> Result<Option<Expected>, Vec<String>> {
+) -> Result<Option<Expected>, Vec<CheckError>> {
     if stage.checks.is_empty() {
         return Ok(None);
     }
@@ -42,7 +79,7 @@ pub fn of_checks(
     if !wrong.is_empty() {
         return Err(wrong);
     }
-    let text = answer::check_answers_to_string(&answers).map_err(|why| vec![why.to_string()])?;
+    let text = answer::check_answers_to_string(&answers).map_err(|why| vec![why.into()])?;
     Ok(Some(Expected {
         path: answer::check_answers_path(stages, &stage.id),
         bytes: text.into_bytes(),
@@ -53,8 +90,8 @@ pub fn of_checks(
 /// known mistakes.
 ///
 /// # Errors
-/// A sentence if the check is ill posed, or its answer on paper differs from the reference's.
-pub fn of_check(check: &Check, course: &Course) -> Result<CheckAnswer, String> {
+/// The check is ill posed, or its answer on paper differs from the reference's.
+pub fn of_check(check: &Check, course: &Course) -> Result<CheckAnswer, CheckError> {
     let rules = &Rules::of(course);
     let (answer, allowance) = right_answer(check, rules)?;
     let made_from = Digest::of_check(course, check);
@@ -67,14 +104,14 @@ pub fn of_check(check: &Check, course: &Course) -> Result<CheckAnswer, String> {
 /// author's answer on paper if there is one, otherwise the reference's.
 ///
 /// # Errors
-/// A sentence if the check is ill posed, or its answer on paper differs from the reference's.
-pub fn right_answer(check: &Check, rules: &Rules) -> Result<(Answer, Allowance), String> {
+/// The check is ill posed, or its answer on paper differs from the reference's.
+pub fn right_answer(check: &Check, rules: &Rules) -> Result<(Answer, Allowance), CheckError> {
     let ours = answers::answer(rules, &check.ask);
     if let Answer::Panic(why) = &ours {
-        return Err(format!("{}: the question cannot be answered: {why}", check.id));
+        return Err(CheckError::Unanswered { id: check.id.clone(), why: why.clone() });
     }
     let allowance = allowed::allowance(rules, &check.ask, &ours)
-        .map_err(|why| format!("{}: {why}; choose numbers farther from the edge", check.id))?;
+        .map_err(|source| CheckError::Edge { id: check.id.clone(), source })?;
     if let Some(paper) = &check.paper {
         let scale = allowed::numbers(paper)
             .into_iter()
@@ -84,13 +121,8 @@ pub fn right_answer(check: &Check, rules: &Rules) -> Result<(Answer, Allowance),
         let double = allowance.allowed * f64::from(f32::EPSILON);
         let rounding = Allowance { allowed: PAPER * scale + double, either: false };
         if !rounding.takes(&ours, paper) {
-            return Err(format!(
-                "{}: on paper the answer is {}, the reference has {}; name in `under` the \
-                    courses in which it holds",
-                check.id,
-                json(paper),
-                json(&ours)
-            ));
+            let (id, paper, ours) = (check.id.clone(), json(paper), json(&ours));
+            return Err(CheckError::Paper { id, paper, ours });
         }
     }
     Ok((check.paper.clone().unwrap_or(ours), allowance))

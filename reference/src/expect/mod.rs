@@ -14,9 +14,10 @@ use std::path::Path;
 use cases::answer::{self, Digest, ImageAnswer, Wrong};
 use cases::film;
 use cases::stage::Case;
+use pages::say;
 use rayon::prelude::*;
 
-pub use checks::{of_check, of_checks, right_answer};
+pub use checks::{CheckError, of_check, of_checks, right_answer};
 pub use expected::Expected;
 pub use mistakes::mistakes;
 pub use set::{Set, picture};
@@ -53,11 +54,11 @@ impl Answers {
 /// The reasons for which no answers are returned.
 #[derive(Debug, thiserror::Error)]
 pub enum ExpectError {
-    /// Unit checks are ill posed or wrong on paper; a sentence for each.
-    #[error("{}", .0.join("\n"))]
-    Checks(Vec<String>),
+    /// Unit checks are ill posed or wrong on paper; a paragraph for each.
+    #[error("{}", paragraphs(.0))]
+    Checks(Vec<CheckError>),
     /// A picture cannot be encoded.
-    #[error("the answer to {id} cannot be encoded: {source}")]
+    #[error("the answer to {id} cannot be encoded")]
     Picture {
         /// The id of the case.
         id: String,
@@ -68,8 +69,12 @@ pub enum ExpectError {
     #[error("interrupted; nothing was written")]
     Interrupted,
     /// A list cannot be encoded.
-    #[error("a list of answers cannot be encoded: {0}")]
+    #[error("a list of answers cannot be encoded")]
     List(#[from] serde_json::Error),
+}
+
+fn paragraphs(errors: &[CheckError]) -> String {
+    errors.iter().map(|why| say::chain(why)).collect::<Vec<_>>().join("\n")
 }
 
 /// The caller's view of long work.
@@ -98,7 +103,7 @@ pub fn n_steps(set: &Set, is_wanted: impl Fn(&str) -> bool) -> usize {
 /// A stage is selected as a whole, or case by case without its unit checks.
 ///
 /// # Errors
-/// [`ExpectError`]. The sentences of all checks of all stages are reported at once.
+/// [`ExpectError`]. The errors of all checks of all stages are reported at once.
 pub fn of_set(
     stages: &Path,
     set: &Set,
@@ -112,7 +117,7 @@ pub fn of_set(
     for stage in wanted_stages() {
         match of_checks(stages, stage, &set.course) {
             Ok(file) => lists.extend(file),
-            Err(sentences) => wrong.extend(sentences),
+            Err(errors) => wrong.extend(errors),
         }
         progress.step();
     }

@@ -66,9 +66,12 @@ pub(super) enum Hidden {
     Light(usize),
 }
 
-/// The reasons for which a draw is refused.
+/// Number of refused draws after which the bounds are reported as too wide.
+pub const MOST_DRAWS: u32 = 50;
+
+/// The reason why a draw is refused.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Refusal {
+pub enum Refusal {
     /// The draw is not a valid case; the first problem.
     Invalid(String),
     /// The draw calls for other effects than its original.

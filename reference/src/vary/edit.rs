@@ -9,6 +9,19 @@ use toml_edit::{Array, DocumentMut, Item, TableLike, Value};
 use super::decimal::Decimal;
 use crate::numbers::stream::Stream;
 
+/// The reason why a number cannot be changed exactly.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum EditError {
+    /// The number, as it is written, has too many digits.
+    #[error("{0} has too many digits to be moved exactly: write it shorter")]
+    Digits(String),
+    /// The normal of a plane has too many digits.
+    #[error(
+        "a plane's normal has too many digits for the plane to be moved exactly: write it shorter"
+    )]
+    Normal,
+}
+
 /// The number of values that each key of `[vary]` has changed, for the keys that changed any.
 pub(super) type Moved = BTreeMap<&'static str, usize>;
 
@@ -20,7 +33,7 @@ pub(super) fn jitter(
     case: &mut DocumentMut,
     bounds: &Bounds,
     stream: &mut Stream,
-) -> Result<Moved, String> {
+) -> Result<Moved, EditError> {
     let mut mover = Mover { bounds, stream, moved: Moved::new() };
     let Some(scene) = case.get_mut("scene").and_then(Item::as_table_like_mut) else {
         return Ok(mover.moved);
@@ -82,11 +95,14 @@ impl Mover<'_> {
     }
 
     /// Adds `by` to a number, and counts it for the key `because` of `[vary]`.
-    fn add(&mut self, value: &mut Value, by: Decimal, because: &'static str) -> Result<(), String> {
+    fn add(
+        &mut self,
+        value: &mut Value,
+        by: Decimal,
+        because: &'static str,
+    ) -> Result<(), EditError> {
         let Some(number) = Decimal::of(value) else { return Ok(()) };
-        let sum = number.plus(by).ok_or_else(|| {
-            format!("{value} has too many digits to be moved exactly: write it shorter")
-        })?;
+        let sum = number.plus(by).ok_or_else(|| EditError::Digits(value.to_string()))?;
         if sum != number {
             let mut written = sum.written();
             *written.decor_mut() = value.decor().clone();
@@ -103,7 +119,7 @@ impl Mover<'_> {
         value: &mut Value,
         bound: f64,
         because: &'static str,
-    ) -> Result<(), String> {
+    ) -> Result<(), EditError> {
         if bound <= 0.0 {
             return Ok(());
         }
@@ -117,7 +133,7 @@ impl Mover<'_> {
         value: &mut Value,
         share: f64,
         because: &'static str,
-    ) -> Result<(), String> {
+    ) -> Result<(), EditError> {
         let size = Decimal::of(value).map_or(0.0, |number| number.get().abs());
         self.shift(value, size * share, because)
     }
@@ -128,7 +144,7 @@ impl Mover<'_> {
         key: &str,
         because: &'static str,
         bound: f64,
-    ) -> Result<(), String> {
+    ) -> Result<(), EditError> {
         match table.get_mut(key).and_then(Item::as_value_mut) {
             Some(value) => self.shift(value, bound, because),
             None => Ok(()),
@@ -141,7 +157,7 @@ impl Mover<'_> {
         key: &str,
         because: &'static str,
         bound: DVec3,
-    ) -> Result<(), String> {
+    ) -> Result<(), EditError> {
         let Some(three) = list(table, key) else { return Ok(()) };
         three
             .iter_mut()
@@ -151,7 +167,7 @@ impl Mover<'_> {
 
     /// Changes the channels of a colour. 0 and 1 are meant exactly and stay, no channel crosses 1,
     /// and a dark channel keeps at least half of its value.
-    fn colour(&mut self, table: &mut dyn TableLike, key: &str) -> Result<(), String> {
+    fn colour(&mut self, table: &mut dyn TableLike, key: &str) -> Result<(), EditError> {
         let Some(channels) = list(table, key) else { return Ok(()) };
         for channel in channels.iter_mut() {
             let was = Decimal::of(channel).map_or(0.0, Decimal::get);
@@ -164,7 +180,7 @@ impl Mover<'_> {
         Ok(())
     }
 
-    fn light(&mut self, light: &mut dyn TableLike) -> Result<(), String> {
+    fn light(&mut self, light: &mut dyn TableLike) -> Result<(), EditError> {
         if let Some(point) = inner(light, "point") {
             self.point(point, "position", "lights", self.bounds.lights)?;
         }
@@ -185,14 +201,14 @@ impl Mover<'_> {
         Ok(())
     }
 
-    fn material(&mut self, material: &mut dyn TableLike) -> Result<(), String> {
+    fn material(&mut self, material: &mut dyn TableLike) -> Result<(), EditError> {
         ["ke", "ka", "kd", "ks", "kt", "kr"]
             .iter()
             .try_for_each(|key| self.colour(material, key))?;
         self.number(material, "index", "indices", self.bounds.indices)
     }
 
-    fn object(&mut self, object: &mut dyn TableLike) -> Result<(), String> {
+    fn object(&mut self, object: &mut dyn TableLike) -> Result<(), EditError> {
         if object.get("name").and_then(Item::as_str).is_some_and(|name| self.keeps(name)) {
             return Ok(());
         }
@@ -216,7 +232,7 @@ impl Mover<'_> {
     }
 
     /// Changes a step of a list of transforms.
-    fn step(&mut self, step: &mut dyn TableLike) -> Result<(), String> {
+    fn step(&mut self, step: &mut dyn TableLike) -> Result<(), EditError> {
         self.point(step, "translate", "translate", self.bounds.translate)?;
         if let Some(turn) = inner(step, "rotate") {
             self.number(turn, "angle_deg", "angle_deg", self.bounds.angle_deg)?;
@@ -241,7 +257,7 @@ impl Mover<'_> {
     }
 
     /// Moves an object as a whole if its position is written in the file.
-    fn place(&mut self, object: &mut dyn TableLike) -> Result<(), String> {
+    fn place(&mut self, object: &mut dyn TableLike) -> Result<(), EditError> {
         if self.bounds.objects == DVec3::ZERO {
             return Ok(());
         }
@@ -265,7 +281,7 @@ impl Mover<'_> {
         }
     }
 
-    fn carry(&mut self, point: Option<&mut Array>, by: [Decimal; 3]) -> Result<(), String> {
+    fn carry(&mut self, point: Option<&mut Array>, by: [Decimal; 3]) -> Result<(), EditError> {
         let Some(point) = point else { return Ok(()) };
         let bounds = self.bounds.objects.to_array();
         let moves = by.into_iter().zip(bounds);
@@ -277,16 +293,17 @@ impl Mover<'_> {
     }
 
     /// Moves a plane by `by`: N·(X − by) = k adds N·by to k.
-    fn carry_plane(&mut self, plane: &mut dyn TableLike, by: [Decimal; 3]) -> Result<(), String> {
+    fn carry_plane(
+        &mut self,
+        plane: &mut dyn TableLike,
+        by: [Decimal; 3],
+    ) -> Result<(), EditError> {
         let Some(normal) = list(plane, "normal") else { return Ok(()) };
         let along = normal
             .iter()
             .zip(by)
             .try_fold(Decimal::ZERO, |sum, (n, by)| sum.plus(Decimal::of(n)?.times(by)?));
-        let along = along.ok_or(
-            "a plane's normal has too many digits for the plane to be moved exactly: \
-                write it shorter",
-        )?;
+        let along = along.ok_or(EditError::Normal)?;
         let is_reached = normal
             .iter()
             .zip(self.bounds.objects.to_array())

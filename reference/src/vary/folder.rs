@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use tempfile::TempDir;
 use toml_edit::DocumentMut;
 
-use super::{Asset, Care, Original, Varied, take_along};
+use super::{Asset, Care, Original, Varied, VaryError, take_along};
 use crate::expect::Set;
 
 /// The cases of a folder, by whether their numbers may be changed.
@@ -31,15 +31,20 @@ fn case_path(folder: &Path, id: &str) -> PathBuf {
 /// after each.
 ///
 /// # Errors
-/// The reasons for which a case with a `[vary]` cannot be varied, a paragraph each.
-pub fn originals(folder: &Path, set: &Set, done: impl Fn() + Sync) -> Result<Originals, String> {
+/// An error for each case with a `[vary]` that cannot be varied.
+pub fn originals(
+    folder: &Path,
+    set: &Set,
+    done: impl Fn() + Sync,
+) -> Result<Originals, Vec<VaryError>> {
     let stages = set.stages.iter().enumerate();
     let cases = stages.flat_map(|(n, stage)| stage.cases.iter().map(move |case| (n, case)));
     let (varying, constant): (Vec<(usize, &Case)>, Vec<_>) =
         cases.partition(|(_, case)| case.bounds.is_some());
     let read = varying.par_iter().map(|(n, case)| {
         let path = case_path(folder, &case.id);
-        let text = read(&path)?;
+        let text = fs::read_to_string(&path)
+            .map_err(|source| VaryError::Read { path: path.clone(), source })?;
         let original = Original::new(set, *n, case, &path, &text);
         done();
         original
@@ -51,13 +56,13 @@ pub fn originals(folder: &Path, set: &Set, done: impl Fn() + Sync) -> Result<Ori
 /// Returns the varied cases of `set` under `seed`. Calls `done` after each.
 ///
 /// # Errors
-/// The cases without an accepted draw, with the reasons, a paragraph each.
+/// An error for each case without an accepted draw.
 pub fn draw(
     originals: &[Original],
     set: &Set,
     seed: u64,
     done: impl Fn() + Sync,
-) -> Result<Vec<Varied>, String> {
+) -> Result<Vec<Varied>, Vec<VaryError>> {
     let draw = |original: &Original| {
         let varied = original.vary(set, seed, Care::Whole);
         done();
@@ -66,8 +71,8 @@ pub fn draw(
     all(originals.par_iter().map(draw).collect())
 }
 
-/// Returns all values, or all errors, a paragraph each.
-fn all<T>(results: Vec<Result<T, String>>) -> Result<Vec<T>, String> {
+/// Returns all values, or all errors.
+fn all<T>(results: Vec<Result<T, VaryError>>) -> Result<Vec<T>, Vec<VaryError>> {
     let (mut values, mut wrong) = (vec![], vec![]);
     for result in results {
         match result {
@@ -75,15 +80,28 @@ fn all<T>(results: Vec<Result<T, String>>) -> Result<Vec<T>, String> {
             Err(why) => wrong.push(why),
         }
     }
-    if wrong.is_empty() { Ok(values) } else { Err(wrong.join("\n")) }
+    if wrong.is_empty() { Ok(values) } else { Err(wrong) }
 }
 
 /// The reasons for which a varied set was not written.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteSetError {
     /// A file from which the set is made cannot be read.
-    #[error("{0}")]
-    Source(String),
+    #[error("cannot read {}", .path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// The error of the system.
+        source: io::Error,
+    },
+    /// A file from which the set is made is not TOML.
+    #[error("cannot read {}", .path.display())]
+    Toml {
+        /// The file.
+        path: PathBuf,
+        /// The error, with line and column.
+        source: toml_edit::TomlError,
+    },
     /// The set cannot be written.
     #[error(transparent)]
     Write(#[from] WriteError),
@@ -131,7 +149,7 @@ impl Draft {
         }
         // The set has its own course file, so that one beside `out` decides nothing.
         let course = match course::path_of(folder) {
-            Some(path) => fs::read(&path).map_err(|why| unread(&path, &why))?,
+            Some(path) => fs::read(&path).map_err(unread(&path))?,
             None => b"# The choices of the lecture.\n".to_vec(),
         };
         put(&whole.join(course::FILE), &course)?;
@@ -155,14 +173,13 @@ impl Draft {
 /// Writes the stage's own file and its unit checks, which are not varied.
 fn write_stage(from: &Path, to: &Path) -> Result<(), WriteSetError> {
     let file = "stage.toml";
-    put(&to.join(file), source(&from.join(file))?.as_bytes())?;
+    put(&to.join(file), read(&from.join(file))?.as_bytes())?;
     let checks = from.join("checks");
     if !checks.is_dir() {
         return Ok(());
     }
-    let unreadable = |why: io::Error| unread(&checks, &why);
-    for entry in fs::read_dir(&checks).map_err(unreadable)? {
-        let path = entry.map_err(unreadable)?.path();
+    for entry in fs::read_dir(&checks).map_err(unread(&checks))? {
+        let path = entry.map_err(unread(&checks))?.path();
         if path.extension().is_some_and(|end| end == "toml") {
             copy(&path, &to.join("checks").join(path.file_name().unwrap_or_default()))?;
         }
@@ -173,26 +190,23 @@ fn write_stage(from: &Path, to: &Path) -> Result<(), WriteSetError> {
 /// Copies a case or a file of checks with the meshes that it names. The text stays the same, byte
 /// for byte, unless a mesh moves.
 fn copy(from: &Path, to: &Path) -> Result<(), WriteSetError> {
-    let text = source(from)?;
-    let mut document: DocumentMut = text.parse().map_err(|why| unread(from, &why))?;
+    let text = read(from)?;
+    let mut document: DocumentMut =
+        text.parse().map_err(|source| WriteSetError::Toml { path: from.to_owned(), source })?;
     let assets = take_along(&mut document);
     take(from, to, &assets)?;
     put(to, if assets.is_empty() { text } else { document.to_string() }.as_bytes())
 }
 
-fn source(path: &Path) -> Result<String, WriteSetError> {
-    read(path).map_err(WriteSetError::Source)
-}
-
-fn read(path: &Path) -> Result<String, String> {
-    fs::read_to_string(path).map_err(|why| cannot_read(path, &why))
+fn read(path: &Path) -> Result<String, WriteSetError> {
+    fs::read_to_string(path).map_err(unread(path))
 }
 
 /// Copies the meshes that the file `from` names to where the file `to` names them.
 fn take(from: &Path, to: &Path, assets: &[Asset]) -> Result<(), WriteSetError> {
     assets.iter().try_for_each(|asset| {
         let source = from.with_file_name("").join(&asset.from);
-        let bytes = fs::read(&source).map_err(|why| unread(&source, &why))?;
+        let bytes = fs::read(&source).map_err(unread(&source))?;
         put(&to.with_file_name("").join(&asset.to), &bytes)
     })
 }
@@ -203,10 +217,6 @@ fn put(path: &Path, bytes: &[u8]) -> Result<(), WriteSetError> {
     Ok(files::write(path, bytes)?)
 }
 
-fn unread(path: &Path, why: &dyn std::fmt::Display) -> WriteSetError {
-    WriteSetError::Source(cannot_read(path, why))
-}
-
-fn cannot_read(path: &Path, why: &dyn std::fmt::Display) -> String {
-    format!("cannot read {}: {why}", path.display())
+fn unread(path: &Path) -> impl Fn(io::Error) -> WriteSetError {
+    move |source| WriteSetError::Read { path: path.to_owned(), source }
 }

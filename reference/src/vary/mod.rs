@@ -9,6 +9,7 @@ mod accept;
 mod assets;
 mod decimal;
 mod edit;
+mod error;
 pub mod folder;
 
 use std::path::{Path, PathBuf};
@@ -19,12 +20,11 @@ use toml_edit::DocumentMut;
 
 use crate::expect::Set;
 use crate::numbers::stream::Stream;
-pub use accept::Care;
-use accept::{Measured, Refusal, Shows};
+pub use accept::{Care, MOST_DRAWS, Refusal};
+use accept::{Measured, Shows};
 pub use assets::{Asset, take_along};
-
-/// Number of refused draws after which the bounds are reported as too wide.
-pub const MOST_DRAWS: u32 = 50;
+pub use edit::EditError;
+pub use error::VaryError;
 
 /// A case from which varied cases are made.
 #[derive(Clone, Debug)]
@@ -67,16 +67,18 @@ pub fn draw_any(
     text: &str,
     allows: Effects,
     seed: u64,
-) -> Result<Case, String> {
+) -> Result<Case, VaryError> {
     let id = &case.id;
-    let bounds = case.bounds.as_ref().ok_or_else(|| format!("{id} has no `[vary]`"))?;
-    let mut document: DocumentMut = text.parse().map_err(|why| format!("{id}: {why}"))?;
+    let bounds = case.bounds.as_ref().ok_or_else(|| VaryError::NoBounds { id: id.clone() })?;
+    let mut document = parsed(id, text)?;
     edit::jitter(&mut document, bounds, &mut Stream::new(seed, id))
-        .map_err(|why| format!("{id}: {why}"))?;
+        .map_err(|source| VaryError::Number { id: id.clone(), source })?;
     let stage = id.split('/').next().unwrap_or_default();
-    let course = Course::default();
-    stage::parse_case(path, &document.to_string(), stage, allows, &course)
-        .map_err(|problems| problems.to_string())
+    Ok(stage::parse_case(path, &document.to_string(), stage, allows, &Course::default())?)
+}
+
+fn parsed(id: &str, text: &str) -> Result<DocumentMut, VaryError> {
+    text.parse().map_err(|source| VaryError::Toml { id: id.to_owned(), source })
 }
 
 impl Original {
@@ -85,31 +87,28 @@ impl Original {
     ///
     /// # Errors
     /// The case has no `[vary]`, one of its keys changes nothing, or a number has too many digits.
-    pub fn new(set: &Set, n: usize, case: &Case, path: &Path, text: &str) -> Result<Self, String> {
+    pub fn new(
+        set: &Set,
+        n: usize,
+        case: &Case,
+        path: &Path,
+        text: &str,
+    ) -> Result<Self, VaryError> {
         let id = &case.id;
-        let bounds = case.bounds.clone().ok_or_else(|| {
-            format!(
-                "{id} has no `[vary]`, which bounds the changes of its numbers: add one \
-                (docs/scene-format.md)"
-            )
-        })?;
-        let document: DocumentMut = text.parse().map_err(|why| format!("{id}: {why}"))?;
+        let bounds = case.bounds.clone().ok_or_else(|| VaryError::NoBounds { id: id.clone() })?;
+        let document = parsed(id, text)?;
         let moved = edit::jitter(&mut document.clone(), &bounds, &mut Stream::new(0, id))
-            .map_err(|why| format!("{id}: {why}"))?;
+            .map_err(|source| VaryError::Number { id: id.clone(), source })?;
         let keys = document["vary"]
             .as_table_like()
             .into_iter()
             .flat_map(|table| table.iter())
             .map(|(key, _)| key);
         if let Some(key) = keys.into_iter().find(|key| *key != "keep" && !moved.contains_key(key)) {
-            return Err(format!(
-                "{id}: in `[vary]`, `{key}` moves nothing in the file: leave it out"
-            ));
+            return Err(VaryError::IdleKey { id: id.clone(), key: key.to_owned() });
         }
         if moved.is_empty() {
-            return Err(format!(
-                "{id}: in `[vary]`, no key moves anything: add one (docs/scene-format.md)"
-            ));
+            return Err(VaryError::Idle { id: id.clone() });
         }
         let shows = Shows::of(set, n, case);
         Ok(Self { case: case.clone(), bounds, path: path.to_owned(), document, shows, stage: n })
@@ -131,14 +130,14 @@ impl Original {
     /// # Errors
     /// The reasons for which none of [`MOST_DRAWS`] draws was accepted, or a number with too many
     /// digits.
-    pub fn vary(&self, set: &Set, seed: u64, care: Care) -> Result<Varied, String> {
+    pub fn vary(&self, set: &Set, seed: u64, care: Care) -> Result<Varied, VaryError> {
         let id = &self.case.id;
         let mut stream = Stream::new(seed, id);
         let mut refusals: Vec<(Refusal, usize)> = Vec::new();
         for n_draws in 1..=MOST_DRAWS {
             let mut document = self.document.clone();
             edit::jitter(&mut document, &self.bounds, &mut stream)
-                .map_err(|why| format!("{id}: {why}"))?;
+                .map_err(|source| VaryError::Number { id: id.clone(), source })?;
             document.remove("vary");
             match self.accept(set, &document.to_string(), care) {
                 Ok((case, Measured { effect, contested })) => {
@@ -154,12 +153,7 @@ impl Original {
                 }
             }
         }
-        let reasons: String =
-            refusals.iter().map(|(refusal, n)| format!("\n  {n} times {refusal}")).collect();
-        Err(format!(
-            "{id}: with seed {seed} none of {MOST_DRAWS} draws will do; make its `[vary]` \
-                narrower{reasons}"
-        ))
+        Err(VaryError::Refused { id: id.clone(), seed, refusals })
     }
 
     /// Returns the case that a draw resolves to, if it is accepted, and its measured shares.

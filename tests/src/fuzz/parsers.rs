@@ -19,6 +19,7 @@ use grader::record::Record;
 use grader::report::class::{self, Entry};
 use grader::report::{html, junit, terminal};
 use grader::submission::{self, SubmissionError, Template};
+use pages::say;
 
 use super::mutate::{no_repair, png_crcs, tar_sums};
 use super::scraps::{ARCHIVE, EXR, JSON, OBJ, PFM, PLY, PNG, TOML};
@@ -128,9 +129,9 @@ fn handed_in(path: &Path) -> Read {
     match submission::read(path, &TEMPLATE) {
         Ok(_) => Read::Accepted,
         Err(why @ (SubmissionError::Machine { .. } | SubmissionError::Folder(_))) => {
-            panic!("{why}")
+            panic!("{}", say::chain(&why))
         }
-        Err(why) => refused(&why.to_string()),
+        Err(why) => refused(&say::chain(&why)),
     }
 }
 

@@ -121,6 +121,38 @@ fn files_are_written_in_one_place() {
     );
 }
 
+/// Public functions whose error is text, each with the reason.
+const TEXT_ERRORS: &[(&str, &str)] = &[
+    ("explain in grader/src/exercise/explain.rs", "tells the student why there is no ray tree"),
+    ("explain in grader/src/grade/mod.rs", "tells the student why there is no ray tree"),
+    ("man in grader/pages/src/shell.rs", "tells the user which page does not exist"),
+];
+
+/// Returns the public functions of the file that return a text as their error.
+fn text_errors(path: &std::path::Path) -> Vec<String> {
+    let lines: Vec<String> = code_lines(path).into_iter().map(|(_, line)| line).collect();
+    let starts = (0..lines.len()).filter(|n| lines[*n].trim_start().starts_with("pub fn "));
+    starts
+        .filter_map(|n| {
+            let signature = lines[n..].join(" ");
+            let (call, result) = signature.split('{').next()?.split_once("->")?;
+            let name = call.trim().strip_prefix("pub fn ")?.split(['(', '<']).next()?;
+            let is_text = result.contains("Result<") && result.contains(", String>");
+            is_text.then(|| format!("{name} in {}", self::name(path)))
+        })
+        .collect()
+}
+
+#[test]
+fn errors_are_types_at_the_borders_of_modules() {
+    let mut found = BTreeSet::new();
+    for folder in ["cases/src", "reference/src", "grader/src", "grader/pages/src"] {
+        found.extend(files(folder, "rs").iter().flat_map(|path| text_errors(path)));
+    }
+    let listed: BTreeSet<String> = TEXT_ERRORS.iter().map(|(name, _)| (*name).to_owned()).collect();
+    assert_eq!(found, listed, "give the error a type that keeps its cause as its source");
+}
+
 /// The only files with unsafe code.
 const UNSAFE: &[&str] =
     &["reference/src/lanes.rs", "grader/src/sandbox/sys.rs", "tests/src/performance/child.rs"];
