@@ -61,70 +61,14 @@ impl<T: Real> World<T> {
         ray: &Ray<T>,
         tally: &mut impl Tally,
     ) -> Option<(usize, ShapeHit<T>)> {
-        match self.has_frames {
-            true => self.first_of::<R, _, true>(rules, ray, tally),
-            false => self.first_of::<R, _, false>(rules, ray, tally),
-        }
-    }
-
-    #[inline(always)]
-    fn first_of<R: RuleSource, Y: Tally, const FRAMES: bool>(
-        &self,
-        rules: R,
-        ray: &Ray<T>,
-        tally: &mut Y,
-    ) -> Option<(usize, ShapeHit<T>)> {
-        // Two variables, of which one is used: the walk through a tree needs its own in memory. A
-        // shared one would lie in memory for the search of the list as well.
-        let (mut of_tree, mut of_list) = (None, None);
-        if self.tree.is_some() {
-            self.each_of_tree(
-                ray,
-                tally,
-                ByCall(FirstHit::<_, _, FRAMES> { world: self, rules, ray, best: &mut of_tree }),
-            );
-            return of_tree;
-        }
-        self.each_of_list::<_, false>(
-            ray,
-            tally,
-            FirstHit::<_, _, FRAMES> { world: self, rules, ray, best: &mut of_list },
-        );
-        of_list
+        self.search(FirstHit { rules }, ray, tally)
     }
 
     /// Returns whether anything lies in the ray's interval; the first hit found ends the search.
     /// [rule 5]
     #[inline(always)]
     pub fn occluded<R: RuleSource>(&self, rules: R, ray: &Ray<T>, tally: &mut impl Tally) -> bool {
-        match self.has_frames {
-            true => self.occluded_by::<R, _, true>(rules, ray, tally),
-            false => self.occluded_by::<R, _, false>(rules, ray, tally),
-        }
-    }
-
-    #[inline(always)]
-    fn occluded_by<R: RuleSource, Y: Tally, const FRAMES: bool>(
-        &self,
-        rules: R,
-        ray: &Ray<T>,
-        tally: &mut Y,
-    ) -> bool {
-        let (mut by_tree, mut by_list) = (false, false);
-        if self.tree.is_some() {
-            self.each_of_tree(
-                ray,
-                tally,
-                ByCall(AnyHit::<_, _, FRAMES> { world: self, rules, ray, found: &mut by_tree }),
-            );
-            return by_tree;
-        }
-        self.each_of_list::<_, true>(
-            ray,
-            tally,
-            AnyHit::<_, _, FRAMES> { world: self, rules, ray, found: &mut by_list },
-        );
-        by_list
+        self.search(AnyHit { rules }, ray, tally)
     }
 
     /// Returns whether the ray crosses no object for which `blocks` is true. [rule 6]
@@ -139,59 +83,47 @@ impl<T: Real> World<T> {
         all: &mut Crossings<T>,
         tally: &mut impl Tally,
     ) -> bool {
-        let mut is_blocked = false;
-        if self.has_frames {
-            let visitor = AllCrossings::<_, _, _, true> {
-                world: self,
-                rules,
-                ray,
-                blocks,
-                all,
-                is_blocked: &mut is_blocked,
-            };
-            self.each(ray, tally, visitor);
-        } else {
-            let visitor = AllCrossings::<_, _, _, false> {
-                world: self,
-                rules,
-                ray,
-                blocks,
-                all,
-                is_blocked: &mut is_blocked,
-            };
-            self.each(ray, tally, visitor);
-        }
+        let is_blocked = self.search(AllCrossings { rules, blocks, all: &mut *all }, ray, tally);
         all.sort();
         !is_blocked
     }
 
-    /// Calls `visitor` for every object that the ray may hit before the limit. The visitor returns
-    /// −∞ to end the search.
+    /// Returns what `query` finds along the ray.
     #[inline(always)]
-    fn each<Y: Tally>(&self, ray: &Ray<T>, tally: &mut Y, visitor: impl Visit<T, Y>) {
-        match self.tree.is_some() {
-            true => self.each_of_tree(ray, tally, ByCall(visitor)),
-            false => self.each_of_list::<_, true>(ray, tally, visitor),
+    fn search<Q: Query<T>, Y: Tally>(&self, query: Q, ray: &Ray<T>, tally: &mut Y) -> Q::Found {
+        match self.has_frames {
+            true => self.search_with::<Q, Y, true>(query, ray, tally),
+            false => self.search_with::<Q, Y, false>(query, ray, tally),
         }
     }
 
-    /// Calls `visitor` for every object of a world without a tree. The search ends early only if it
-    /// `ENDS`.
     #[inline(always)]
-    fn each_of_list<Y: Tally, const ENDS: bool>(
+    fn search_with<Q: Query<T>, Y: Tally, const FRAMES: bool>(
         &self,
+        query: Q,
         ray: &Ray<T>,
         tally: &mut Y,
-        mut visitor: impl Visit<T, Y>,
-    ) {
+    ) -> Q::Found {
+        // Two variables, of which one is used: the walk through a tree needs its own in memory. A
+        // shared one would lie in memory for the search of the list as well.
+        let (mut of_tree, mut of_list) = (Q::Found::default(), Q::Found::default());
+        if self.tree.is_some() {
+            let found = &mut of_tree;
+            let visitor = Visitor::<_, _, _, FRAMES> { world: self, query, ray, found };
+            self.each_of_tree(ray, tally, ByCall(visitor));
+            return of_tree;
+        }
+        let found = &mut of_list;
+        let mut visitor = Visitor::<_, _, _, FRAMES> { world: self, query, ray, found };
         let mut limit = ray.t_max;
         for i in 0..self.objects.len() as u32 {
             tally.did(Work::Object);
             limit = visitor.visit(tally, i, limit);
-            if ENDS && limit == -T::INFINITY {
-                return;
+            if Q::ENDS && limit == -T::INFINITY {
+                break;
             }
         }
+        of_list
     }
 
     /// Calls `visitor` for every object that the ray may hit in a world with a tree.
@@ -224,21 +156,65 @@ impl<T, Y, V: Visit<T, Y>> Visit<T, Y> for ByCall<V> {
     }
 }
 
-/// A visitor that finds the nearest hit.
-struct FirstHit<'a, T, R, const FRAMES: bool> {
-    world: &'a World<T>,
-    rules: R,
-    ray: &'a Ray<T>,
-    best: &'a mut Option<(usize, ShapeHit<T>)>,
+/// A search of the objects of a world along one ray.
+trait Query<T: Real> {
+    /// The result of the search. Before the first object it has its default value.
+    type Found: Default;
+    /// Whether the search of a list can end before the last object.
+    const ENDS: bool;
+
+    /// Searches the object with the index `i`. Returns the new limit: only a hit before it can
+    /// still count, and −∞ ends the search. `FRAMES` says whether objects may have a space of their
+    /// own.
+    fn visit<Y: Tally, const FRAMES: bool>(
+        &mut self,
+        world: &World<T>,
+        ray: &Ray<T>,
+        found: &mut Self::Found,
+        tally: &mut Y,
+        i: usize,
+        limit: T,
+    ) -> T;
 }
 
-impl<T: Real, R: RuleSource, Y: Tally, const FRAMES: bool> Visit<T, Y>
-    for FirstHit<'_, T, R, FRAMES>
+/// The visitor of the objects for a query.
+struct Visitor<'a, T, Q, F, const FRAMES: bool> {
+    world: &'a World<T>,
+    query: Q,
+    ray: &'a Ray<T>,
+    found: &'a mut F,
+}
+
+impl<T: Real, Y: Tally, Q: Query<T>, const FRAMES: bool> Visit<T, Y>
+    for Visitor<'_, T, Q, Q::Found, FRAMES>
 {
     #[inline(always)]
     fn visit(&mut self, tally: &mut Y, i: u32, limit: T) -> T {
-        let (nearest, i, mut limit) = (self.rules.get().nearest, i as usize, limit);
-        let best = &mut *self.best;
+        let Self { world, query, ray, found } = self;
+        query.visit::<Y, FRAMES>(world, ray, found, tally, i as usize, limit)
+    }
+}
+
+/// The search for the nearest hit.
+struct FirstHit<R> {
+    rules: R,
+}
+
+impl<T: Real, R: RuleSource> Query<T> for FirstHit<R> {
+    type Found = Option<(usize, ShapeHit<T>)>;
+    const ENDS: bool = false;
+
+    #[inline(always)]
+    fn visit<Y: Tally, const FRAMES: bool>(
+        &mut self,
+        world: &World<T>,
+        ray: &Ray<T>,
+        best: &mut Self::Found,
+        tally: &mut Y,
+        i: usize,
+        mut limit: T,
+    ) -> T {
+        let nearest = self.rules.get().nearest;
         let note = |hit: ShapeHit<T>| {
             let wins = match &*best {
                 None => true,
@@ -253,64 +229,68 @@ impl<T: Real, R: RuleSource, Y: Tally, const FRAMES: bool> Visit<T, Y>
                 *best = Some((i, hit));
             }
         };
-        self.world.objects[i].intersect::<R, FRAMES>(
-            self.rules,
-            self.ray,
-            &self.world.meshes,
-            tally,
-            note,
-        );
+        world.objects[i].intersect::<R, FRAMES>(self.rules, ray, &world.meshes, tally, note);
         limit
     }
 }
 
-/// A visitor that finds out whether there is a hit.
-struct AnyHit<'a, T, R, const FRAMES: bool> {
-    world: &'a World<T>,
+/// The search for any hit.
+struct AnyHit<R> {
     rules: R,
-    ray: &'a Ray<T>,
-    found: &'a mut bool,
 }
 
-impl<T: Real, R: RuleSource, Y: Tally, const FRAMES: bool> Visit<T, Y>
-    for AnyHit<'_, T, R, FRAMES>
-{
+impl<T: Real, R: RuleSource> Query<T> for AnyHit<R> {
+    type Found = bool;
+    const ENDS: bool = true;
+
     #[inline(always)]
-    fn visit(&mut self, tally: &mut Y, i: u32, limit: T) -> T {
-        let object = &self.world.objects[i as usize];
-        *self.found = *self.found
-            || object.is_hit::<R, FRAMES>(self.rules, self.ray, &self.world.meshes, tally);
-        if *self.found { -T::INFINITY } else { limit }
+    fn visit<Y: Tally, const FRAMES: bool>(
+        &mut self,
+        world: &World<T>,
+        ray: &Ray<T>,
+        is_hit: &mut bool,
+        tally: &mut Y,
+        i: usize,
+        limit: T,
+    ) -> T {
+        let object = &world.objects[i];
+        *is_hit = *is_hit || object.is_hit::<R, FRAMES>(self.rules, ray, &world.meshes, tally);
+        if *is_hit { -T::INFINITY } else { limit }
     }
 }
 
-/// A visitor that finds all crossings, unless something blocks the ray.
-struct AllCrossings<'a, T, R, B, const FRAMES: bool> {
-    world: &'a World<T>,
+/// The search for all crossings, which ends where something blocks the ray.
+struct AllCrossings<'a, T, R, B> {
     rules: R,
-    ray: &'a Ray<T>,
     blocks: B,
     all: &'a mut Crossings<T>,
-    is_blocked: &'a mut bool,
 }
 
-impl<T: Real, R: RuleSource, Y: Tally, B: Fn(usize) -> bool, const FRAMES: bool> Visit<T, Y>
-    for AllCrossings<'_, T, R, B, FRAMES>
-{
+impl<T: Real, R: RuleSource, B: Fn(usize) -> bool> Query<T> for AllCrossings<'_, T, R, B> {
+    /// Whether something blocks the ray.
+    type Found = bool;
+    const ENDS: bool = true;
+
     #[inline(always)]
-    fn visit(&mut self, tally: &mut Y, i: u32, limit: T) -> T {
-        let (world, i) = (self.world, i as usize);
+    fn visit<Y: Tally, const FRAMES: bool>(
+        &mut self,
+        world: &World<T>,
+        ray: &Ray<T>,
+        is_blocked: &mut bool,
+        tally: &mut Y,
+        i: usize,
+        limit: T,
+    ) -> T {
         let object = &world.objects[i];
-        if *self.is_blocked {
+        if *is_blocked {
             return -T::INFINITY;
         }
         if (self.blocks)(i) {
-            *self.is_blocked =
-                object.is_hit::<R, FRAMES>(self.rules, self.ray, &world.meshes, tally);
-            return if *self.is_blocked { -T::INFINITY } else { limit };
+            *is_blocked = object.is_hit::<R, FRAMES>(self.rules, ray, &world.meshes, tally);
+            return if *is_blocked { -T::INFINITY } else { limit };
         }
         let all = &mut *self.all;
-        object.crossings::<R, _, FRAMES>(self.rules, self.ray, &world.meshes, tally, |tally, t| {
+        object.crossings::<R, _, FRAMES>(self.rules, ray, &world.meshes, tally, |tally, t| {
             tally.did(Work::TintedCrossing);
             all.push((t, i));
         });
