@@ -9,11 +9,12 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::Arc;
 
 use serde::Deserialize;
 
 use super::entry::{self, Entry, StoreError};
-use super::toolchain::Toolchain;
+use super::toolchain::{Toolchain, ToolchainError};
 use crate::files;
 use crate::leftovers::Held;
 
@@ -29,26 +30,57 @@ pub struct Sdk {
 /// The reason why there are no compiled crates. The grader or the machine is to blame.
 #[derive(Debug, thiserror::Error)]
 pub enum SdkError {
-    /// There is no compiler, or none that can be used.
-    #[error("{0}")]
-    Toolchain(String),
-    /// The crates do not build, or cannot be read.
-    #[error("{0}")]
-    Cases(String),
+    /// There is no compiler.
+    #[error(transparent)]
+    Toolchain(#[from] Arc<ToolchainError>),
+    /// The sources of the crates cannot be read.
+    #[error("the sources of `cases` cannot be used")]
+    Sources(#[source] io::Error),
+    /// The folder of the build cannot be made.
+    #[error("the build of `cases` cannot be prepared")]
+    Folder(#[source] io::Error),
+    /// Cargo cannot be started.
+    #[error("cargo cannot be run")]
+    Cargo(#[source] io::Error),
+    /// The crates do not build. The text is the compiler's.
+    #[error("`cases` does not build:\n{0}")]
+    Compiler(String),
+    /// The template has a dependency that is not among the compiled crates.
+    #[error("the template depends on `{0}`, which is neither `cases` nor one of its dependencies")]
+    Dependency(String),
+    /// The entry is not in the store after it was published.
+    #[error("{} is not there after it was stored", .0.display())]
+    Lost(PathBuf),
     /// The entry of the store cannot be used.
     #[error(transparent)]
     Store(#[from] StoreError),
 }
 
 /// The arguments of cargo for the build, which are part of the key.
-const ARGS: [&str; 6] = [
-    "build",
-    "--release",
-    "-p",
-    "cases",
-    "--no-default-features",
-    "--message-format=json-render-diagnostics",
-];
+const ARGS: [&str; 5] =
+    ["build", "--release", "-p", "sdk", "--message-format=json-render-diagnostics"];
+
+/// The manifest of a package that depends on `cases` alone.
+///
+/// Cargo uses a crate that it compiled for the grader again only if the features are the same, and
+/// there other crates enable features of the dependencies of `cases`. Without the lines after the
+/// first one, two thirds of these dependencies are compiled a second time, which doubles the time
+/// of this build. A feature that is missing here costs only time.
+const MANIFEST: &str = r#"
+[package]
+name = "sdk"
+edition = "2024"
+
+[dependencies]
+cases.workspace = true
+bitflags = { version = "*", features = ["std"] }
+memchr = "*"
+miniz_oxide = "*"
+serde_core = "*"
+
+[build-dependencies]
+syn = { version = "3", features = ["full"] }
+"#;
 
 impl Sdk {
     /// Takes the crates from `store`, or compiles them from the workspace at `root`. Student code
@@ -60,9 +92,7 @@ impl Sdk {
         dependencies: &[String],
         progress: &dyn Fn(&str),
     ) -> Result<Self, SdkError> {
-        let key = key(toolchain, root, dependencies).map_err(|why| {
-            SdkError::Cases(format!("the sources of `cases` cannot be used: {why}"))
-        })?;
+        let key = key(toolchain, root, dependencies).map_err(SdkError::Sources)?;
         let folder = store.join(format!("sdk-{key}"));
         // Leftovers of a killed run do no harm, so a store that cannot be cleared is no reason to
         // stop.
@@ -71,14 +101,10 @@ impl Sdk {
             return Ok(Self { entry, key });
         }
         progress("compiling the crates that submissions use (once, a minute or so)");
-        let alone = alone(root, store).map_err(|why| {
-            SdkError::Cases(format!("the build of `cases` cannot be prepared: {why}"))
-        })?;
-        let artifacts = compile(toolchain, root, alone.path()).map_err(SdkError::Cases)?;
+        let alone = alone(root, store).map_err(SdkError::Folder)?;
+        let artifacts = compile(toolchain, root, alone.path())?;
         publish(&artifacts, dependencies, &folder)?;
-        let missing =
-            || SdkError::Cases(format!("{} is not there after it was stored", folder.display()));
-        Ok(Self { entry: Entry::take(&folder)?.ok_or_else(missing)?, key })
+        Ok(Self { entry: Entry::take(&folder)?.ok_or(SdkError::Lost(folder))?, key })
     }
 
     #[cfg(test)]
@@ -109,7 +135,7 @@ impl Sdk {
 fn key(toolchain: &Toolchain, root: &Path, dependencies: &[String]) -> io::Result<String> {
     let mut hasher = blake3::Hasher::new();
     hasher.update(&entry::VERSION.to_le_bytes()).update(toolchain.version.as_bytes());
-    hasher.update(format!("{ARGS:?}{dependencies:?}").as_bytes());
+    hasher.update(format!("{ARGS:?}{MANIFEST}{dependencies:?}").as_bytes());
     hasher.update(manifest(root)?.as_bytes());
     for file in ["Cargo.lock", "cases/Cargo.toml"] {
         hasher.update(&std::fs::read(root.join(file))?);
@@ -121,8 +147,8 @@ fn key(toolchain: &Toolchain, root: &Path, dependencies: &[String]) -> io::Resul
     Ok(hasher.finalize().to_hex()[..32].to_owned())
 }
 
-/// Creates a workspace of `cases` alone, in `store`, with the versions that the whole workspace has
-/// locked.
+/// Creates a workspace of `cases` and [`MANIFEST`], in `store`, with the versions that the whole
+/// workspace has locked.
 ///
 /// The template is a member of the whole workspace. A dependency that a student adds to it, or a
 /// mistake in its manifest, would keep cargo from building anything there.
@@ -132,10 +158,14 @@ fn alone(root: &Path, store: &Path) -> io::Result<Held> {
     std::fs::write(folder.path().join("Cargo.toml"), manifest(root)?)?;
     std::fs::copy(root.join("Cargo.lock"), folder.path().join("Cargo.lock"))?;
     std::os::unix::fs::symlink(root.join("cases"), folder.path().join("cases"))?;
+    let sdk = folder.path().join("sdk");
+    std::fs::create_dir_all(sdk.join("src"))?;
+    std::fs::write(sdk.join("Cargo.toml"), MANIFEST)?;
+    std::fs::write(sdk.join("src/lib.rs"), "pub use cases;")?;
     Ok(folder)
 }
 
-/// Returns the manifest of the workspace at `root` with `cases` as its only member.
+/// Returns the manifest of the workspace at `root` with other members: `cases` and [`MANIFEST`].
 fn manifest(root: &Path) -> io::Result<String> {
     let wrong =
         |why: String| io::Error::new(io::ErrorKind::InvalidData, format!("Cargo.toml: {why}"));
@@ -144,7 +174,7 @@ fn manifest(root: &Path) -> io::Result<String> {
         text.parse().map_err(|why: toml::de::Error| wrong(why.to_string()))?;
     let workspace = table.get_mut("workspace").and_then(toml::Value::as_table_mut);
     let workspace = workspace.ok_or_else(|| wrong("there is no workspace in it".to_owned()))?;
-    workspace.insert("members".to_owned(), toml::Value::from(vec!["cases"]));
+    workspace.insert("members".to_owned(), toml::Value::from(vec!["cases", "sdk"]));
     // Most of the packages that have a profile of their own are not here, and cargo would warn of
     // each of them.
     let profiles = table.get_mut("profile").and_then(toml::Value::as_table_mut);
@@ -178,22 +208,20 @@ struct Target {
 /// Builds the workspace in `alone` without the network if possible, else with it.
 ///
 /// Crates that the workspace at `root` has already compiled are reused.
-fn compile(toolchain: &Toolchain, root: &Path, alone: &Path) -> Result<Vec<Artifact>, String> {
-    let run = |more: &[&str]| -> Result<Output, String> {
+fn compile(toolchain: &Toolchain, root: &Path, alone: &Path) -> Result<Vec<Artifact>, SdkError> {
+    let run = |more: &[&str]| -> Result<Output, SdkError> {
         let mut cargo = Command::new(toolchain.cargo());
         cargo.args(ARGS).args(more).arg("--target-dir").arg(root.join("target")).current_dir(alone);
         cargo.env("RUSTC", toolchain.rustc()).env_remove("RUSTFLAGS");
-        cargo.output().map_err(|why| format!("cargo cannot be run: {why}"))
+        cargo.output().map_err(SdkError::Cargo)
     };
     let mut output = run(&["--offline"])?;
     if !output.status.success() {
         output = run(&[])?;
     }
     if !output.status.success() {
-        return Err(format!(
-            "`cases` does not build:\n{}",
-            String::from_utf8_lossy(&output.stderr).trim()
-        ));
+        let said = String::from_utf8_lossy(&output.stderr).trim().to_owned();
+        return Err(SdkError::Compiler(said));
     }
     let messages = output
         .stdout
@@ -218,17 +246,11 @@ fn publish(artifacts: &[Artifact], dependencies: &[String], folder: &Path) -> Re
     let mut externs = BTreeMap::new();
     for name in dependencies {
         let name = name.replace('-', "_");
-        let found =
-            artifacts.iter().find(|artifact| artifact.crate_name == name).ok_or_else(|| {
-                SdkError::Cases(format!(
-                    "the template depends on `{name}`, which is neither `cases` nor one of its \
-                     dependencies"
-                ))
-            })?;
-        externs.insert(
-            name,
-            found.file.file_name().unwrap_or_default().to_string_lossy().into_owned(),
-        );
+        let Some(found) = artifacts.iter().find(|artifact| artifact.crate_name == name) else {
+            return Err(SdkError::Dependency(name));
+        };
+        let file = found.file.file_name().unwrap_or_default();
+        externs.insert(name, file.to_string_lossy().into_owned());
     }
     entry::publish(folder, &externs, |fresh| {
         for artifact in artifacts {
