@@ -3,6 +3,7 @@
 pub mod batch;
 pub mod blame;
 pub mod build;
+pub mod cli;
 pub mod diagnose;
 pub mod exam;
 pub mod exercise;

@@ -1,42 +1,7 @@
-//! `grader`: grades submissions of the ray-tracing assignment. Each command is a module of
-//! `commands`.
-
-mod arguments;
-mod commands;
-mod exit;
-mod progress;
+//! `grader`: grades submissions of the ray-tracing assignment.
 
 use std::process::ExitCode;
 
-use grader::grade::GradeError;
-use grader::workers::guarded;
-use pages::shell;
-
-use arguments::{Arguments, Command};
-
 fn main() -> ExitCode {
-    let arguments: Arguments = match shell::arguments() {
-        Ok(arguments) => arguments,
-        Err(code) => return code,
-    };
-    arguments.color.write_global();
-    grader::sandbox::catch_signals();
-    let outcome = guarded(|| run(&arguments));
-    exit::code(outcome.unwrap_or_else(|panicked| Err(GradeError::from(panicked))))
-}
-
-fn run(arguments: &Arguments) -> exit::Outcome {
-    let talk = arguments.talk();
-    match &arguments.command {
-        Command::Grade(options) => commands::grade::run(options, &talk),
-        Command::Images(options) => commands::images::run(options, &talk),
-        Command::Batch(options) => commands::batch::run(options, &talk),
-        Command::Compare(options) => commands::compare::run(options),
-        Command::Explain(options) => commands::explain::run(options, &talk),
-        Command::Lint(options) => commands::lint::run(options, &talk),
-        Command::Doctor(options) => commands::doctor::run(options),
-        Command::Schema(_) => commands::shell::schema(),
-        Command::Completions(options) => commands::shell::completions(options),
-        Command::Man(options) => commands::shell::man(options),
-    }
+    grader::cli::run()
 }

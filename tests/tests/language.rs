@@ -28,11 +28,11 @@ const OPENINGS: &[&str] = &[
 /// Files with lines of JSON or TOML that must stay whole.
 const WHOLE_LINES: &[&str] = &[
     "grader/src/build/diagnostics.rs",
-    "reference/tests/cli.rs",
-    "reference/tests/course.rs",
-    "reference/tests/misconceptions.rs",
-    "reference/tests/paper.rs",
-    "reference/tests/vary.rs",
+    "reference/tests/suite/cli.rs",
+    "reference/tests/suite/course.rs",
+    "reference/tests/suite/misconceptions.rs",
+    "reference/tests/suite/paper.rs",
+    "reference/tests/suite/vary.rs",
     "tests/src/performance/renderers.rs",
 ];
 

@@ -1,0 +1,63 @@
+//! `grader batch`.
+
+use crate::batch::{self, OnBench, Options, Shown, Summary};
+use crate::grade::{Bench, Options as One};
+use crate::sandbox::LEVEL;
+use pages::{lines, say};
+
+use crate::sandbox;
+
+use crate::cli::arguments::{Batch, stages};
+use crate::cli::commands::grade::say_lowered;
+use crate::cli::exit::{self, Done, Outcome};
+use crate::cli::progress::Talk;
+
+pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
+    sandbox::clear_leftovers();
+    let allowance = arguments.limit.allowance();
+    say_lowered(&allowance, talk);
+    let bench = Bench { allowance, ..Bench::open(&stages(arguments.cases.as_deref())?)? };
+    // The crates are compiled ahead, so that the first wait is explained. If that fails, the
+    // submissions that need the crates report it.
+    let _ = bench.workshop.sdk(&|what| {
+        if !talk.is_quiet {
+            say::err(what);
+        }
+    });
+    let grader = OnBench::new(&bench, &arguments.stage)?;
+    let jobs = arguments.jobs.map_or_else(|| One::new(&arguments.folder).jobs, usize::from);
+    let options = Options { folder: arguments.folder.clone(), out: arguments.out.clone(), jobs };
+    let summary = batch::run(&grader, &options, &Shown::new(talk.is_quiet))?;
+    if !talk.is_quiet {
+        for aside in &summary.left_aside {
+            say::err(&format!("left aside: {} ({})", aside.name, aside.why));
+        }
+        exit::print(&closing(&summary, &options))?;
+    }
+    Ok(if summary.failed.is_empty() { Done::Passed } else { Done::Ours })
+}
+
+/// Returns the last lines: how many records there are, where the table is, what is left to do.
+fn closing(summary: &Summary, options: &Options) -> String {
+    let Summary { n_done, n_graded, n_left, failed, .. } = summary;
+    let have = if *n_done == 1 { "has" } else { "have" };
+    let submissions = lines::count(*n_done, "submission");
+    let mut text =
+        format!("{submissions} {have} a record, {n_graded} of them graded in this run\n");
+    if *n_left > 0 {
+        text += &format!(
+            "{n_left} are left, so there is no table yet: run the same command again to continue\n"
+        );
+    } else {
+        text += &format!("table: {}\n", options.out.join("class.html").display());
+    }
+    text += &format!("protection: {LEVEL}\n");
+    if !failed.is_empty() {
+        text += &format!(
+            "{} could not be graded, for no fault of the student's; run again:\n",
+            failed.len()
+        );
+        text.extend(failed.iter().map(|(name, why)| format!("  {name}: {why}\n")));
+    }
+    text
+}
