@@ -13,7 +13,7 @@ pub const RIGHT_NAME: usize = 95;
 
 /// The results of a judge, with the names of the variants that it judged wrongly.
 #[derive(Clone, Debug, Default)]
-pub struct Tally {
+pub struct VerdictCounts {
     /// The number of correct variants.
     pub n_right: usize,
     /// The number of variants with a bug that the judge could see.
@@ -26,7 +26,7 @@ pub struct Tally {
     pub misplaced: Vec<String>,
 }
 
-impl Tally {
+impl VerdictCounts {
     /// Returns the results of a judge on `trials`. `first_stage` gives the first stage in which the
     /// judge fails a trial, `place` says where it fails.
     pub fn of<'a>(
@@ -152,7 +152,7 @@ impl Naming {
 pub fn faults(trials: &[Trial]) -> Vec<String> {
     let slander =
         say("a mistake was named for a correct program", &Naming::of(trials).falsely_named);
-    [Tally::of_this_grader(trials).faults(), slander].concat()
+    [VerdictCounts::of_this_grader(trials).faults(), slander].concat()
 }
 
 /// Lists the checks that cost points by stage, at most three names for each.

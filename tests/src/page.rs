@@ -1,7 +1,7 @@
 //! Writes the page `docs/judging.md`: the results of this grader and of other judges on the same
 //! programs.
 
-use crate::bars::{Naming, RIGHT_STAGE, Tally};
+use crate::bars::{Naming, RIGHT_STAGE, VerdictCounts};
 use crate::lab::Trial;
 use crate::peers::Tool;
 use crate::rules::RULES;
@@ -10,7 +10,7 @@ use crate::rules::RULES;
 struct Judge {
     name: String,
     says: String,
-    tally: Tally,
+    tally: VerdictCounts,
 }
 
 /// Returns the page in Markdown.
@@ -34,7 +34,7 @@ pub fn page(trials: &[Trial], tools: &[Tool]) -> String {
         says: tool.says.clone(),
         tally: by_first_case(&seen, |trial| tool.fails.get(&trial.variant.name).cloned()),
     }));
-    let (ours, naming) = (Tally::of_this_grader(trials), Naming::of(trials));
+    let (ours, naming) = (VerdictCounts::of_this_grader(trials), Naming::of(trials));
     [head(trials, &seen, &ours, &naming), table(&judges), lists(&ours, &naming, &judges)].concat()
 }
 
@@ -44,13 +44,13 @@ fn pictures_lost(trial: &Trial) -> Option<String> {
 }
 
 /// Returns the tally of a judge from the first case that it fails in each trial.
-fn by_first_case(trials: &[&Trial], first: impl Fn(&Trial) -> Option<String>) -> Tally {
+fn by_first_case(trials: &[&Trial], first: impl Fn(&Trial) -> Option<String>) -> VerdictCounts {
     let stage =
         |trial: &Trial| first(trial).and_then(|case| case.split('/').next().map(str::to_owned));
-    Tally::of(trials.iter().copied(), stage, |trial| first(trial).unwrap_or_default())
+    VerdictCounts::of(trials.iter().copied(), stage, |trial| first(trial).unwrap_or_default())
 }
 
-fn head(trials: &[Trial], seen: &[&Trial], ours: &Tally, naming: &Naming) -> String {
+fn head(trials: &[Trial], seen: &[&Trial], ours: &VerdictCounts, naming: &Naming) -> String {
     let n_seen = seen.iter().filter(|trial| trial.stage().is_some()).count();
     let n_cases = trials.first().map_or(0, |trial| trial.shown.len());
     let is_reached = [
@@ -126,7 +126,7 @@ fn table(judges: &[Judge]) -> String {
     text
 }
 
-fn lists(ours: &Tally, naming: &Naming, judges: &[Judge]) -> String {
+fn lists(ours: &VerdictCounts, naming: &Naming, judges: &[Judge]) -> String {
     let mut text = "\n## What went wrong\n\n### This grader\n\n".to_owned();
     text += &list("Correct programs that lost points", &ours.false_fails);
     text += &list("Bugs that lost no points", &ours.misses);

@@ -90,6 +90,25 @@ fn opening(text: &str) -> Option<&'static str> {
     })
 }
 
+/// The keys of cases and mutants whose values are sentences.
+const SENTENCES: &[&str] = &["about", "does", "says", "title"];
+
+/// Adds the sentences below `value`.
+fn sentences(value: &toml::Value, found: &mut Vec<String>) {
+    match value {
+        toml::Value::Array(list) => list.iter().for_each(|value| sentences(value, found)),
+        toml::Value::Table(table) => {
+            for (key, value) in table {
+                match value.as_str() {
+                    Some(text) if SENTENCES.contains(&&**key) => found.push(text.to_owned()),
+                    _ => sentences(value, found),
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
 /// Fails with all of `found`.
 #[track_caller]
 fn expect_none(found: &[String]) {
@@ -188,4 +207,26 @@ fn words_and_openings_are_found() {
     assert_eq!(opening("The same over boxes."), Some("The same"));
     assert_eq!(opening("Asserts that it holds."), None);
     assert_eq!(opening("It's"), Some("It"));
+}
+
+#[test]
+fn sentences_of_cases_use_the_words_of_the_field() {
+    let mut wrong = Vec::new();
+    let is_ours = |path: &str| path.starts_with("cases/") || path.starts_with("tests/mutants/");
+    for (file, text) in texts("toml").into_iter().filter(|(file, _)| is_ours(file)) {
+        // Files that are refused are among them.
+        let Ok(table) = text.parse::<toml::Table>() else { continue };
+        let mut found = Vec::new();
+        sentences(&toml::Value::Table(table), &mut found);
+        for text in found {
+            if let Some((word, instead)) = banned(&text) {
+                wrong.push(format!("{file}: `{word}`: write {instead}: {text}"));
+            }
+            let has_lines = text.trim_end().contains('\n');
+            if has_lines && text.lines().any(|line| line.chars().count() > MOST_COLUMNS) {
+                wrong.push(format!("{file}: more than {MOST_COLUMNS} columns: {text}"));
+            }
+        }
+    }
+    expect_none(&wrong);
 }

@@ -3,7 +3,7 @@
 use pages::figures::{figure, percent};
 
 use super::figures::levels;
-use super::report::{Report, Row};
+use super::report::{Report, SettingRow};
 use super::setting::{Formula, Setting};
 use crate::expect::variations::Precision;
 
@@ -14,7 +14,7 @@ use crate::expect::variations::Precision;
 /// the scene's own setting there are none.
 pub(super) fn advice(report: &Report) -> Vec<String> {
     let Some(own) = report.row(&report.own) else { return Vec::new() };
-    let same: Vec<&Row> =
+    let same: Vec<&SettingRow> =
         report.rows.iter().filter(|row| row.setting.samples == own.setting.samples).collect();
     let mut sentences = Vec::new();
     let cheapest = least(same.iter().filter(|row| row.same_rays.changed == 0.0).copied(), |row| {
@@ -30,11 +30,14 @@ pub(super) fn advice(report: &Report) -> Vec<String> {
     sentences
 }
 
-fn least<'a>(rows: impl Iterator<Item = &'a Row>, by: impl Fn(&Row) -> f64) -> Option<&'a Row> {
+fn least<'a>(
+    rows: impl Iterator<Item = &'a SettingRow>,
+    by: impl Fn(&SettingRow) -> f64,
+) -> Option<&'a SettingRow> {
     rows.min_by(|a, b| by(a).total_cmp(&by(b)))
 }
 
-fn pick_it(pick: &Row, own: &Row, same: &[&Row]) -> String {
+fn pick_it(pick: &SettingRow, own: &SettingRow, same: &[&SettingRow]) -> String {
     let n = own.setting.samples;
     let mut text = format!(
         "Pick {}: {} ms. It is the cheapest setting with {n}×{n} rays a pixel that changes no \
@@ -51,7 +54,7 @@ fn pick_it(pick: &Row, own: &Row, same: &[&Row]) -> String {
             percent(share)
         );
     }
-    let is_as_fast = |row: &&&Row| {
+    let is_as_fast = |row: &&&SettingRow| {
         row.setting != pick.setting
             && row.same_rays.changed == 0.0
             && row.time_ms.least <= pick.time_ms.greatest
@@ -72,7 +75,7 @@ fn pick_it(pick: &Row, own: &Row, same: &[&Row]) -> String {
     text
 }
 
-fn step_below(pick: &Row, same: &[&Row]) -> Option<String> {
+fn step_below(pick: &SettingRow, same: &[&SettingRow]) -> Option<String> {
     let cheaper = same
         .iter()
         .filter(|row| row.time_ms.median < pick.time_ms.median && row.same_rays.changed > 0.0);
@@ -88,7 +91,7 @@ fn step_below(pick: &Row, same: &[&Row]) -> Option<String> {
     ))
 }
 
-fn own_error(own: &Row) -> Option<String> {
+fn own_error(own: &SettingRow) -> Option<String> {
     (own.same_rays.changed > 0.0).then(|| {
         format!(
             "The scene's own setting is not deep enough: a greater depth or no threshold changes \
@@ -99,7 +102,7 @@ fn own_error(own: &Row) -> Option<String> {
     })
 }
 
-fn proven(own: &Row) -> Option<String> {
+fn proven(own: &SettingRow) -> Option<String> {
     let sends_on = own.rays.reflected + own.rays.refracted > 0;
     let text = match own.left_out_at_most {
         Some(0.0) | None if !sends_on => return None,
@@ -122,7 +125,7 @@ fn proven(own: &Row) -> Option<String> {
 /// and the truth's depth, whose only error is that of sampling. `None` if there are fewer than two
 /// such settings, or no error.
 fn samples(report: &Report) -> Option<String> {
-    let exact = |row: &&Row| {
+    let exact = |row: &&SettingRow| {
         let s = &row.setting;
         let truth = Setting { samples: s.samples, ..report.truth };
         *s == truth
@@ -130,13 +133,13 @@ fn samples(report: &Report) -> Option<String> {
             && s.formula == Formula::Robust
             && *s != report.truth
     };
-    let mut rows: Vec<&Row> = report.rows.iter().filter(exact).collect();
+    let mut rows: Vec<&SettingRow> = report.rows.iter().filter(exact).collect();
     rows.sort_by_key(|row| row.setting.samples);
     let (first, last) = (rows.first()?, rows.last()?);
     if first.setting.samples == last.setting.samples || last.error.rms_levels == 0.0 {
         return None;
     }
-    let step = |row: &&Row| {
+    let step = |row: &&SettingRow| {
         let n = row.setting.samples;
         format!("{n}×{n} {} ms and {}", figure(row.time_ms.median), figure(row.error.rms_levels))
     };
@@ -174,8 +177,8 @@ mod tests {
 
     /// Returns a row that takes `ms` ± 1 ms, with the share `changed` of changed pixels, and with
     /// the RMS error `rms` against the truth.
-    fn row(setting: Setting, ms: f64, changed: f64, rms: f64) -> Row {
-        Row {
+    fn row(setting: Setting, ms: f64, changed: f64, rms: f64) -> SettingRow {
+        SettingRow {
             name: setting.to_string(),
             setting,
             time_ms: Times { median: ms, least: ms - 1.0, greatest: ms + 1.0 },
@@ -195,7 +198,7 @@ mod tests {
         }
     }
 
-    fn said(rows: Vec<Row>) -> Vec<String> {
+    fn said(rows: Vec<SettingRow>) -> Vec<String> {
         let machine =
             Machine { processor: String::new(), threads: 1, clock: "", is_optimised: true };
         let report = Report {
@@ -250,7 +253,7 @@ mod tests {
 
     #[test]
     fn a_scene_that_is_not_deep_enough_is_reported_and_equals_are_counted() {
-        let bound = Row { left_out_at_most: Some(0.01), ..row(OWN, 40.0, 0.125, 4.0) };
+        let bound = SettingRow { left_out_at_most: Some(0.01), ..row(OWN, 40.0, 0.125, 4.0) };
         let all = said(vec![bound, row(depth(4), 50.0, 0.0, 4.0), row(depth(3), 51.0, 0.0, 4.0)]);
         assert!(
             all[0].starts_with("Pick f64 robust, 1×1, depth 4")

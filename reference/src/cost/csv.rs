@@ -4,7 +4,7 @@ use pages::plain::csv_cell;
 use serde::{Serialize, Serializer};
 
 use super::error::Error;
-use super::report::{EffectRow, Report, Row};
+use super::report::{EffectRow, Report, SettingRow};
 use super::times::Times;
 use crate::watch::Counts;
 
@@ -73,7 +73,7 @@ pub fn csv(report: &Report) -> Result<Vec<u8>, csv::Error> {
     out.into_inner().map_err(|why| why.into_error().into())
 }
 
-fn of_setting<'a>(report: &Report, scene: &'a str, row: &Row) -> Line<'a> {
+fn of_setting<'a>(report: &Report, scene: &'a str, row: &SettingRow) -> Line<'a> {
     let same = row.same_rays;
     Line {
         what: "setting",

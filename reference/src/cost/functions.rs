@@ -7,7 +7,7 @@ use super::times::Times;
 use crate::expect::variations::Precision;
 use crate::hard::evaluate::{Prepared, answer};
 use crate::hard::survey::questions;
-use crate::hard::{FAMILIES, Family, Question, Tally, survey};
+use crate::hard::{FAMILIES, Family, Question, SurveyCounts, survey};
 use crate::numbers::real::Real;
 use crate::rules::{PlaneFormula, Quadratic, Rules, Snell, Style, TriangleFormula};
 
@@ -44,7 +44,7 @@ pub struct Measured {
     /// The number of rounds that were timed.
     pub rounds: usize,
     /// The tally of each family of the function, in the order of [`FAMILIES`].
-    pub tallies: Vec<(&'static str, Tally)>,
+    pub tallies: Vec<(&'static str, SurveyCounts)>,
 }
 
 /// Returns every function by every formula in both precisions. The reference's own formula comes

@@ -14,7 +14,7 @@ use super::plot::{self, Place, Plot, Point, Shape};
 use super::report::Machine;
 use super::times::Times;
 use crate::expect::variations::Precision;
-use crate::hard::Tally;
+use crate::hard::SurveyCounts;
 
 /// The cost of accuracy, function by function.
 #[derive(Clone, Debug, Serialize)]
@@ -88,7 +88,7 @@ pub struct Counts {
 }
 
 impl Counts {
-    fn of(tally: &Tally, precision: Precision) -> Self {
+    fn of(tally: &SurveyCounts, precision: Precision) -> Self {
         let ulps = match precision {
             Precision::F32 => tally.ulps::<f32>(),
             Precision::F64 => tally.ulps::<f64>(),
@@ -171,7 +171,7 @@ fn names(rows: &[FunctionRow]) -> Vec<&'static str> {
 
 fn row(one: &Measured) -> FunctionRow {
     let precision = one.candidate.precision;
-    let family = |(family, tally): &(&'static str, Tally)| FamilyRow {
+    let family = |(family, tally): &(&'static str, SurveyCounts)| FamilyRow {
         family,
         counts: Counts::of(tally, precision),
     };

@@ -5,7 +5,7 @@ use pages::page::{Layout, Serde, Value, context, html};
 use serde::Serialize;
 
 use super::plot::{self, Place, Plot, Point, Shape};
-use super::report::{Report, Row};
+use super::report::{Report, SettingRow};
 use super::setting::Formula;
 use crate::expect::variations::Precision;
 
@@ -31,7 +31,7 @@ pub fn plots(report: &Report) -> [Plot; 2] {
         points,
     };
     let truth = report.rows.iter().map(|row| point(row, row.error.rms_levels, row.is_on_front));
-    let is_own = |row: &&Row| row.setting.samples == n;
+    let is_own = |row: &&SettingRow| row.setting.samples == n;
     let same = report
         .rows
         .iter()
@@ -54,7 +54,7 @@ pub fn plots(report: &Report) -> [Plot; 2] {
     ]
 }
 
-fn point(row: &Row, error: f64, is_on_front: bool) -> Point {
+fn point(row: &SettingRow, error: f64, is_on_front: bool) -> Point {
     let shape = match row.setting.formula {
         Formula::Robust => Shape::Circle,
         Formula::Stable => Shape::Square,

@@ -47,14 +47,14 @@ pub struct Report {
     /// Advice on which setting to pick, in sentences.
     pub advice: Vec<String>,
     /// One row for each setting.
-    pub rows: Vec<Row>,
+    pub rows: Vec<SettingRow>,
     /// The cost of each effect.
     pub effects: Vec<EffectRow>,
 }
 
 /// One setting.
 #[derive(Clone, Debug, Serialize)]
-pub struct Row {
+pub struct SettingRow {
     /// The setting in words.
     pub name: String,
     /// The setting as numbers.
@@ -104,7 +104,7 @@ pub struct EffectRow {
 
 impl Report {
     /// Returns the row of a setting, or `None` if it was not measured.
-    pub fn row(&self, setting: &Setting) -> Option<&Row> {
+    pub fn row(&self, setting: &Setting) -> Option<&SettingRow> {
         self.rows.iter().find(|row| row.setting == *setting)
     }
 }

@@ -6,7 +6,7 @@ use pages::plain;
 
 use super::advice;
 use super::measure::Measured;
-use super::report::{EffectRow, Machine, Report, Row};
+use super::report::{EffectRow, Machine, Report, SettingRow};
 use super::sweep::{About, Sweep};
 use super::times::Times;
 use crate::rules::Rules;
@@ -45,8 +45,8 @@ impl Report {
 }
 
 /// Returns a row for each setting, with both fronts marked.
-fn rows(sweep: &Sweep, measured: &[Measured], limits: &Limits) -> Vec<Row> {
-    let mut rows: Vec<Row> = measured
+fn rows(sweep: &Sweep, measured: &[Measured], limits: &Limits) -> Vec<SettingRow> {
+    let mut rows: Vec<SettingRow> = measured
         .iter()
         .filter(|one| one.about == About::Accuracy)
         .map(|one| row(one, limits))
@@ -54,7 +54,7 @@ fn rows(sweep: &Sweep, measured: &[Measured], limits: &Limits) -> Vec<Row> {
     let all: Vec<(f64, f64)> =
         rows.iter().map(|row| (row.time_ms.median, three_digits(row.error.rms_levels))).collect();
     let outside = (f64::NAN, f64::NAN);
-    let same = |row: &Row| (row.time_ms.median, three_digits(row.same_rays.rms_levels));
+    let same = |row: &SettingRow| (row.time_ms.median, three_digits(row.same_rays.rms_levels));
     let same: Vec<_> = rows
         .iter()
         .map(|row| if row.setting.samples == sweep.own.samples { same(row) } else { outside })
@@ -71,8 +71,8 @@ fn three_digits(error: f64) -> f64 {
 }
 
 /// Returns the row of a setting, not yet marked as on a front.
-fn row(one: &Measured, limits: &Limits) -> Row {
-    Row {
+fn row(one: &Measured, limits: &Limits) -> SettingRow {
+    SettingRow {
         name: one.setting.to_string(),
         setting: one.setting,
         time_ms: milliseconds(one),

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use pages::figures::{figure, percent};
 
 use super::figures::signed;
-use super::report::{EffectRow, Report, Row};
+use super::report::{EffectRow, Report, SettingRow};
 
 const BOLD: &str = "\x1b[1m";
 const SOFT: &str = "\x1b[2m";
@@ -50,7 +50,7 @@ fn head(report: &Report) -> String {
 }
 
 fn accuracy(report: &Report) -> String {
-    let mut rows: Vec<&Row> = report.rows.iter().collect();
+    let mut rows: Vec<&SettingRow> = report.rows.iter().collect();
     rows.sort_by(|a, b| a.time_ms.median.total_cmp(&b.time_ms.median));
     let width = rows.iter().map(|row| row.name.chars().count()).max().unwrap_or_default();
     let mut out = format!(

@@ -20,7 +20,7 @@ use crate::world::World;
 /// The cost of effects in a scene that does not call for them. Times are those of rendering alone,
 /// in seconds; ratios are those of medians.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Row {
+pub struct UncalledRow {
     /// The effects that the scene does not call for, and that are deleted from the kernel of
     /// `deleted_s`.
     pub deleted: Vec<Effect>,
@@ -57,7 +57,7 @@ struct Subject {
 /// pool.
 ///
 /// A caller of this function compiles kernels that no other picture uses.
-pub fn price<O: Outside>(n_rounds: usize, outside: &mut O) -> Option<Vec<Row>> {
+pub fn price<O: Outside>(n_rounds: usize, outside: &mut O) -> Option<Vec<UncalledRow>> {
     let subjects = subjects();
     // For each subject, the kernel that is compiled for exactly the effects that it calls for.
     let exactly: [Render; SCENES] = [
@@ -93,10 +93,14 @@ pub fn work(n_rounds: usize) -> u64 {
     3 * SCENES as u64 * n_rounds as u64
 }
 
-fn rows(subjects: &[Subject], worlds: &[World<f64>], times: &[[Vec<f64>; 3]]) -> Option<Vec<Row>> {
+fn rows(
+    subjects: &[Subject],
+    worlds: &[World<f64>],
+    times: &[[Vec<f64>; 3]],
+) -> Option<Vec<UncalledRow>> {
     let row = |((subject, world), times): ((&Subject, &World<f64>), &[Vec<f64>; 3])| {
         let [deleted_s, chosen_s, able_s] = [0, 1, 2].map(|n: usize| Times::of(&times[n]));
-        Row {
+        UncalledRow {
             deleted: subject.deleted.to_vec(),
             scene: subject.shows,
             simulated: world.effects,
@@ -238,7 +242,7 @@ mod tests {
         let mut clock = Ticking(0.0);
         let rows = price(1, &mut clock).expect("no one stops it");
         assert_eq!(clock.0, 2.0 * work(1) as f64);
-        for Row { deleted, simulated, chosen_ratio, able_ratio, scene, .. } in &rows {
+        for UncalledRow { deleted, simulated, chosen_ratio, able_ratio, scene, .. } in &rows {
             assert!(deleted.iter().all(|effect| !simulated.has(*effect)), "{scene}");
             assert_eq!(
                 (*chosen_ratio, *able_ratio),

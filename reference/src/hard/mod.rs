@@ -20,4 +20,4 @@ pub mod survey;
 pub use evaluate::evaluate;
 pub use families::{FAMILIES, Family};
 pub use question::Question;
-pub use survey::{Tally, survey};
+pub use survey::{SurveyCounts, survey};

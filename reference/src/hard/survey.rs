@@ -41,7 +41,7 @@ pub enum Comparison {
 
 /// The counts and greatest errors of a survey.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Tally {
+pub struct SurveyCounts {
     /// The number of questions.
     pub n: u64,
     /// Questions whose correct answer is not a miss.
@@ -67,7 +67,7 @@ pub struct Tally {
     pub worst: Option<Question>,
 }
 
-impl Tally {
+impl SurveyCounts {
     /// Returns the number of wrong answers that no rounding of the question excuses.
     pub fn wrong(&self) -> u64 {
         self.false_hits + self.false_misses + self.elsewhere + self.not_a_number
@@ -129,17 +129,22 @@ impl Tally {
 
 /// Answers `n` questions of the family, rounded to the precision `T`, by `rules`, and returns the
 /// tally. It is the same on every machine. Runs in the current `rayon` pool.
-pub fn survey<T: Real, R: RuleSource>(family: &Family, rules: R, n: u64, seed: u64) -> Tally {
-    let chunks: Vec<Tally> = (0..n.div_ceil(CHUNK))
+pub fn survey<T: Real, R: RuleSource>(
+    family: &Family,
+    rules: R,
+    n: u64,
+    seed: u64,
+) -> SurveyCounts {
+    let chunks: Vec<SurveyCounts> = (0..n.div_ceil(CHUNK))
         .into_par_iter()
         .map(|chunk| {
             let questions = questions::<T>(family, chunk, CHUNK.min(n - chunk * CHUNK), seed);
-            questions.fold(Tally::default(), |tally, question| {
+            questions.fold(SurveyCounts::default(), |tally, question| {
                 tally.with::<T>(&question, &evaluate::<T, R>(rules, &question))
             })
         })
         .collect();
-    chunks.into_iter().fold(Tally::default(), Tally::and)
+    chunks.into_iter().fold(SurveyCounts::default(), SurveyCounts::and)
 }
 
 /// Returns the first `n` questions of a chunk of the family, rounded to the precision `T`.

@@ -12,6 +12,6 @@
 pub mod bounds;
 pub mod real;
 pub mod roots;
-pub(crate) mod stream;
+pub mod stream;
 pub mod two;
 pub mod vec3;

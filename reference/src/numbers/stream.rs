@@ -3,22 +3,27 @@
 
 /// A stream of pseudorandom numbers.
 #[derive(Clone, Debug)]
-pub(crate) struct Stream(u64);
+pub struct Stream(u64);
 
 impl Stream {
     /// Returns the stream of a name (of a case, of a family) under a seed. It depends on no other
     /// stream.
-    pub(crate) fn new(seed: u64, name: &str) -> Self {
+    pub fn new(seed: u64, name: &str) -> Self {
         // FNV-1a of the name, so that neighbouring seeds of one case, and equal seeds of two cases,
         // give unrelated streams.
         let name = name.bytes().fold(0xCBF2_9CE4_8422_2325_u64, |hash, byte| {
             (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01B3)
         });
-        Self(Self(seed).next() ^ name)
+        Self(Self(seed).bits() ^ name)
+    }
+
+    /// Returns the stream that the published generator gives for a seed.
+    pub fn of_seed(seed: u64) -> Self {
+        Self(seed)
     }
 
     /// Returns the next 64 bits.
-    fn next(&mut self) -> u64 {
+    pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
@@ -26,16 +31,16 @@ impl Stream {
     }
 
     /// Returns a number in [0, 1), one of 2⁵³ values at equal distances.
-    pub(crate) fn unit(&mut self) -> f64 {
+    pub fn unit(&mut self) -> f64 {
         const STEP: f64 = 1.0 / (1u64 << 53) as f64;
-        (self.next() >> 11) as f64 * STEP
+        (self.bits() >> 11) as f64 * STEP
     }
 
     /// Returns a whole number from −`most` to `most`. For `most` < 2²³, all are equally likely
     /// except for one part in 2⁴⁰.
-    pub(crate) fn within(&mut self, most: u32) -> i64 {
+    pub fn within(&mut self, most: u32) -> i64 {
         let n_values = 2 * u128::from(most) + 1;
-        let drawn = (u128::from(self.next()) * n_values) >> 64;
+        let drawn = (u128::from(self.bits()) * n_values) >> 64;
         drawn as i64 - i64::from(most)
     }
 }
@@ -47,8 +52,8 @@ mod tests {
     /// The first numbers of the published generator from the state 1234567.
     #[test]
     fn is_split_mix_64() {
-        let mut stream = Stream(1_234_567);
-        let drawn: Vec<u64> = (0..5).map(|_| stream.next()).collect();
+        let mut stream = Stream::of_seed(1_234_567);
+        let drawn: Vec<u64> = (0..5).map(|_| stream.bits()).collect();
         let published = [
             6_457_827_717_110_365_317,
             3_203_168_211_198_807_973,
@@ -72,7 +77,7 @@ mod tests {
 
     #[test]
     fn seeds_and_cases_have_streams_of_their_own() {
-        let first = |seed, case| Stream::new(seed, case).next();
+        let first = |seed, case| Stream::new(seed, case).bits();
         let firsts = [first(1, "a"), first(2, "a"), first(1, "b"), first(2, "b"), first(0, "a")];
         for (at, one) in firsts.iter().enumerate() {
             assert!(!firsts[..at].contains(one), "{firsts:?}");

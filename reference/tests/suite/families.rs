@@ -7,7 +7,7 @@ use reference::hard::families::Bound;
 use reference::hard::oracle::right;
 use reference::hard::question::Line;
 use reference::hard::survey::{Comparison, compare};
-use reference::hard::{FAMILIES, Family, Question, Tally, evaluate, survey};
+use reference::hard::{FAMILIES, Family, Question, SurveyCounts, evaluate, survey};
 use reference::numbers::real::Real;
 use reference::rules::{
     Lecture, PlaneFormula, Quadratic, Robustness, Rules, Snell, Style, TriangleFormula,
@@ -57,7 +57,7 @@ fn no_family_is_decided_wrongly() {
 
 /// Returns the tally of a family by the formulas of `style`, without repeating a decision in two
 /// words.
-fn plain<T: Real>(name: &str, style: Style) -> Tally {
+fn plain<T: Real>(name: &str, style: Style) -> SurveyCounts {
     let family = FAMILIES
         .iter()
         .find(|family| family.name == name)

@@ -84,7 +84,7 @@ fn affine(scale: f64, random: &mut Random) -> DAffine3 {
 
 /// The counts of the rays, by what they hit.
 #[derive(Debug, Default)]
-struct Tally {
+struct LeavingCounts {
     n: usize,
     /// Rays that went outwards, but hit the shape again.
     re_hits: usize,
@@ -118,9 +118,9 @@ fn leave<T: Real, R: RuleSource>(
     scale: f64,
     n: usize,
     most: f64,
-) -> Tally {
+) -> LeavingCounts {
     let mut random = Random(0x1ea_5e0f_5afe + scale.to_bits() + kind as u64);
-    let mut tally = Tally::default();
+    let mut tally = LeavingCounts::default();
     while tally.n < n {
         // A square has size 1. In a frame, so has every other shape.
         let of_shape = if frame || kind == Kind::Square { 1.0 } else { scale };
@@ -154,7 +154,7 @@ fn both_sides<T: Real, R: RuleSource>(
     scale: f64,
     most: f64,
     random: &mut Random,
-    tally: &mut Tally,
+    tally: &mut LeavingCounts,
 ) {
     let outwards = direction(random, hit.n_geom.f64());
     // The size of a plane is the distance of the hit from the origin.
@@ -222,7 +222,7 @@ fn through_matrices_that_are_nearly_singular_no_ray_is_caught() {
     let turn = DMat3::from_axis_angle(DVec3::new(0.48, 0.6, 0.64), 0.8);
     for least in [1e-3, 1e-6, 1e-8] {
         let squash = turn * DMat3::from_diagonal(DVec3::new(1.0, 1.0, least)) * turn.transpose();
-        let mut tally = Tally::default();
+        let mut tally = LeavingCounts::default();
         for kind in KINDS {
             let of_shape = kind.shape(1.0, &mut random);
             let map = DAffine3::from_mat3_translation(squash, DVec3::new(3.0, -2.0, 1.0));

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
-use tests::bars::{self, Naming, Tally};
+use tests::bars::{self, Naming, VerdictCounts};
 use tests::lab::{self, Lab, Trial};
 use tests::{page, peers, variants, workspace};
 
@@ -67,7 +67,7 @@ fn judge(arguments: &Arguments) -> Result<Vec<String>, String> {
     if arguments.verbose {
         trials.iter().for_each(say);
     }
-    let tally = Tally::of_this_grader(&trials);
+    let tally = VerdictCounts::of_this_grader(&trials);
     let naming = Naming::of(&trials);
     println!(
         "{} correct programs, {} failed; {} bugs, {} passed; {} of {} caught first in their own \

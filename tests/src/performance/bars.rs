@@ -202,7 +202,7 @@ fn waiting(rows: &[small::Row]) -> Vec<Bar> {
     bars
 }
 
-fn uncalled(row: &effects::Row) -> Bar {
+fn uncalled(row: &effects::UncalledRow) -> Bar {
     let effects = row.deleted.iter().map(|effect| effect.name()).collect::<Vec<_>>().join(", ");
     let requirement = format!("{}: within 2 % of a kernel without {effects}", row.scene);
     bar(

@@ -2,7 +2,7 @@
 //! deleted.
 
 use reference::cost::measure::Outside;
-pub use reference::cost::uncalled::Row;
+pub use reference::cost::uncalled::UncalledRow;
 use reference::cost::uncalled::price;
 use rustix::time::{ClockId, clock_gettime};
 
@@ -15,7 +15,7 @@ const TIMES_THE_ROUNDS: usize = 10;
 ///
 /// # Errors
 /// Returns an error if threads cannot be started or there are no rounds.
-pub fn measure(bench: &Bench) -> Result<Vec<Row>, String> {
+pub fn measure(bench: &Bench) -> Result<Vec<UncalledRow>, String> {
     bench.say("effects that are not called for");
     let pool =
         rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(|why| why.to_string())?;

@@ -249,7 +249,7 @@ fn commands(rows: &[small::Row]) -> String {
     out + "\n"
 }
 
-fn uncalled(rows: &[effects::Row]) -> String {
+fn uncalled(rows: &[effects::UncalledRow]) -> String {
     let mut out = "\
 ## Effects that are not called for
 

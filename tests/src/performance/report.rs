@@ -23,7 +23,7 @@ pub struct Report {
     /// Whole commands, from start to end.
     pub small: Option<Vec<small::Row>>,
     /// Costs of effects that are not called for.
-    pub effects: Option<Vec<effects::Row>>,
+    pub effects: Option<Vec<effects::UncalledRow>>,
 }
 
 /// The machine of a measurement.

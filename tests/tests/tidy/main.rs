@@ -123,9 +123,9 @@ fn files_are_written_in_one_place() {
 
 /// Public functions whose error is text, each with the reason.
 const TEXT_ERRORS: &[(&str, &str)] = &[
-    ("explain in grader/src/exercise/explain.rs", "tells the student why there is no ray tree"),
-    ("explain in grader/src/grade/mod.rs", "tells the student why there is no ray tree"),
-    ("man in grader/pages/src/shell.rs", "tells the user which page does not exist"),
+    ("explain in grader/src/exercise/explain.rs", "says to the student why there is no ray tree"),
+    ("explain in grader/src/grade/mod.rs", "says to the student why there is no ray tree"),
+    ("man in grader/pages/src/shell.rs", "names the page that does not exist"),
 ];
 
 /// Returns the public functions of the file that return a text as their error.
