@@ -4,8 +4,9 @@ use cases::effects;
 use serde::Serialize;
 
 use super::args::EffectsArgs;
+use super::effects_measured;
 use super::find::{self, Found};
-use super::output::{print_json, print_text};
+use super::output::{Talk, print_json, print_text};
 use super::stop::Stop;
 
 #[derive(Serialize)]
@@ -17,7 +18,10 @@ struct Row {
 }
 
 /// Runs the command.
-pub(super) fn run(args: &EffectsArgs) -> Result<(), Stop> {
+pub(super) fn run(args: &EffectsArgs, talk: Talk) -> Result<(), Stop> {
+    if args.measure {
+        return effects_measured::run(args, talk);
+    }
     let Found { scene, course, .. } = find::found(&args.scene, &args.course)?;
     let row = |reason: effects::Reason| Row {
         effect: reason.effect.name(),

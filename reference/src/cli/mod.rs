@@ -8,6 +8,7 @@ mod cost_session;
 mod cost_store;
 mod course;
 mod effects;
+mod effects_measured;
 mod expect;
 mod explain;
 mod find;
@@ -63,7 +64,7 @@ pub fn run() -> ExitCode {
 fn dispatch(command: &Command, talk: Talk) -> Result<(), Stop> {
     match command {
         Command::Render(args) => render::run(args, talk),
-        Command::Effects(args) => effects::run(args),
+        Command::Effects(args) => effects::run(args, talk),
         Command::Cost(args) => cost::run(args, talk),
         Command::Explain(args) => explain::run(args),
         Command::Probe(args) => probe::run(args),

@@ -6,6 +6,7 @@ use super::bench::Bench;
 use super::error::Error;
 use super::setting::Setting;
 use super::sweep::{About, Sweep};
+use super::times::Times;
 use crate::trace::render::Stats;
 
 /// The measurements of one setting.
@@ -29,6 +30,13 @@ pub struct Measured {
     pub bytes: usize,
     /// The seconds of each round.
     pub times_s: Vec<f64>,
+}
+
+impl Measured {
+    /// Returns the milliseconds of the rounds.
+    pub fn time_ms(&self) -> Times {
+        Times::of(&self.times_s.iter().map(|seconds| 1e3 * seconds).collect::<Vec<_>>())
+    }
 }
 
 /// The outside world of a measurement: the clock, the user who may stop it, and the progress bar.

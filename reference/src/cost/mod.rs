@@ -7,6 +7,7 @@
 //! | `error.rs`, `times.rs` | the error of a picture against a better one; the median of several times |
 //! | `report.rs`, `summary.rs`, `advice.rs` | the report of a sweep: its data, its construction, its sentences |
 //! | `functions.rs`, `functions_report.rs` | single functions: nanoseconds against errors and wrong decisions |
+//! | `idle.rs` | a scene without each of its effects: pixels, rays and times |
 //! | `uncalled.rs` | the cost of an effect in a scene that does not call for it |
 //! | `forms.rs`, `table.rs`, `csv.rs`, `plot.rs`, `page.rs` | reports as text, CSV table, SVG picture and HTML page |
 //! | `figures.rs` | shares and levels as reports print them |
@@ -23,6 +24,7 @@ pub mod figures;
 pub mod forms;
 pub mod functions;
 pub mod functions_report;
+pub mod idle;
 mod labels;
 pub mod measure;
 pub mod page;

@@ -8,7 +8,6 @@ use super::advice;
 use super::measure::Measured;
 use super::report::{EffectRow, Machine, Report, SettingRow};
 use super::sweep::{About, Sweep};
-use super::times::Times;
 use crate::rules::Rules;
 use crate::trace::cutoff::Limits;
 
@@ -75,7 +74,7 @@ fn row(one: &Measured, limits: &Limits) -> SettingRow {
     SettingRow {
         name: one.setting.to_string(),
         setting: one.setting,
-        time_ms: milliseconds(one),
+        time_ms: one.time_ms(),
         rays: one.stats.rays,
         bytes: one.bytes,
         left_out_at_most: Some(limits.of_weight(one.stats.left_out.into()).max_element())
@@ -91,22 +90,18 @@ fn row(one: &Measured, limits: &Limits) -> SettingRow {
 /// Returns the rows of effects, compared with the scene's own setting.
 fn effects(sweep: &Sweep, measured: &[Measured]) -> Vec<EffectRow> {
     let own = measured.iter().find(|one| one.about == About::Accuracy && one.setting == sweep.own);
-    let own_ms = own.map_or(f64::NAN, |own| milliseconds(own).median);
+    let own_ms = own.map_or(f64::NAN, |own| own.time_ms().median);
     let row = |one: &Measured| {
         let (name, without) = match one.about {
             About::Accuracy => return None,
             About::Without(effect) => (format!("without {effect}"), Some(effect)),
             About::Everything => ("with all effects".to_owned(), None),
         };
-        let time_ms = milliseconds(one);
+        let time_ms = one.time_ms();
         let more_ms = time_ms.median - own_ms;
         Some(EffectRow { name, without, time_ms, more_ms, rays: one.stats.rays, error: one.error })
     };
     measured.iter().filter_map(row).collect()
-}
-
-fn milliseconds(one: &Measured) -> Times {
-    Times::of(&one.times_s.iter().map(|seconds| 1e3 * seconds).collect::<Vec<_>>())
 }
 
 /// Returns the name of a scene as reports show it: guarded, with line breaks and tabs as codes, so

@@ -154,6 +154,13 @@ impl Sweep {
         Self { own, truth, subjects: accuracy.chain(effects).collect() }
     }
 
+    /// Returns the scene's own setting, and that without each of its effects.
+    pub fn of_effects(scene: &Scene) -> Self {
+        let own = Setting::of(scene);
+        let subjects = std::iter::once((own, About::Accuracy)).chain(without_each(own)).collect();
+        Self { own, truth: own, subjects }
+    }
+
     /// Returns the most accurate setting with as many rays a pixel as `setting`.
     pub fn exact(&self, setting: &Setting) -> Setting {
         Setting { samples: setting.samples, ..self.truth }
@@ -161,14 +168,19 @@ impl Sweep {
 }
 
 /// Returns the scene's own setting without each effect that it simulates, and with all effects.
-/// [`Effect::AdaptiveDepth`] is switched off by a threshold of 0.
 fn switches(own: Setting) -> Vec<(Setting, About)> {
-    let without = |effect| {
+    let everything = Setting { effects: Effects::all().without(Effect::AdaptiveDepth), ..own };
+    without_each(own).chain([(everything, About::Everything)]).collect()
+}
+
+/// Returns the scene's own setting without each effect that it simulates.
+/// [`Effect::AdaptiveDepth`] is switched off by a threshold of 0.
+fn without_each(own: Setting) -> impl Iterator<Item = (Setting, About)> {
+    let without = move |effect| {
         let threshold = if effect == Effect::AdaptiveDepth { 0.0 } else { own.threshold };
         (Setting { threshold, effects: own.effects.without(effect), ..own }, About::Without(effect))
     };
-    let everything = Setting { effects: Effects::all().without(Effect::AdaptiveDepth), ..own };
-    own.simulated().iter().map(without).chain([(everything, About::Everything)]).collect()
+    own.simulated().iter().map(without)
 }
 
 fn pairs<A: Copy, B: Copy>(one: &[A], other: &[B]) -> Vec<(A, B)> {

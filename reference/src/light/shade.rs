@@ -86,16 +86,10 @@ pub fn is_lit<T: Real, R: RuleSource>(
     }
 }
 
-/// Returns whether no light adds anything to the direct term, because kd and ks are 0. [rule 3]
+/// Returns whether kd (N·L) + ks (N·H)₊^ns is finite, so that its product with 0 is 0.
 ///
 /// The result is false for other highlights than the lecture's, whose value may be infinite or NaN
 /// even when multiplied by 0.
-#[inline(always)]
-pub fn is_dull<T: Real, R: RuleSource>(rules: R, material: &Material<T>) -> bool {
-    is_bounded(rules) && material.kd == Vec3::ZERO && material.ks == Vec3::ZERO
-}
-
-/// Returns whether kd (N·L) + ks (N·H)₊^ns is finite, so that its product with 0 is 0.
 #[inline(always)]
 pub fn is_bounded<R: RuleSource>(rules: R) -> bool {
     rules.get().highlight == Highlight::Blinn

@@ -14,7 +14,7 @@ use crate::bvh::Bvh;
 pub use crate::bvh::Search;
 use crate::lanes::Lanes;
 use crate::light::lights::Light;
-use crate::light::material::Material;
+use crate::light::material::{Material, ReflectedLights};
 use crate::numbers::real::Real;
 use crate::numbers::vec3::Vec3;
 pub use crate::rays::frame::Frame;
@@ -45,6 +45,8 @@ pub struct World<T> {
     pub lights: Vec<Light<T>>,
     /// The materials, in the scene's order.
     pub materials: Vec<Material<T>>,
+    /// The lights that each material reflects.
+    pub(crate) reflected: Vec<ReflectedLights>,
     /// The objects, in the scene's order.
     pub objects: Vec<Object<T>>,
     pub(crate) meshes: Vec<Mesh<T>>,
@@ -107,13 +109,16 @@ impl<T: Real> World<T> {
 
     /// Returns the scene prepared for ray tracing, searched in the given way.
     pub fn with_search(scene: &Scene, search: Search) -> Self {
+        let lights: Vec<Light<T>> = scene.lights.iter().map(Light::of).collect();
+        let materials: Vec<Material<T>> = scene.materials.iter().map(Material::of).collect();
         let mut world = Self {
             camera: scene.camera,
             render: scene.render,
             effects: scene.effects,
             background: Vec3::of(scene.background),
-            lights: scene.lights.iter().map(Light::of).collect(),
-            materials: scene.materials.iter().map(Material::of).collect(),
+            reflected: materials.iter().map(|one| ReflectedLights::of(one, &lights)).collect(),
+            lights,
+            materials,
             objects: scene.objects.iter().map(Object::of).collect(),
             meshes: scene.meshes.iter().map(|mesh| Mesh::of(mesh, search)).collect(),
             has_frames: scene.objects.iter().any(|object| !object.is_untransformed()),
@@ -158,6 +163,7 @@ impl<T: Real> World<T> {
     pub fn bytes(&self) -> usize {
         let lists = size_of_val(&*self.lights)
             + size_of_val(&*self.materials)
+            + size_of_val(&*self.reflected)
             + size_of_val(&*self.objects);
         let tree =
             self.tree.as_ref().map_or(0, |(inside, tree)| size_of_val(&**inside) + tree.bytes());

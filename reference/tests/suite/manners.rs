@@ -55,6 +55,8 @@ const CALLS: &[(&str, i32, &str)] = &[
     ("render bad.toml a.png", 2, "bad.toml:8:1"),
     ("render scene.toml", 2, "required"),
     ("effects scene.toml", 0, "shadows"),
+    ("effects scene.toml --measure --rounds 1", 0, "pixels changed"),
+    ("effects scene.toml --rounds 1", 2, "--measure"),
     ("effects bad.toml", 2, "bad.toml"),
     ("cost scene.toml --rounds 1 --samples 1 --precisions f32 --no-effects", 0, "f32"),
     ("cost bad.toml", 2, "bad.toml"),

@@ -120,8 +120,7 @@ pub(super) const BANS: &[Ban] = &[
         folder: "grader/src",
         words: &["pixel", "Image", "film::"],
         except: &[
-            "grader/src/cli/arguments.rs",
-            "grader/src/cli/commands",
+            "grader/src/cli",
             "grader/src/diagnose",
             "grader/src/exam",
             "grader/src/exercise",

@@ -21,7 +21,7 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
     pub fn shade(&self, at: &ShadingPoint<T>, weight: Vec3<T>, watch: &mut impl Watch) -> Vec3<T> {
         let material = &self.world.materials[at.material];
         let n_lights = self.world.lights.len();
-        let is_dull = shade::is_dull(self.rules, material);
+        let lights = self.world.reflected[at.material];
         let mut colour = shade::emission(self.rules, material, n_lights);
         for n in 0..n_lights {
             let j = if self.rules.get().style.lights == LightOrder::Reversed {
@@ -38,7 +38,8 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
                 continue;
             }
             colour += ambient;
-            if is_dull || (shade::is_bounded(self.rules) && light.colour == Vec3::ZERO) {
+            // A red lamp on a blue surface adds nothing, so it needs no shadow ray.
+            if shade::is_bounded(self.rules) && !lights.has(j) {
                 continue;
             }
             let Some((to_light, r)) = light.direction_from(self.rules, at.hit_point.point) else {

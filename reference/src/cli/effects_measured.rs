@@ -1,0 +1,78 @@
+//! The command `reference effects --measure`.
+
+use std::fmt::Write;
+
+use cases::effects;
+use pages::figures::{figure, percent};
+
+use super::args::EffectsArgs;
+use super::cost_session::Session;
+use super::find::{self, Found};
+use super::output::{Talk, print_json, print_text};
+use super::stop::Stop;
+use crate::cost::idle::{EffectCost, EffectCosts, Without};
+use crate::rules::Rules;
+
+/// Runs the command.
+pub(super) fn run(args: &EffectsArgs, talk: Talk) -> Result<(), Stop> {
+    let Found { scene, course, .. } = find::found(&args.scene, &args.course)?;
+    let session = Session::start(1, talk)?;
+    let (rules, sweep) = (Rules::of(&course), EffectCosts::sweep(&scene));
+    let measured = session.sweep(&scene, &rules, &sweep, usize::from(args.rounds))?;
+    let costs = EffectCosts::new(&scene, effects::reasons(&scene, &course), &measured);
+    if args.json {
+        print_json(&costs)?;
+    } else {
+        print_text(&text(&costs))?;
+    }
+    session.end(costs.rounds, args.rounds)
+}
+
+fn text(costs: &EffectCosts) -> String {
+    let EffectCosts { n_pixels, rounds, time_ms, rays, effects } = costs;
+    let mut text = format!(
+        "{n_pixels} pixels, {} rays, {} ms (median of {rounds} rounds, {} to {})\n\n\
+            {:<15} {:>16}  {:>12}  {:>10}\n",
+        rays.total(),
+        figure(time_ms.median),
+        figure(time_ms.least),
+        figure(time_ms.greatest),
+        "without",
+        "pixels changed",
+        "rays",
+        "ms",
+    );
+    for row in effects {
+        let _ = writeln!(text, "{}", line(costs, row));
+    }
+    text
+}
+
+fn line(costs: &EffectCosts, row: &EffectCost) -> String {
+    let EffectCost { called_for, because, without, .. } = row;
+    let effect = row.effect.name();
+    let Some(Without { n_changed, time_ms, rays }) = without else {
+        let verdict = if *called_for { "called for, but left out here" } else { "not called for" };
+        return format!("{effect:<15} {verdict}: {because}");
+    };
+    let share = percent(*n_changed as f64 / costs.n_pixels.max(1) as f64);
+    let more_rays = rays.total() as i128 - costs.rays.total() as i128;
+    // Where the ranges overlap, the difference may be noise.
+    let is_clear = time_ms.least > costs.time_ms.greatest || time_ms.greatest < costs.time_ms.least;
+    let more_ms = if is_clear {
+        let more_ms = time_ms.median - costs.time_ms.median;
+        format!("{}{}", if more_ms > 0.0 { "+" } else { "" }, figure(more_ms))
+    } else {
+        "~0".to_owned()
+    };
+    let verdict = match (called_for, row.is_idle()) {
+        (true, false) => "called for",
+        (true, true) => "called for, but idle",
+        (false, true) => "not called for",
+        (false, false) => "not called for, but it shows",
+    };
+    format!(
+        "{effect:<15} {:>16}  {more_rays:>+12}  {more_ms:>10}  {verdict}: {because}",
+        format!("{n_changed} ({share})"),
+    )
+}

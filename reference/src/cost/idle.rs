@@ -1,0 +1,89 @@
+//! A scene without each of its effects in turn: the picture itself shows which effects it needs.
+
+use cases::effects::Reason;
+use cases::{Effect, Scene};
+use serde::Serialize;
+
+use super::measure::Measured;
+use super::sweep::{About, Sweep};
+use super::times::Times;
+use crate::watch::Counts;
+
+/// The measurements of a scene, and of the scene without each effect that it simulates.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct EffectCosts {
+    /// The number of pixels of the picture.
+    pub n_pixels: u64,
+    /// The complete rounds.
+    pub rounds: usize,
+    /// Milliseconds a picture with all simulated effects.
+    pub time_ms: Times,
+    /// The rays of that picture, by kind.
+    pub rays: Counts,
+    /// A row for every effect, in the order of [`Effect::ALL`].
+    pub effects: Vec<EffectCost>,
+}
+
+/// An effect of a scene.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct EffectCost {
+    /// The effect.
+    pub effect: Effect,
+    /// Whether the scene calls for it.
+    pub called_for: bool,
+    /// The reason why, or why not.
+    pub because: String,
+    /// The picture without the effect; `None` if the effect is not simulated anyway.
+    pub without: Option<Without>,
+}
+
+/// A picture without one effect.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Without {
+    /// The pixels whose 8-bit colour differs.
+    pub n_changed: u64,
+    /// Milliseconds a picture.
+    pub time_ms: Times,
+    /// The rays by kind.
+    pub rays: Counts,
+}
+
+impl EffectCost {
+    /// Returns whether the effect is simulated and changes no pixel.
+    pub fn is_idle(&self) -> bool {
+        self.without.is_some_and(|without| without.n_changed == 0)
+    }
+}
+
+impl EffectCosts {
+    /// Returns the settings to measure: the scene's own, and that without each of its effects.
+    pub fn sweep(scene: &Scene) -> Sweep {
+        Sweep::of_effects(scene)
+    }
+
+    /// Returns the costs that were `measured` by [`EffectCosts::sweep`] of `scene`, with the
+    /// `reasons` for which the scene calls for its effects.
+    pub fn new(scene: &Scene, reasons: Vec<Reason>, measured: &[Measured]) -> Self {
+        let n_pixels = u64::from(scene.render.width) * u64::from(scene.render.height);
+        let without = |effect| {
+            let row = measured.iter().find(|row| row.about == About::Without(effect))?;
+            // The share is a whole number of pixels over their number.
+            let n_changed = (row.error.changed * n_pixels as f64).round() as u64;
+            Some(Without { n_changed, time_ms: row.time_ms(), rays: row.stats.rays })
+        };
+        let row = |Reason { effect, called_for, because }| EffectCost {
+            effect,
+            called_for,
+            because,
+            without: without(effect),
+        };
+        let own = measured.iter().find(|row| row.about == About::Accuracy);
+        Self {
+            n_pixels,
+            rounds: own.map_or(0, |row| row.times_s.len()),
+            time_ms: own.map_or_else(Times::default, Measured::time_ms),
+            rays: own.map_or_else(Counts::default, |row| row.stats.rays),
+            effects: reasons.into_iter().map(row).collect(),
+        }
+    }
+}
