@@ -75,11 +75,12 @@ fn mutated(bytes: &[u8], dice: &mut Rng) -> Vec<u8> {
     bytes
 }
 
-/// Returns random bytes, some of which begin like a file of one of the formats.
+/// Returns one of the list.
 fn pick<'a, T: ?Sized>(dice: &mut Rng, list: &[&'a T]) -> &'a T {
     list[dice.usize(..list.len())]
 }
 
+/// Returns random bytes, some of which begin like a file of one of the formats.
 fn arbitrary(dice: &mut Rng) -> Vec<u8> {
     let start: &[u8] = pick(
         dice,

@@ -8,6 +8,7 @@ use cases::answer::expected_png_path;
 use cases::film;
 use grader::grade::{Bench, Graded, Options, Silent, grade};
 use grader::record::{CheckRecord, Record, Verdict};
+use pages::say;
 
 use crate::rules::{Picture, RULES};
 use crate::variants::{Nature, Variant};
@@ -70,9 +71,9 @@ impl Lab {
     /// Returns an error if the stages cannot be read or the solution cannot be graded.
     pub fn open(gallery: Option<PathBuf>) -> Result<Self, String> {
         let stages = public_stages();
-        let bench = Bench::open(&stages).map_err(|why| why.to_string())?;
+        let bench = Bench::open(&stages).map_err(|why| say::chain(&why))?;
         let solution = Options::new(workspace().join("tests/solution"));
-        let pictures = grade(&bench, &solution, &Silent).map_err(|why| why.to_string())?.pictures;
+        let pictures = grade(&bench, &solution, &Silent).map_err(|why| say::chain(&why))?.pictures;
         let mut cases = vec![];
         for (questions, case) in
             bench.exam.stages.iter().flat_map(|one| one.stage.cases.iter().map(move |c| (one, c)))
@@ -109,7 +110,7 @@ impl Lab {
             Options { name: variant.name.clone(), jobs: 1, ..Options::new(folder.path()) };
         let graded = grade(&self.bench, &options, &Silent);
         let Graded { record, pictures } =
-            graded.map_err(|why| format!("{}: {why}", variant.name))?;
+            graded.map_err(|why| format!("{}: {}", variant.name, say::chain(&why)))?;
         if record.build.verdict != Verdict::Pass {
             let why = record.build.finding.map_or(String::new(), |finding| finding.message);
             return Err(format!("{} does not build:\n{why}", variant.name));

@@ -16,6 +16,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use grader::grade::{Bench, Graded, Options, Silent, grade};
+use pages::say;
 
 /// Returns the root of the workspace.
 pub fn workspace() -> &'static Path {
@@ -101,8 +102,9 @@ pub fn code_lines(path: &Path) -> Vec<(usize, String)> {
 /// # Panics
 /// Panics if the grader itself fails.
 pub fn grade_all(folder: &Path) -> Graded {
-    let bench = Bench::open(&public_stages()).unwrap_or_else(|why| panic!("{why}"));
-    grade(&bench, &Options::new(folder), &Silent).unwrap_or_else(|why| panic!("{why}"))
+    let bench = Bench::open(&public_stages()).unwrap_or_else(|why| panic!("{}", say::chain(&why)));
+    grade(&bench, &Options::new(folder), &Silent)
+        .unwrap_or_else(|why| panic!("{}", say::chain(&why)))
 }
 
 /// Returns the folder of the public stages.

@@ -12,6 +12,7 @@ use cases::course::{self, Course};
 use cases::stage;
 use grader::grade::{Bench, Options, Silent, grade};
 use grader::record::Verdict;
+use pages::say;
 use rayon::prelude::*;
 use reference::expect::{self, Expected, Progress, Set};
 use tempfile::TempDir;
@@ -61,10 +62,10 @@ impl Exam {
             stage::load_all(&self.stages(), course).map_err(|problems| problems.to_string())?;
         let set = Set::new(stages, course);
         let answers = expect::of_set(&self.stages(), &set, |_| true, &Unwatched)
-            .map_err(|why| why.to_string())?;
+            .map_err(|why| say::chain(&why))?;
         cases::files::write_all(answers.files().map(Expected::as_output))
             .map(drop)
-            .map_err(|why| why.to_string())
+            .map_err(|why| say::chain(&why))
     }
 
     /// Grades a program that follows the course. Returns a line for each check that does not earn
@@ -81,9 +82,9 @@ impl Exam {
         fs::write(submission.join("follow.sh"), script).map_err(|why| why.to_string())?;
         fs::write(submission.join("submission.toml"), "run.command = [\"sh\", \"./follow.sh\"]\n")
             .map_err(|why| why.to_string())?;
-        let bench = Bench::open(&self.stages()).map_err(|why| why.to_string())?;
+        let bench = Bench::open(&self.stages()).map_err(|why| say::chain(&why))?;
         let options = Options { jobs: 1, ..Options::new(&submission) };
-        let record = grade(&bench, &options, &Silent).map_err(|why| why.to_string())?.record;
+        let record = grade(&bench, &options, &Silent).map_err(|why| say::chain(&why))?.record;
         let checks = record.stages.iter().flat_map(|stage| &stage.checks);
         let n_checks: usize =
             bench.exam.stages.iter().map(|it| it.stage.cases.len() + it.stage.checks.len()).sum();

@@ -12,6 +12,7 @@ use cases::stage::{self, Case, Stage};
 use cases::{Course, Effect, Effects, Scene};
 use grader::judge;
 use grader::record::Verdict;
+use pages::say;
 use reference::expect::variations::{Precision, Variation, variations};
 use reference::expect::{self, Set};
 use reference::numbers::real::Real;
@@ -265,7 +266,8 @@ fn the_stored_answers_are_what_the_reference_gives() {
         expect::of_case(&stages, &SET, n, case).unwrap_or_else(|why| panic!("{why}")).files
     });
     let checks = STAGES.iter().filter_map(|stage| {
-        expect::of_checks(&stages, stage, &SET.course).unwrap_or_else(|wrong| panic!("{wrong:?}"))
+        expect::of_checks(&stages, stage, &SET.course)
+            .unwrap_or_else(|wrong| panic!("{}", say::paragraphs(&wrong)))
     });
     let mistakes = expect::mistakes(&stages, &SET.course).unwrap_or_else(|why| panic!("{why}"));
     none(

@@ -14,6 +14,7 @@ use grader::batch::{self, OnBench, Shown};
 use grader::grade::{Bench, Options, Silent, grade};
 use grader::record::{Record, Verdict};
 use grader::submission::limits::{LIMITS, NESTED, size};
+use pages::say;
 use tempfile::TempDir;
 use tests::workspace;
 
@@ -23,12 +24,12 @@ type Edits<'a> = &'a [(&'a str, Option<String>)];
 /// The official grader, outside of any student's workspace, with its crates compiled.
 static FINAL: LazyLock<Bench> = LazyLock::new(|| {
     let bench = open(workspace().join("tests/exam"));
-    bench.workshop.sdk(&|_| ()).unwrap_or_else(|why| panic!("{why}"));
+    bench.workshop.sdk(&|_| ()).unwrap_or_else(|why| panic!("{}", say::chain(&why)));
     bench
 });
 
 fn open(exam: PathBuf) -> Bench {
-    Bench::open(&exam).unwrap_or_else(|why| panic!("{why}"))
+    Bench::open(&exam).unwrap_or_else(|why| panic!("{}", say::chain(&why)))
 }
 
 /// Returns the text of a file of the workspace.
@@ -90,7 +91,8 @@ fn copy_folder(from: &Path, to: &Path) {
 /// Grades with the grader of a workspace, and clears the fields that differ between runs.
 fn graded(bench: &Bench, submission: &Path) -> Record {
     let options = Options { name: "student".to_owned(), jobs: 1, ..Options::new(submission) };
-    let mut record = grade(bench, &options, &Silent).unwrap_or_else(|why| panic!("{why}")).record;
+    let mut record =
+        grade(bench, &options, &Silent).unwrap_or_else(|why| panic!("{}", say::chain(&why))).record;
     record.build.time_s = 0.0;
     for check in record.stages.iter_mut().flat_map(|stage| &mut stage.checks) {
         check.time_s = 0.0;
@@ -269,7 +271,7 @@ fn every_hand_in_of_a_class_has_a_row() {
         fs::write(at("in").join(name), text).unwrap();
     }
     let options = batch::Options { folder: at("in"), out: at("out"), jobs: 2 };
-    let grader = OnBench::new(&FINAL, &[]).unwrap_or_else(|why| panic!("{why}"));
+    let grader = OnBench::new(&FINAL, &[]).unwrap_or_else(|why| panic!("{}", say::chain(&why)));
     let summary = batch::run(&grader, &options, &Shown::new(true)).unwrap();
     assert_eq!((summary.n_done, summary.failed), (12, vec![]));
     let table = fs::read_to_string(at("out/class.csv")).unwrap();

@@ -16,6 +16,7 @@ use std::time::Duration;
 use grader::exercise::Allowance;
 use grader::grade::{Bench, Options, Silent, grade};
 use grader::record::{Record, Verdict};
+use pages::say;
 use tempfile::TempDir;
 use tests::workspace;
 
@@ -90,7 +91,8 @@ fn check(bench: &Bench, folder: &Path) -> Result<(), String> {
     let name = folder.file_name().expect("a name").to_string_lossy().into_owned();
     let copy = copy(folder);
     let options = Options { name: name.clone(), jobs: 1, ..Options::new(copy.path()) };
-    let graded = grade(bench, &options, &Silent).map_err(|why| format!("{name}: {why}"))?;
+    let graded =
+        grade(bench, &options, &Silent).map_err(|why| format!("{name}: {}", say::chain(&why)))?;
     let found = serde_json::to_string_pretty(&settled(graded.record)).expect("a record") + "\n";
     let stored = folder.join(RECORD);
     if std::env::var_os("BLESS").is_some() {
@@ -108,7 +110,8 @@ fn check(bench: &Bench, folder: &Path) -> Result<(), String> {
 #[test]
 fn every_submission_gets_the_record_it_deserves() {
     let allowance = Allowance::new(Duration::from_secs(2), 256 << 20);
-    let bench = Bench::open(&workspace().join("tests/exam")).unwrap_or_else(|why| panic!("{why}"));
+    let bench = Bench::open(&workspace().join("tests/exam"))
+        .unwrap_or_else(|why| panic!("{}", say::chain(&why)));
     let bench = Bench { allowance, ..bench };
     let folders = submissions();
     let next = AtomicUsize::new(0);

@@ -12,6 +12,7 @@ use grader::exam::Exam;
 use grader::grade::{self, Bench, Options, grade};
 use grader::judge;
 use grader::record::{CheckRecord, Verdict};
+use pages::say;
 use reference::expect::{self, Expected, Progress, Set};
 use reference::vary::folder::{self, Draft};
 use reference::vary::{Care, Original, Varied};
@@ -36,14 +37,16 @@ fn stages(folder: &Path) -> Vec<Stage> {
 
 static ORIGINALS: LazyLock<Vec<Original>> = LazyLock::new(|| {
     let originals = folder::originals(&public_stages(), &PUBLIC, || {})
-        .unwrap_or_else(|wrong| panic!("{wrong:?}"));
+        .unwrap_or_else(|wrong| panic!("{}", say::paragraphs(&wrong)));
     assert_eq!(originals.constant, Vec::<String>::new(), "a public case has no `[vary]`");
     originals.varying
 });
 
 /// Returns the case under `seed`. Only two correct programs check that it is fair.
 fn varied(original: &Original, seed: u64) -> Varied {
-    original.vary(&PUBLIC, seed, Care::Quick).unwrap_or_else(|wrong| panic!("{wrong}"))
+    original
+        .vary(&PUBLIC, seed, Care::Quick)
+        .unwrap_or_else(|wrong| panic!("{}", say::chain(&wrong)))
 }
 
 fn public_cases() -> impl Iterator<Item = &'static Case> {
@@ -177,7 +180,8 @@ fn bound(path: &str, was: f64, bounds: &Bounds) -> f64 {
 
 #[test]
 fn on_hidden_sets_the_solution_earns_everything_and_public_pictures_nothing() {
-    let mut bench = Bench::open(&public_stages()).unwrap_or_else(|why| panic!("{why}"));
+    let mut bench =
+        Bench::open(&public_stages()).unwrap_or_else(|why| panic!("{}", say::chain(&why)));
     for (n, seed) in SEEDS.iter().enumerate() {
         let place = hidden(n);
         bench.exam = Exam::load(place.path()).unwrap_or_else(|why| panic!("{why}"));

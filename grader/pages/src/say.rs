@@ -42,20 +42,27 @@ pub fn raw(bytes: &[u8]) -> io::Result<()> {
 
 /// Returns the message of an error, followed by those of its causes, each after a colon.
 ///
-/// A cause is left out if its words are already part of the text, because the messages of some
-/// libraries contain their causes.
+/// The messages of some errors contain those of their causes, or are repeated at the beginning of
+/// them. No words are printed twice.
 pub fn chain(error: &(dyn Error + 'static)) -> String {
     let mut text = error.to_string();
     let mut next = error.source();
     while let Some(cause) = next {
         let words = cause.to_string();
-        if !text.contains(&words) {
+        if words.starts_with(&text) {
+            text = words;
+        } else if !text.contains(&words) {
             text += ": ";
             text += &words;
         }
         next = cause.source();
     }
     text
+}
+
+/// Returns the messages of errors with their causes, a paragraph each.
+pub fn paragraphs<E: Error + 'static>(errors: &[E]) -> String {
+    errors.iter().map(|error| chain(error)).collect::<Vec<_>>().join("\n")
 }
 
 /// Returns text as it goes to a stream. Colours are removed before the text is guarded, because
@@ -72,7 +79,7 @@ fn finished(text: &str, colours: ColorChoice) -> String {
 mod tests {
     use super::*;
 
-    /// An error that states its cause in its own message, unless that is hidden.
+    /// An error with a message, and perhaps with a cause.
     #[derive(Debug)]
     struct Outer {
         message: &'static str,
@@ -101,6 +108,9 @@ mod tests {
         let stated = error("cannot write it: the disk is full", Some(full()));
         let graded = error("nothing was graded", Some(stated));
         assert_eq!(chain(&graded), "nothing was graded: cannot write it: the disk is full");
+        let stated = error("cannot write it: the disk is full; try again", Some(full()));
+        let again = error("cannot write it", Some(stated));
+        assert_eq!(chain(&again), "cannot write it: the disk is full; try again");
     }
 
     #[test]

@@ -36,7 +36,7 @@ pub enum StoreError {
     },
     /// The entry was changed, and could not be removed.
     #[error(
-        "{} was changed after it was stored ({change}), and cannot be removed: delete it",
+        "{} was changed after it was stored ({change}): delete it, because it cannot be removed",
         .folder.display()
     )]
     Stuck {

@@ -60,12 +60,13 @@ pub enum SdkError {
 const ARGS: [&str; 5] =
     ["build", "--release", "-p", "sdk", "--message-format=json-render-diagnostics"];
 
-/// The manifest of a package that depends on `cases` alone.
+/// The manifest of a package that re-exports `cases`. Its other dependencies are those of `cases`,
+/// with the features that they have in the grader's build.
 ///
 /// Cargo uses a crate that it compiled for the grader again only if the features are the same, and
-/// there other crates enable features of the dependencies of `cases`. Without the lines after the
-/// first one, two thirds of these dependencies are compiled a second time, which doubles the time
-/// of this build. A feature that is missing here costs only time.
+/// there other crates enable more of them. Without these dependencies, two thirds of the crates are
+/// compiled a second time, which doubles the time of this build. A feature that is missing here
+/// costs only time.
 const MANIFEST: &str = r#"
 [package]
 name = "sdk"
@@ -147,8 +148,8 @@ fn key(toolchain: &Toolchain, root: &Path, dependencies: &[String]) -> io::Resul
     Ok(hasher.finalize().to_hex()[..32].to_owned())
 }
 
-/// Creates a workspace of `cases` and [`MANIFEST`], in `store`, with the versions that the whole
-/// workspace has locked.
+/// Creates a workspace of `cases` and the package of [`MANIFEST`], in `store`, with the versions
+/// that the whole workspace has locked.
 ///
 /// The template is a member of the whole workspace. A dependency that a student adds to it, or a
 /// mistake in its manifest, would keep cargo from building anything there.
@@ -165,7 +166,8 @@ fn alone(root: &Path, store: &Path) -> io::Result<Held> {
     Ok(folder)
 }
 
-/// Returns the manifest of the workspace at `root` with other members: `cases` and [`MANIFEST`].
+/// Returns the manifest of the workspace at `root` with `cases` and the package of
+/// [`MANIFEST`] as its only members.
 fn manifest(root: &Path) -> io::Result<String> {
     let wrong =
         |why: String| io::Error::new(io::ErrorKind::InvalidData, format!("Cargo.toml: {why}"));

@@ -18,14 +18,16 @@ pub struct Toolchain {
 pub enum ToolchainError {
     /// There is no compiler that this user may run.
     #[error(
-        "the Rust compiler cannot be run: install it from https://rustup.rs, or put it into PATH"
+        "the Rust compiler cannot be run (install it from https://rustup.rs, or put it into PATH)"
     )]
     Missing(#[source] io::Error),
     /// The machine cannot start the compiler.
     #[error("the machine cannot start the Rust compiler")]
     NotStarted(#[source] io::Error),
     /// The compiler ended with an error. The text is its own.
-    #[error("the Rust compiler fails: install it from https://rustup.rs, or put it into PATH: {0}")]
+    #[error(
+        "the Rust compiler fails (install it from https://rustup.rs, or put it into PATH): {0}"
+    )]
     Failed(String),
 }
 

@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use crate::exercise::Allowance;
-use crate::grade::{GradeError, Options};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::cli::progress::Talk;
+use crate::exercise::Allowance;
+use crate::grade::{GradeError, Options};
 
 const CODES: &str = "\
 Exit codes:

@@ -2,10 +2,11 @@
 
 use std::process::ExitCode;
 
+use pages::say;
+
 use crate::blame::Blame;
 use crate::grade::GradeError;
 use crate::sandbox;
-use pages::say;
 
 /// The result of a command that returned no error, with its exit code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,9 +2,10 @@
 
 use std::io::IsTerminal;
 
-use crate::grade::Progress;
 use indicatif::ProgressBar;
 use pages::{bar, say};
+
+use crate::grade::Progress;
 
 /// The amount of output that the user wants.
 #[derive(Clone, Copy, Debug)]

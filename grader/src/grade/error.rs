@@ -16,8 +16,8 @@ use crate::report::junit::JunitError;
 use crate::submission::SubmissionError;
 use crate::workers::Panicked;
 
-/// The reason why there is no record, or no other result. None of the reasons is the student's
-/// fault.
+/// The reason why there is no record, or no other result. Only [`GradeError::Refused`] is the
+/// student's fault.
 #[derive(Debug, thiserror::Error)]
 pub enum GradeError {
     /// The arguments select nothing, or make no sense. The text says what to do.
@@ -46,9 +46,9 @@ pub enum GradeError {
     /// The submission cannot be read.
     #[error(transparent)]
     Submission(#[from] SubmissionError),
-    /// There is no submission. The text says why.
+    /// There is no submission whose ray tree could be shown. The text says why.
     #[error("{0}")]
-    NoSubmission(String),
+    Refused(String),
     /// The run over a class failed as a whole.
     #[error(transparent)]
     Batch(#[from] BatchError),
@@ -63,7 +63,7 @@ pub enum GradeError {
         /// The reason.
         source: PictureError,
     },
-    /// A report cannot be written.
+    /// An output cannot be written.
     #[error(transparent)]
     Write(#[from] WriteError),
     /// A report cannot be encoded.
@@ -93,7 +93,7 @@ impl GradeError {
     pub fn blame(&self) -> Blame {
         let of_file = |is_of_file| if is_of_file { Blame::File } else { Blame::Machine };
         match self {
-            Self::Usage(_) | Self::NoSubmission(_) => Blame::File,
+            Self::Usage(_) | Self::Refused(_) => Blame::File,
             Self::Cases(problems) => blame::of_problems(problems),
             Self::Untrusted { blame, .. } => *blame,
             Self::Answer(why) => why.blame(),

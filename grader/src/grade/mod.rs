@@ -266,7 +266,7 @@ pub fn explain(
     match prepare(bench, &Options::new(path), progress)?.1 {
         Ok((built, _)) => Ok(exercise::explain(&bench.candidate(&built), &case.scene, x, y)),
         Err(Build { finding: Some(finding), .. }) if finding.kind == FindingKind::Submission => {
-            Err(GradeError::NoSubmission(finding.message))
+            Err(GradeError::Refused(finding.message))
         }
         Err(build) => Ok(Err(build.finding.map_or(String::new(), |finding| finding.message))),
     }

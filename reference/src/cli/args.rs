@@ -180,14 +180,15 @@ pub(super) struct RenderArgs {
 #[command(after_help = "\
 With --measure, each effect is left out in turn. An effect that is called for but changes no pixel
 is idle in this picture: nothing in view needs it. Times are processor times on one thread; `~0`
-says that the ranges of the rounds overlap.
+says that the ranges of the rounds overlap, or that there was only one round.
 
 Examples:
   reference effects 04_refraction/crystal_ball
   reference effects scene.toml --course my_course.toml
   reference effects 02_shadows/stained_glass --measure
 
-Exit codes: 0 printed, 2 a scene that cannot be read, 130 interrupted")]
+Exit codes: 0 printed, 2 usage or a scene that cannot be read, 3 the machine failed, 130
+interrupted")]
 pub(super) struct EffectsArgs {
     /// Scene, case, id of a case, or - for a scene on standard input
     pub scene: String,

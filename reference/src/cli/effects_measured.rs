@@ -10,6 +10,7 @@ use super::cost_session::Session;
 use super::find::{self, Found};
 use super::output::{Talk, print_json, print_text};
 use super::stop::Stop;
+use crate::cost::figures::signed;
 use crate::cost::idle::{EffectCost, EffectCosts, Without};
 use crate::rules::Rules;
 
@@ -57,19 +58,16 @@ fn line(costs: &EffectCosts, row: &EffectCost) -> String {
     };
     let share = percent(*n_changed as f64 / costs.n_pixels.max(1) as f64);
     let more_rays = rays.total() as i128 - costs.rays.total() as i128;
-    // Where the ranges overlap, the difference may be noise.
-    let is_clear = time_ms.least > costs.time_ms.greatest || time_ms.greatest < costs.time_ms.least;
-    let more_ms = if is_clear {
-        let more_ms = time_ms.median - costs.time_ms.median;
-        format!("{}{}", if more_ms > 0.0 { "+" } else { "" }, figure(more_ms))
-    } else {
-        "~0".to_owned()
-    };
-    let verdict = match (called_for, row.is_idle()) {
-        (true, false) => "called for",
-        (true, true) => "called for, but idle",
-        (false, true) => "not called for",
-        (false, false) => "not called for, but it shows",
+    // Where the ranges overlap, or a single round has none, the difference may be noise.
+    let is_clear = costs.rounds > 1
+        && (time_ms.least > costs.time_ms.greatest || time_ms.greatest < costs.time_ms.least);
+    let more_ms =
+        if is_clear { signed(time_ms.median - costs.time_ms.median) } else { "~0".to_owned() };
+    let verdict = match (called_for, *n_changed > 0) {
+        (true, true) => "called for",
+        (true, false) => "called for, but idle",
+        (false, false) => "not called for",
+        (false, true) => "not called for, but it shows",
     };
     format!(
         "{effect:<15} {:>16}  {more_rays:>+12}  {more_ms:>10}  {verdict}: {because}",

@@ -14,7 +14,7 @@ use super::find;
 use super::interrupt::Interrupt;
 use super::output::Talk;
 use super::progress::Bar;
-use super::stop::{Stop, paragraphs};
+use super::stop::Stop;
 use super::values::{CourseArg, STAGES};
 use crate::expect::{self, Answers, CaseAnswer, ExpectError, Expected, Progress, Set};
 
@@ -61,7 +61,7 @@ pub(super) fn run(args: &ExpectArgs, talk: Talk) -> Result<(), Stop> {
         let n = wrong.len();
         return Err(Stop::NotPassed(format!(
             "{}\n{n} did not pass; nothing was written",
-            paragraphs(&wrong)
+            say::paragraphs(&wrong)
         )));
     }
     if args.check { compare(&files, talk) } else { write(&files, talk) }

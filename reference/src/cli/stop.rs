@@ -19,7 +19,7 @@ pub(super) enum Stop {
     Write(WriteError),
     /// The machine failed: 3.
     Machine {
-        /// What cannot be done.
+        /// The failure, such as `cannot start threads`.
         what: &'static str,
         /// The cause.
         source: Box<dyn Error>,
@@ -41,7 +41,8 @@ impl From<WriteError> for Stop {
 }
 
 impl Stop {
-    /// Returns a function that makes a failure of the machine to do `what` of its cause.
+    /// Returns a function that turns the cause of a failure of the machine into a [`Stop`]. `what`
+    /// says what failed.
     pub(super) fn machine<E: Error + 'static>(what: &'static str) -> impl FnOnce(E) -> Self {
         move |source| Self::Machine { what, source: Box::new(source) }
     }
@@ -61,9 +62,4 @@ impl Stop {
             Self::Interrupted(text) => (130, text.clone()),
         }
     }
-}
-
-/// Returns the messages of errors with their causes, a paragraph each.
-pub(super) fn paragraphs<E: Error + 'static>(errors: &[E]) -> String {
-    errors.iter().map(|why| say::chain(why)).collect::<Vec<_>>().join("\n")
 }

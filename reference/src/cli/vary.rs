@@ -12,7 +12,7 @@ use super::args::VaryArgs;
 use super::interrupt::Interrupt;
 use super::output::Talk;
 use super::progress::Bar;
-use super::stop::{Stop, paragraphs};
+use super::stop::Stop;
 use super::{expect, survey};
 use crate::expect::{Expected, Set};
 use crate::vary::folder::{self, Draft, Originals, WriteSetError};
@@ -55,7 +55,7 @@ fn originals(args: &VaryArgs, set: &Set, talk: Talk) -> Result<Originals, Stop> 
     }
     let bar = Bar::cases(n_varying as u64, talk);
     let originals = folder::originals(&args.stages, set, || bar.add(1))
-        .map_err(|why| Stop::Usage(paragraphs(&why)))?;
+        .map_err(|why| Stop::Usage(say::paragraphs(&why)))?;
     drop(bar);
     if talk > Talk::Quiet {
         for id in &originals.constant {
@@ -77,7 +77,7 @@ fn write(
     let Originals { varying, constant } = originals;
     let bar = Bar::cases(varying.len() as u64, talk);
     let varied = folder::draw(varying, set, seed, || bar.add(1))
-        .map_err(|why| Stop::NotPassed(paragraphs(&why)))?;
+        .map_err(|why| Stop::NotPassed(say::paragraphs(&why)))?;
     drop(bar);
     // Nothing has been written so far, so a signal could end the program at once. From now on the
     // first signal ends the work instead.

@@ -9,6 +9,6 @@ pub fn levels(light: f64) -> f64 {
 }
 
 /// Formats a number with three significant digits, and with a sign unless it is 0.
-pub(super) fn signed(x: f64) -> String {
+pub fn signed(x: f64) -> String {
     if x > 0.0 { format!("+{}", figure(x)) } else { figure(x) }
 }

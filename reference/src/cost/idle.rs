@@ -49,9 +49,9 @@ pub struct Without {
 }
 
 impl EffectCost {
-    /// Returns whether the effect is simulated and changes no pixel.
+    /// Returns whether the effect is called for and simulated, and changes no pixel.
     pub fn is_idle(&self) -> bool {
-        self.without.is_some_and(|without| without.n_changed == 0)
+        self.called_for && self.without.is_some_and(|without| without.n_changed == 0)
     }
 }
 

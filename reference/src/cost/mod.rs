@@ -10,7 +10,7 @@
 //! | `idle.rs` | a scene without each of its effects: pixels, rays and times |
 //! | `uncalled.rs` | the cost of an effect in a scene that does not call for it |
 //! | `forms.rs`, `table.rs`, `csv.rs`, `plot.rs`, `page.rs` | reports as text, CSV table, SVG picture and HTML page |
-//! | `figures.rs` | shares and levels as reports print them |
+//! | `figures.rs` | levels, and numbers with a sign, as reports print them |
 //! | `scaled.rs`, `document.rs` | a scene in another size; the page `docs/accuracy.md` |
 //!
 //! Nothing here reads a clock. The caller passes a [`measure::Outside`].

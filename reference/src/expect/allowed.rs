@@ -46,7 +46,10 @@ impl Allowance {
 #[derive(Debug, thiserror::Error)]
 pub enum AllowanceError {
     /// The answer jumps.
-    #[error("the answer jumps where {place} is rounded to single precision")]
+    #[error(
+        "the answer jumps where {place} is rounded to single precision: choose numbers farther \
+         from the edge"
+    )]
     Jump {
         /// The place of the number in the question.
         place: String,

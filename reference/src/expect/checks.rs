@@ -30,7 +30,7 @@ pub enum CheckError {
         why: String,
     },
     /// The error of the answer has no bound.
-    #[error("{id}: choose numbers farther from the edge")]
+    #[error("{id}")]
     Edge {
         /// The check.
         id: String,

@@ -55,7 +55,7 @@ impl Answers {
 #[derive(Debug, thiserror::Error)]
 pub enum ExpectError {
     /// Unit checks are ill posed or wrong on paper; a paragraph for each.
-    #[error("{}", paragraphs(.0))]
+    #[error("{}", say::paragraphs(.0))]
     Checks(Vec<CheckError>),
     /// A picture cannot be encoded.
     #[error("the answer to {id} cannot be encoded")]
@@ -71,10 +71,6 @@ pub enum ExpectError {
     /// A list cannot be encoded.
     #[error("a list of answers cannot be encoded")]
     List(#[from] serde_json::Error),
-}
-
-fn paragraphs(errors: &[CheckError]) -> String {
-    errors.iter().map(|why| say::chain(why)).collect::<Vec<_>>().join("\n")
 }
 
 /// The caller's view of long work.

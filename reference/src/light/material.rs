@@ -22,7 +22,7 @@ pub struct Material<T> {
 /// light nor kd + ks is 0. [rule 3]
 ///
 /// A red lamp adds nothing to a blue surface, so that its shadow ray would change nothing. The
-/// products are computed once for a scene: at each hit they cost up to 2 % of the instructions of a
+/// lights are found once for a scene: products at each hit cost up to 2 % of the instructions of a
 /// picture that has no such lamp.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ReflectedLights(u64);

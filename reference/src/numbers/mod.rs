@@ -8,6 +8,7 @@
 //! | [`vec3`] | vectors of three components |
 //! | [`roots`] | the one solver of quadratics [rule 14] |
 //! | [`bounds`] | boxes that are aligned with the axes |
+//! | [`stream`] | pseudorandom numbers that are the same on every machine |
 
 pub mod bounds;
 pub mod real;

@@ -6,6 +6,7 @@ use cases::film::Image;
 use cases::probe::{Answer, Ask};
 use cases::stage::{self, Case};
 use glam::DVec3;
+use pages::say;
 use rayon::prelude::*;
 use reference::expect;
 use reference::rules::misconceptions;
@@ -180,7 +181,7 @@ fn every_legal_course_has_answers_to_all_unit_checks() {
             let rules = Rules::of(course);
             let checks = stages.iter().flat_map(|stage| &stage.checks);
             let failed = checks.filter_map(|check| expect::right_answer(check, &rules).err());
-            failed.map(|why| format!("{name}: {why}")).collect::<Vec<_>>()
+            failed.map(|why| format!("{name}: {}", say::chain(&why))).collect::<Vec<_>>()
         })
         .collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

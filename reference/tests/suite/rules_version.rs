@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use cases::Course;
 use cases::answer::RULES_VERSION;
 use cases::stage;
+use pages::say;
 use reference::expect::{self, Progress, Set};
 use sha2::{Digest, Sha256};
 
@@ -34,12 +35,13 @@ fn hash() -> String {
             .unwrap_or_else(|problems| panic!("{problems}"));
         let set = Set::new(stages, &course);
         let answers = expect::of_set(&data("rules"), &set, |_| true, &Unwatched)
-            .unwrap_or_else(|why| panic!("{why}"));
+            .unwrap_or_else(|why| panic!("{}", say::chain(&why)));
         for case in &answers.cases {
             hasher.update(format!("{:?} {:?}", case.answer, case.wrong));
         }
         for check in set.stages.iter().flat_map(|stage| &stage.checks) {
-            let answer = expect::of_check(check, &course).unwrap_or_else(|why| panic!("{why}"));
+            let answer = expect::of_check(check, &course)
+                .unwrap_or_else(|why| panic!("{}", say::chain(&why)));
             hasher.update(format!(
                 "{:?} {} {} {:?}",
                 answer.answer, answer.allowed, answer.either, answer.wrong

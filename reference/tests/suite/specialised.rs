@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use cases::film::Image;
 use cases::stage::{self, Case, Stage};
 use cases::{Effect, Effects};
+use pages::say;
 use rayon::prelude::*;
 use reference::rules::{Lecture, Rules};
 use reference::trace::render::{Options, count_by, render, render_by};
@@ -83,8 +84,8 @@ fn a_thousand_others_have_one_picture_each() {
         let path = folder().join(format!("{}.toml", case.id));
         let text = std::fs::read_to_string(&path).unwrap();
         for seed in 0..n_seeds {
-            let drawn =
-                draw_any(case, &path, &text, *allowed, seed).unwrap_or_else(|why| panic!("{why}"));
+            let drawn = draw_any(case, &path, &text, *allowed, seed)
+                .unwrap_or_else(|why| panic!("{}", say::chain(&why)));
             assert!(drawn.scene != case.scene, "{} does not vary", case.id);
             check(&drawn, *allowed, (32, 24));
         }

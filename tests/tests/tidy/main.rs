@@ -144,7 +144,7 @@ fn text_errors(path: &std::path::Path) -> Vec<String> {
 }
 
 #[test]
-fn errors_are_types_at_the_borders_of_modules() {
+fn errors_of_public_functions_are_types() {
     let mut found = BTreeSet::new();
     for folder in ["cases/src", "reference/src", "grader/src", "grader/pages/src"] {
         found.extend(files(folder, "rs").iter().flat_map(|path| text_errors(path)));

@@ -1,16 +1,14 @@
 //! `grader batch`.
 
-use crate::batch::{self, OnBench, Options, Shown, Summary};
-use crate::grade::{Bench, Options as One};
-use crate::sandbox::LEVEL;
 use pages::{lines, say};
 
-use crate::sandbox;
-
+use crate::batch::{self, OnBench, Options, Shown, Summary};
 use crate::cli::arguments::{Batch, stages};
 use crate::cli::commands::grade::say_lowered;
 use crate::cli::exit::{self, Done, Outcome};
 use crate::cli::progress::Talk;
+use crate::grade::{Bench, Options as One};
+use crate::sandbox::{self, LEVEL};
 
 pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
     sandbox::clear_leftovers();

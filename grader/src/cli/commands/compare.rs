@@ -2,17 +2,17 @@
 
 use std::path::Path;
 
+use cases::answer::{ImageAnswer, Limits};
+use cases::film::{PictureError, Rows, most_bytes};
+
+use crate::cli::arguments::Compare;
+use crate::cli::exit::{Done, Outcome, print};
 use crate::exam;
 use crate::grade::GradeError;
 use crate::input::{self, Input};
 use crate::judge::{self, RowsCompared};
 use crate::record::Verdict;
 use crate::sandbox::interrupted;
-use cases::answer::{ImageAnswer, Limits};
-use cases::film::{PictureError, Rows, most_bytes};
-
-use crate::cli::arguments::Compare;
-use crate::cli::exit::{Done, Outcome, print};
 
 /// Number of pixels that are decoded before they are compared, few enough to stay in the cache.
 const BAND_PIXELS: usize = 1 << 15;

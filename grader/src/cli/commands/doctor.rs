@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
+use pages::say;
+
 use crate::build::{Toolchain, Workshop};
+use crate::cli::arguments::{Doctor, stages};
+use crate::cli::exit::{self, Done, Outcome};
 use crate::exam::Exam;
 use crate::exercise::Allowance;
 use crate::sandbox::{Folder, LEVEL, memory_left};
-use pages::say;
-
-use crate::cli::arguments::{Doctor, stages};
-use crate::cli::exit::{self, Done, Outcome};
 
 /// A line of the report: the subject, and what is there, or what is missing and how to get it.
 type Line = (&'static str, Result<String, String>);

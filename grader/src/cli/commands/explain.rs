@@ -1,12 +1,10 @@
 //! `grader explain`.
 
-use crate::grade::{Bench, explain};
-
-use crate::sandbox;
-
 use crate::cli::arguments::{Explain, stages};
 use crate::cli::exit::{self, Done, Outcome};
 use crate::cli::progress::{Bar, Talk};
+use crate::grade::{Bench, explain};
+use crate::sandbox;
 
 pub(crate) fn run(arguments: &Explain, talk: &Talk) -> Outcome {
     sandbox::clear_leftovers();

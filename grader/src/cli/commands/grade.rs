@@ -1,14 +1,14 @@
 //! `grader grade`.
 
-use crate::exercise::Allowance;
-use crate::grade::{Bench, GradeError, Options, grade};
-use crate::sandbox;
 use pages::say;
 
 use crate::cli::arguments::Grade;
 use crate::cli::commands::publish;
 use crate::cli::exit::Outcome;
 use crate::cli::progress::{Bar, Talk};
+use crate::exercise::Allowance;
+use crate::grade::{Bench, GradeError, Options, grade};
+use crate::sandbox;
 
 /// Prints what the options select, before anything is run.
 pub(crate) fn say_selected(

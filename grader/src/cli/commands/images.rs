@@ -2,13 +2,12 @@
 
 use std::io::ErrorKind;
 
-use crate::grade::{Bench, GradeError, images};
-
 use crate::cli::arguments::Images;
 use crate::cli::commands::grade::say_selected;
 use crate::cli::commands::publish;
 use crate::cli::exit::Outcome;
 use crate::cli::progress::Talk;
+use crate::grade::{Bench, GradeError, images};
 
 pub(crate) fn run(arguments: &Images, talk: &Talk) -> Outcome {
     let folder = &arguments.folder;

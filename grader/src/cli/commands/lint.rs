@@ -3,12 +3,11 @@
 use std::path::Path;
 
 use crate::blame::Blame;
-use crate::grade::GradeError;
-use crate::lint;
-
 use crate::cli::arguments::{Lint, stages};
 use crate::cli::exit::{self, Done, Outcome};
 use crate::cli::progress::Talk;
+use crate::grade::GradeError;
+use crate::lint;
 
 pub(crate) fn run(arguments: &Lint, talk: &Talk) -> Outcome {
     let folder = stages(arguments.folder.as_deref())?;

@@ -3,16 +3,16 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::grade::GradeError;
-use crate::graded::Graded;
-use crate::record::{FindingKind, Record, Verdict};
-use crate::report::{html, junit, terminal};
 use cases::files::{self, Place, is_stdout};
 use pages::lines;
 
 use crate::cli::arguments::Reports;
 use crate::cli::exit::{self, Done, Outcome};
 use crate::cli::progress::Talk;
+use crate::grade::GradeError;
+use crate::graded::Graded;
+use crate::record::{FindingKind, Record, Verdict};
+use crate::report::{html, junit, terminal};
 
 /// Checks that the reports can be written. This comes before any program runs, since grading takes
 /// minutes.

@@ -1,14 +1,13 @@
 //! `grader completions`, `grader man` and `grader schema`.
 
-use crate::files;
-use crate::grade::GradeError;
-use crate::record;
-use cases::files::WriteError;
+use cases::files::{self, WriteError};
 use clap::CommandFactory;
 use pages::shell;
 
 use crate::cli::arguments::{Arguments, Completions, Man};
 use crate::cli::exit::{self, Done, Outcome};
+use crate::grade::GradeError;
+use crate::record;
 
 pub(crate) fn schema() -> Outcome {
     exit::print_raw(format!("{:#}\n", record::schema()).as_bytes())?;
@@ -24,9 +23,10 @@ pub(crate) fn man(arguments: &Man) -> Outcome {
     match shell::man(Arguments::command(), arguments.what.as_deref()).map_err(GradeError::Usage)? {
         shell::Man::Page(page) => exit::print_raw(&page)?,
         shell::Man::Folder(folder, pages) => {
+            std::fs::create_dir_all(&folder)
+                .map_err(|source| WriteError::untouched(&folder, source))?;
             for (name, page) in &pages {
-                let path = folder.join(name);
-                files::write(&path, page).map_err(|source| WriteError::untouched(&path, source))?;
+                files::write(&folder.join(name), page)?;
             }
         }
     }
