@@ -104,8 +104,15 @@ fn every_call_ends_as_help_says() {
 fn every_command_and_every_code_of_its_help_is_in_the_table() {
     let place = tempfile::tempdir().unwrap();
     // These need a disk that fails, or minutes.
-    let excused =
-        [("render", 3), ("cost", 3), ("expect", 3), ("vary", 3), ("vary", 0), ("vary", 1)];
+    let excused = [
+        ("render", 3),
+        ("effects", 3),
+        ("cost", 3),
+        ("expect", 3),
+        ("vary", 3),
+        ("vary", 0),
+        ("vary", 1),
+    ];
     let help = String::from_utf8(run(place.path(), &["--help"], "").stdout).unwrap();
     let commands = help.split("Commands:").nth(1).unwrap().split("Options:").next().unwrap();
     let names: Vec<&str> =
