@@ -75,6 +75,7 @@ edition = "2024"
 [dependencies]
 cases.workspace = true
 bitflags = { version = "*", features = ["std"] }
+flate2 = { version = "*", features = ["zlib-rs"] }
 memchr = "*"
 miniz_oxide = "*"
 serde_core = "*"
@@ -264,4 +265,25 @@ fn publish(artifacts: &[Artifact], dependencies: &[String], folder: &Path) -> Re
         Ok(())
     })?;
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A package that is not locked would be fetched from the network, and by any version.
+    #[test]
+    fn all_packages_of_the_manifest_are_locked() {
+        let manifest: toml::Table = MANIFEST.parse().unwrap();
+        let lock =
+            std::fs::read_to_string("../Cargo.lock").unwrap().parse::<toml::Table>().unwrap();
+        let packages = lock["package"].as_array().unwrap();
+        let is_locked =
+            |name: &String| packages.iter().any(|package| package["name"].as_str() == Some(name));
+        for table in ["dependencies", "build-dependencies"] {
+            for name in manifest[table].as_table().unwrap().keys() {
+                assert!(is_locked(name), "{name} is not in Cargo.lock: leave it out");
+            }
+        }
+    }
 }

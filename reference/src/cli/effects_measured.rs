@@ -12,13 +12,14 @@ use super::output::{Talk, print_json, print_text};
 use super::stop::Stop;
 use crate::cost::figures::signed;
 use crate::cost::idle::{EffectCost, EffectCosts, Without};
+use crate::cost::sweep::Sweep;
 use crate::rules::Rules;
 
 /// Runs the command.
 pub(super) fn run(args: &EffectsArgs, talk: Talk) -> Result<(), Stop> {
     let Found { scene, course, .. } = find::found(&args.scene, &args.course)?;
     let session = Session::start(1, talk)?;
-    let (rules, sweep) = (Rules::of(&course), EffectCosts::sweep(&scene));
+    let (rules, sweep) = (Rules::of(&course), Sweep::of_effects(&scene));
     let measured = session.sweep(&scene, &rules, &sweep, usize::from(args.rounds))?;
     let costs = EffectCosts::new(&scene, effects::reasons(&scene, &course), &measured);
     if args.json {

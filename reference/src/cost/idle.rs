@@ -5,7 +5,7 @@ use cases::{Effect, Scene};
 use serde::Serialize;
 
 use super::measure::Measured;
-use super::sweep::{About, Sweep};
+use super::sweep::About;
 use super::times::Times;
 use crate::watch::Counts;
 
@@ -40,7 +40,8 @@ pub struct EffectCost {
 /// A picture without one effect.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Without {
-    /// The pixels whose 8-bit colour differs.
+    /// The pixels whose 8-bit colour differs. Those whose light is not finite without the effect
+    /// count too.
     pub n_changed: u64,
     /// Milliseconds a picture.
     pub time_ms: Times,
@@ -56,13 +57,10 @@ impl EffectCost {
 }
 
 impl EffectCosts {
-    /// Returns the settings to measure: the scene's own, and that without each of its effects.
-    pub fn sweep(scene: &Scene) -> Sweep {
-        Sweep::of_effects(scene)
-    }
-
-    /// Returns the costs that were `measured` by [`EffectCosts::sweep`] of `scene`, with the
+    /// Returns the costs that were `measured` by [`Sweep::of_effects`] of `scene`, with the
     /// `reasons` for which the scene calls for its effects.
+    ///
+    /// [`Sweep::of_effects`]: super::sweep::Sweep::of_effects
     pub fn new(scene: &Scene, reasons: Vec<Reason>, measured: &[Measured]) -> Self {
         let n_pixels = u64::from(scene.render.width) * u64::from(scene.render.height);
         let without = |effect| {

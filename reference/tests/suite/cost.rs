@@ -1,7 +1,7 @@
 //! Tests of `cost`: the settings that are measured, the report of the measurements, and its
 //! formats.
 
-use crate::shared::{SCENE, well_formed};
+use crate::common::cost::{SCENE, well_formed};
 use cases::{Course, Effect, Scene, effects, stage};
 use reference::cost::bench::Bench;
 use reference::cost::error::Error;
@@ -73,7 +73,7 @@ fn report_of(name: &str, n_rounds: usize, outside: &mut FakeClock) -> Option<Rep
 fn effect_costs(text: &str) -> EffectCosts {
     let scene = scene(text);
     let mut bench = Bench::new(&scene, &Rules::LECTURE);
-    let sweep = EffectCosts::sweep(&scene);
+    let sweep = Sweep::of_effects(&scene);
     let measured = measure(&mut bench, &sweep, 1, &mut FakeClock::until(usize::MAX)).unwrap();
     EffectCosts::new(&scene, effects::reasons(&scene, &Course::default()), &measured)
 }

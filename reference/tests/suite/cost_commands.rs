@@ -5,7 +5,7 @@ use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use crate::shared::{SCENE, well_formed};
+use crate::common::cost::{SCENE, well_formed};
 
 fn run(folder: &Path, args: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_reference")).current_dir(folder).args(args).output().unwrap()

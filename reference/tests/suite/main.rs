@@ -26,7 +26,6 @@ mod paper;
 mod rules_version;
 mod scaling;
 mod search;
-mod shared;
 mod specialised;
 mod stable_pictures;
 mod surfaces;

@@ -1,6 +1,7 @@
 //! Shared by the tests: scenes from text, and reproducible random numbers.
 
 pub(crate) mod catalogue;
+pub(crate) mod cost;
 pub(crate) mod program;
 pub(crate) mod random;
 
