@@ -38,7 +38,8 @@ impl<T: Real> Plane<T> {
     ///
     /// With u half a ulp, N·d is off by 3u Σ|N_i d_i| at most and k − N·P by 4u (|k| + Σ|N_i P_i|);
     /// 8u is twice that. Where that leaves a sign open, or most digits of t cancel, the second step
-    /// is taken.
+    /// is taken. A ray that starts on a plane through the origin has only terms that are 0: it
+    /// leaves the plane at t = 0, or is parallel.
     #[inline(always)]
     fn certified(&self, k: T, ray: &Ray<T>) -> Option<T> {
         let n = self.normal;
@@ -55,6 +56,10 @@ impl<T: Real> Plane<T> {
             if exceeds(T::of(1.0 / 32.0)) {
                 return Some(height / slope);
             }
+        }
+        let is_zero = |axis: usize| (n[axis] == T::ZERO) | (ray.origin[axis] == T::ZERO);
+        if k == T::ZERO && is_zero(0) & is_zero(1) & is_zero(2) && ray.is_before(T::ZERO) {
+            return None;
         }
         settle::plane(&self.normal, k, ray)
     }
@@ -98,5 +103,20 @@ mod tests {
         check([0.0; 3], [0.0, -1.0, 0.0], None);
         check([6.0, 8.0, 1.0], [-0.6, -0.8, 0.0], Some(8.0)); // from behind: 10 − 2
         check([0.0; 3], [0.0, 0.0, 1.0], None); // parallel
+    }
+
+    #[test]
+    fn a_ray_that_starts_on_a_plane_through_the_origin_leaves_it() {
+        let plane = Plane { normal: Vec3::axis(1), k: 0.0 };
+        let from = |y: f64, direction: Vec3<f64>| {
+            let ray = Ray::leaving(Lecture, Vec3::new(3.0, y, -2.0), direction);
+            plane.intersect(Lecture, &ray).map(|hit| hit.t)
+        };
+        assert_eq!(from(0.0, Vec3::new(0.8, 0.6, 0.0)), None);
+        assert_eq!(from(0.0, Vec3::new(0.8, -0.6, 0.0)), None);
+        assert_eq!(from(-0.0, Vec3::new(1.0, 0.0, 0.0)), None);
+        // The least number above 0: below it lies the plane, at t = 5e-324 / 0.5.
+        assert_eq!(from(5e-324, Vec3::new(0.0, -0.5, 0.0)), Some(1e-323));
+        assert_eq!(from(5e-324, Vec3::new(0.0, 0.5, 0.0)), None);
     }
 }

@@ -18,5 +18,5 @@ mod triangle;
 
 pub(super) use flat::{cuboid, plane, square};
 pub(super) use round::Coil;
-pub(super) use sphere::Ball;
+pub(super) use sphere::{Ball, power};
 pub(super) use triangle::{barycentric, outwards, triangle};

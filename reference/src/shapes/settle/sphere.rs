@@ -1,6 +1,6 @@
 //! The sphere in two words. [rule 14]
 
-use super::line::{Line, coordinates, greatest};
+use super::line::{Line, coordinates, double, greatest};
 use crate::numbers::real::Real;
 use crate::numbers::roots;
 use crate::numbers::two::{Two, Two3};
@@ -10,6 +10,17 @@ use crate::rays::ray::Ray;
 /// The exponent that the greatest coordinate is scaled to. Squares of lengths stay well within what
 /// Dekker's product can take, and so do those 2^500 times smaller.
 const ROOM: i32 = 200;
+
+/// Returns the power of a point with respect to a sphere, ‖point − center‖² − radius².
+///
+/// It is off by less than [`DOUBT`](crate::numbers::two::DOUBT) of the sum of both squares, which
+/// must be in the range of `Real::SAFE`: nothing is scaled.
+#[inline(never)]
+pub(in crate::shapes) fn power<T: Real>(center: &Vec3<T>, radius: &T, point: &Vec3<T>) -> T {
+    let from_center = Two3::difference(double(*point), double(*center));
+    let radius = radius.f64();
+    T::of((from_center.dot(from_center) - Two::product(radius, radius)).f64())
+}
 
 /// A sphere, and a ray's line.
 pub(in crate::shapes) struct Ball {
