@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand, ValueEnum};
 
 pub(super) use super::cost_args::CostArgs;
-use super::values::{CourseArg, STAGES, size, threshold};
+use super::values::{CourseArg, STAGES, formula, size, threshold};
+use crate::rules::Formula;
 
 /// Renders and explains scenes by the numbered rules of light, and writes the answers that
 /// submissions are judged by.
@@ -114,6 +115,7 @@ Examples:
   reference render 02_shadows/two_lamps -o two_lamps.png
   reference render scene.json out.pfm                      like the call of a submission
   reference render scene.toml -o big.exr --size 1280x960 --samples 4 --stats
+  reference render scene.toml -o smooth.png --samples 4 --adaptive
   reference render scene.toml -o fast.png --max-depth 50 --threshold 1/256 --stats
   reference render scene.toml -o - --effects shadows,reflection > out.png
   reference render scene.toml -o - | grader compare - expected.png
@@ -150,6 +152,10 @@ pub(super) struct RenderArgs {
     /// Floating-point numbers to compute with
     #[arg(long, default_value = "f64")]
     pub precision: Precision,
+    /// Formulas to compute with: `plain` is what most tracers use, `stable` does not cancel,
+    /// `robust` is the reference's own
+    #[arg(long, value_name = "FORMULAS", default_value = "robust", value_parser = formula)]
+    pub formulas: Formula,
     /// Effects to simulate: `auto` (those the scene lists), `all`, `none`, or names such as
     /// `shadows,reflection`. Effects that are not named are left out: without `transforms` objects
     /// stay in their own space, without `attenuation` lights are as strong at any distance
@@ -163,6 +169,10 @@ pub(super) struct RenderArgs {
         value_parser = clap::value_parser!(u32).range(1..=256)
     )]
     pub samples: u32,
+    /// Cast the N x N rays of --samples only through pixels that differ from a neighbour by more
+    /// than 9 of 255 levels in some channel; one ray through the others
+    #[arg(long, requires = "samples")]
+    pub adaptive: bool,
     /// Number of threads; the picture is the same with any number [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Parser;
 
-use super::values::{CourseArg, size, threshold};
+use super::values::{CourseArg, formula, size, threshold};
 use crate::cost::functions::Candidate;
 use crate::cost::setting::Formula;
 use crate::cost::sweep::{Axes, finer};
@@ -176,11 +176,4 @@ impl CostArgs {
 fn precision(text: &str) -> Result<Precision, String> {
     let known = [Precision::F32, Precision::F64];
     known.into_iter().find(|p| p.says() == text).ok_or_else(|| "f32 or f64".to_owned())
-}
-
-fn formula(text: &str) -> Result<Formula, String> {
-    Formula::ALL
-        .into_iter()
-        .find(|f| f.name() == text)
-        .ok_or_else(|| "plain, stable or robust".to_owned())
 }

@@ -34,7 +34,7 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     files::check(out)?;
     let mut clock = Clock(Instant::now());
     let Found { mut scene, allowed, course } = find::found(&args.scene, &args.course)?;
-    let rules = Rules::of(&course);
+    let rules = args.formulas.rules(&Rules::of(&course));
     adjust(&mut scene, args, allowed, &course);
     scene.effects = selected(&scene, &args.effects)?;
     if let Some(threshold) = args.threshold {
@@ -51,8 +51,12 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     let pool = pool.use_current_thread().build();
     let pool = pool.map_err(Stop::machine("cannot start threads"))?;
     let samples = args.samples;
-    let fineness =
-        Fineness { samples, light_cutoff: args.light_cutoff, counts: args.stats.is_some() };
+    let fineness = Fineness {
+        samples,
+        adaptive: args.adaptive,
+        light_cutoff: args.light_cutoff,
+        counts: args.stats.is_some(),
+    };
     let ((image, stats, work), prepare_s) = pool.install(|| match args.precision {
         Precision::F32 => picture::<f32>(&scene, &rules, fineness, talk),
         Precision::F64 => picture::<f64>(&scene, &rules, fineness, talk),
@@ -150,6 +154,7 @@ type Picture = (Image, Stats, Option<Amounts>);
 #[derive(Clone, Copy, Debug)]
 struct Fineness {
     samples: u32,
+    adaptive: bool,
     light_cutoff: f64,
     /// Whether the work is counted.
     counts: bool,
@@ -162,13 +167,14 @@ fn picture<T: Real>(
     fineness: Fineness,
     talk: Talk,
 ) -> (Picture, f64) {
-    let Fineness { samples, light_cutoff, counts } = fineness;
+    let Fineness { samples, adaptive, light_cutoff, counts } = fineness;
     let start = Instant::now();
     let world = World::<T>::new(scene);
     let prepare_s = start.elapsed().as_secs_f64();
     let n_pixels = u64::from(scene.render.width) * u64::from(scene.render.height);
-    let bar = Bar::rendering(n_pixels, u64::from(samples) * u64::from(samples), talk);
-    let options = Options { samples, light_cutoff, ..Options::of(&world) };
+    let n_rays = if adaptive { 1 } else { u64::from(samples) * u64::from(samples) };
+    let bar = Bar::rendering(n_pixels, n_rays, talk);
+    let options = Options { samples, adaptive, light_cutoff, ..Options::of(&world) };
     let progress = |n| bar.add(n);
     let picture = if counts {
         let (image, stats, work) = render::count_by(&world, rules, &options, progress);

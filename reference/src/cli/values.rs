@@ -1,8 +1,10 @@
-//! Arguments that several commands share: stages, a course, a size, a weight.
+//! Arguments that several commands share: stages, a course, a size, a weight, formulas.
 
 use std::path::PathBuf;
 
 use clap::Parser;
+
+use crate::rules::Formula;
 
 /// The folder in which stages are looked up.
 pub(super) const STAGES: &str = "cases/stages";
@@ -40,6 +42,14 @@ pub(super) fn threshold(text: &str) -> Result<f64, String> {
     };
     let wrong = || "this is a number from 0 to 1, such as 0.01 or 1/256".to_owned();
     value.filter(|value| (0.0..=1.0).contains(value)).ok_or_else(wrong)
+}
+
+/// Parses the name of a set of formulas.
+pub(super) fn formula(text: &str) -> Result<Formula, String> {
+    Formula::ALL
+        .into_iter()
+        .find(|f| f.name() == text)
+        .ok_or_else(|| "plain, stable or robust".to_owned())
 }
 
 #[cfg(test)]

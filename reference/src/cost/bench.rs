@@ -92,5 +92,9 @@ fn render<T: Real>(world: &mut World<T>, rules: &Rules, setting: &Setting) -> (I
     world.render.threshold = setting.threshold;
     let options =
         Options { effects: setting.simulated(), samples: setting.samples, ..Options::of(world) };
-    render::render_by(world, &setting.formula.rules(rules), &options, |_| {})
+    let rules = setting.formula.rules(rules);
+    match setting.alike {
+        true => render::render_alike(world, &rules, &options, |_| {}),
+        false => render::render_by(world, &rules, &options, |_| {}),
+    }
 }

@@ -6,58 +6,7 @@ use cases::{Effect, Effects, Scene};
 use serde::Serialize;
 
 use crate::expect::variations::Precision;
-use crate::rules::{
-    PlaneFormula, Quadratic, Robustness, Rules, Snell, Start, Style, TriangleFormula,
-};
-
-/// A set of formulas. The sets are ordered from the fastest to the most reliable.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Formula {
-    /// Textbook quadratic and plane, Möller–Trumbore, RAY_EPSILON, as in most tracers.
-    Plain,
-    /// Formulas that avoid cancellation, without a bound on their error; RAY_EPSILON.
-    Stable,
-    /// The reference's own formulas. They bound their rounding error, and compute with more digits
-    /// where the bound leaves a decision open.
-    Robust,
-}
-
-impl Formula {
-    /// All sets, the fastest first.
-    pub const ALL: [Self; 3] = [Self::Plain, Self::Stable, Self::Robust];
-
-    /// Returns the name on the command line and in tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Plain => "plain",
-            Self::Stable => "stable",
-            Self::Robust => "robust",
-        }
-    }
-
-    /// Returns the style that selects these formulas.
-    pub const fn style(self) -> Style {
-        let stable =
-            Style { robustness: Robustness::Plain, start: Start::Interval, ..Style::REFERENCE };
-        match self {
-            Self::Plain => Style {
-                quadratic: Quadratic::Textbook,
-                plane: PlaneFormula::Textbook,
-                triangle: TriangleFormula::MollerTrumbore,
-                snell: Snell::Textbook,
-                ..stable
-            },
-            Self::Stable => stable,
-            Self::Robust => Style::REFERENCE,
-        }
-    }
-
-    /// Returns the rules `base` with these formulas.
-    pub fn rules(self, base: &Rules) -> Rules {
-        Rules { style: self.style(), ..*base }
-    }
-}
+pub use crate::rules::Formula;
 
 /// One way to compute the picture of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -72,6 +21,9 @@ pub struct Setting {
     pub max_depth: u32,
     /// The weight below which rays spawn no more rays; 0 for never. [rule 13]
     pub threshold: f64,
+    /// Whether the kernel is one of those that are compiled alike for all formulas, so that only
+    /// the formulas differ. The picture is the same.
+    pub alike: bool,
     /// The effects that are simulated, except for `adaptive_depth`: `threshold` alone decides
     /// whether paths end by their weight.
     #[serde(skip)]
@@ -92,6 +44,7 @@ impl Setting {
             } else {
                 0.0
             },
+            alike: false,
             effects: scene.effects.without(Effect::AdaptiveDepth),
         }
     }

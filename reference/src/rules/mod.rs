@@ -7,10 +7,12 @@
 
 mod choices;
 mod course;
+mod formula;
 pub mod misconceptions;
 mod style;
 
 pub use choices::*;
+pub use formula::Formula;
 pub use style::*;
 
 use cases::film::Quantiser;
@@ -45,6 +47,28 @@ impl RuleSource for Lecture {
     #[inline(always)]
     fn get(&self) -> &Rules {
         const { &Rules::LECTURE }
+    }
+}
+
+/// The rules of [`Lecture`], computed by [`Formula::Plain`], known at compile time.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct LecturePlain;
+
+impl RuleSource for LecturePlain {
+    #[inline(always)]
+    fn get(&self) -> &Rules {
+        const { &Formula::Plain.rules(&Rules::LECTURE) }
+    }
+}
+
+/// The rules of [`Lecture`], computed by [`Formula::Stable`], known at compile time.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct LectureStable;
+
+impl RuleSource for LectureStable {
+    #[inline(always)]
+    fn get(&self) -> &Rules {
+        const { &Formula::Stable.rules(&Rules::LECTURE) }
     }
 }
 
@@ -173,6 +197,14 @@ impl Rules {
         style: Style::REFERENCE,
     };
 
+    /// Returns the formulas of these rules if they are the lecture's in all else that changes light.
+    ///
+    /// The quantiser is ignored, because light is converted to bytes after it is computed.
+    pub fn lecture_by(&self) -> Option<Formula> {
+        let light = Self { quantiser: Self::LECTURE.quantiser, ..*self };
+        Formula::ALL.into_iter().find(|formula| light == formula.rules(&Self::LECTURE))
+    }
+
     /// Returns the same rules in the style [`Style::PLAIN`].
     pub fn plain(self) -> Self {
         Self { style: Style::PLAIN, ..self }
@@ -189,5 +221,23 @@ impl Rules {
             && self.object_ray == ObjectRay::AsIs
             && self.sphere_roots != SphereRoots::UnitDirection
             && self.plane != PlaneSide::NegatedK
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rules_of_the_lecture_are_found_whatever_the_formulas_and_bytes() {
+        for formula in Formula::ALL {
+            let rules = formula.rules(&Rules::LECTURE);
+            assert_eq!(rules.lecture_by(), Some(formula));
+            let truncated = Rules { quantiser: Quantiser::Truncating, ..rules };
+            assert_eq!(truncated.lecture_by(), Some(formula));
+            assert_eq!(Rules { air: 1.0, ..rules }.lecture_by(), None);
+            let nudge = [0.5, 0.0];
+            assert_eq!(Rules { style: Style { nudge, ..rules.style }, ..rules }.lecture_by(), None);
+        }
     }
 }

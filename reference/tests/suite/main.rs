@@ -3,6 +3,7 @@
 //! They are one program, because each program of tests would compile the tracer's generic code
 //! again. Name a module to run a part: `cargo test -p reference --test suite course::`.
 
+mod adaptive;
 mod called_for;
 mod catalogue;
 mod catalogue_scenes;

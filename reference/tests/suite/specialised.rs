@@ -8,8 +8,8 @@ use cases::stage::{self, Case, Stage};
 use cases::{Effect, Effects};
 use pages::say;
 use rayon::prelude::*;
-use reference::rules::{Lecture, Rules};
-use reference::trace::render::{Options, count_by, render, render_by};
+use reference::rules::{Formula, Lecture, Rules};
+use reference::trace::render::{Options, count_by, render, render_alike, render_by};
 use reference::trace::simulated::{EyeAlone, WithShadows};
 use reference::vary::draw_any;
 use reference::world::World;
@@ -70,6 +70,26 @@ fn every_public_case_has_one_picture() {
     assert!(
         Effect::ALL.iter().all(|effect| n(&|e| e.has(*effect)) > 0 && n(&|e| !e.has(*effect)) > 0)
     );
+}
+
+#[test]
+fn formulas_that_are_compared_give_the_picture_of_rules_that_are_looked_up() {
+    for case in stages().iter().flat_map(|stage| &stage.cases) {
+        let mut scene = case.scene.clone();
+        (scene.render.width, scene.render.height) = (48, 36);
+        let world = World::<f64>::new(&scene);
+        let own = Options::of(&world);
+        for formula in Formula::ALL {
+            let rules = formula.rules(&Rules::LECTURE);
+            let looked_up = bits(&render(&world, &rules, &own, |_| {}).0);
+            for (picture, _) in [
+                render_by(&world, &rules, &own, |_| {}),
+                render_alike(&world, &rules, &own, |_| {}),
+            ] {
+                assert!(bits(&picture) == looked_up, "{} by {}", case.id, formula.name());
+            }
+        }
+    }
 }
 
 #[test]
