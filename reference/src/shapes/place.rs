@@ -28,7 +28,7 @@ impl<T: Real> Solid<T> {
                 n_geom: Vec3::axis(2),
             },
             Self::Cuboid(cuboid) => cuboid.place(at, hit.part),
-            Self::Round(round) => round.place(at, hit.part),
+            Self::Round(round) => round.place(ray, hit),
         }
     }
 }
@@ -126,11 +126,14 @@ impl<T: Real> Round<T> {
     /// as on the sphere, and by what r(z) itself loses, three roundings of the slope and three more
     /// of the terms of r(z).
     #[inline(always)]
-    fn place(&self, at: Vec3<T>, part: u32) -> HitPoint<T> {
+    fn place(&self, ray: &Ray<T>, hit: &ShapeHit<T>) -> HitPoint<T> {
+        let part = hit.part;
         if let Some(z) = self.cap_height(part) {
+            let at = ray.at(hit.t);
             let point = Vec3::new(at.x, at.y, z);
             return HitPoint { point, error: Vec3::ZERO, n_geom: self.normal(point, part) };
         }
+        let at = self.on_side(ray, hit.t);
         let (out, z) =
             (Vec3::new(at.x, at.y, T::ZERO), at.z.greatest(self.z_min).least(self.z_max));
         let radius = self.radius(z);

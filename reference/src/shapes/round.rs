@@ -105,8 +105,7 @@ impl<T: Real> Round<T> {
     #[cold]
     #[inline(never)]
     fn settled(&self, ray: &Ray<T>) -> Option<(T, u32)> {
-        let coil =
-            Coil::new(&[self.bottom_radius, self.top_radius], &[self.z_min, self.z_max], ray)?;
+        let coil = self.coil(ray)?;
         let counts = |t: &Two| ray.contains(coil.t(*t));
         let mut first = coil.side().into_iter().find(counts).map(|t| (t, SIDE));
         for (end, part) in [(0, BOTTOM), (1, TOP)].into_iter().filter(|_| self.is_capped) {
@@ -198,6 +197,26 @@ impl<T: Real> Round<T> {
             self.z_min <= z && z <= self.z_max && ray.contains(*t)
         };
         roots.into_iter().find(is_on)
+    }
+
+    /// Returns the point of the side at the hit of the ray at `t`, however far away the origin is.
+    ///
+    /// Where the origin is 64 times as far from the axis as the hit, or more, the point that t
+    /// alone gives has too few digits: it is computed in two words.
+    #[inline(always)]
+    pub(super) fn on_side(&self, ray: &Ray<T>, t: T) -> Vec3<T> {
+        let (o, at) = (ray.origin, ray.at(t));
+        let (oo, rr) = (o.x * o.x + o.y * o.y, at.x * at.x + at.y * at.y);
+        if oo < rr * T::of(4096.0) && rr.is_safe() {
+            return at;
+        }
+        self.coil(ray).and_then(|coil| coil.on_side(t)).unwrap_or(at)
+    }
+
+    /// Returns this surface and the line of the ray in two words; `None` for a ray without
+    /// direction.
+    fn coil(&self, ray: &Ray<T>) -> Option<Coil> {
+        Coil::new(&[self.bottom_radius, self.top_radius], &[self.z_min, self.z_max], ray)
     }
 
     /// Returns the outward unit normal at `point` of a part. The tip of a cone has none: the result
@@ -305,6 +324,16 @@ mod tests {
         check(open, [-1.5, 0.0, 3.0], [1.0, 0.0, -1.0], Some((2.5, [1.0, 0.0, 0.0])));
         check(capped, [0.5, 0.0, 5.0], [0.0, 0.0, -1.0], Some((3.0, [0.0, 0.0, 1.0])));
         check(capped, [0.5, 0.0, 1.0], [0.0, 0.0, -1.0], Some((1.0, [0.0, 0.0, -1.0])));
+    }
+
+    #[test]
+    fn a_far_cylinder_keeps_the_digits_of_its_normal() {
+        let cylinder =
+            Round { bottom_radius: 1.0, top_radius: 1.0, z_min: 0.0, z_max: 2.0, is_capped: false };
+        let ray = Ray::all_of(Vec3::new(-1e8, 0.6, 1.0), Vec3::axis(0));
+        let hit = cylinder.intersect(Lecture, &ray).expect("a hit");
+        let at = cylinder.on_side(&ray, hit.t);
+        assert!((at - Vec3::new(-0.8, 0.6, 1.0)).length() < 1e-15, "{at:?}");
     }
 
     #[test]

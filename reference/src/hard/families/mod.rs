@@ -90,11 +90,14 @@ families! {
         "along its axis": solid::along_axis, [1e-12, 1e-14], Some([1e-4, 1e-5]);
         "at a rim": solid::rim, [1e-11, 1e-11], Some([1e-4, 1e-4]);
         "touching": solid::touching, [1e-9, 1e-9], Some([1e-3, 1e-3]);
+        "far": solid::cylinder_far, [1e-14, 1e-13], Some([1e-6, 1e-4]);
     }
     "cone" {
         "generic": solid::cone, [1e-11, 1e-10], Some([1e-4, 1e-3]);
         "along its side": solid::along_side, [1e-12, 1e-11], Some([1e-4, 1e-3]);
         "at its tip": solid::tip, [1e-14, ANY], Some([1e-6, ANY]);
+        "on its side": solid::on_side, [1e-14, ANY], Some([1e-6, ANY]);
+        "far": solid::cone_far, [1e-13, 1e-12], Some([1e-6, 1e-4]);
     }
     "reflect" {
         "generic": light::reflect, [0.0, 1e-14], Some([0.0, 1e-5]);

@@ -22,8 +22,7 @@ pub(super) fn in_slab(draws: &mut Draws) -> Question {
     let (min, max) = corners(draws);
     let (axis, is_max) = (draws.index(3), draws.sign() > 0.0);
     let mut origin = draws.point(8.0);
-    let face = if is_max { max[axis] } else { min[axis] };
-    origin[axis] = [face, face.next_up(), face.next_down()][draws.index(3)];
+    origin[axis] = beside(draws, if is_max { max[axis] } else { min[axis] });
     let target: [f64; 3] =
         std::array::from_fn(|n| min[n] + draws.between(-0.2, 1.2) * (max[n] - min[n]));
     let mut direction = minus(target, origin);
@@ -138,6 +137,48 @@ pub(super) fn along_side(draws: &mut Draws) -> Question {
         radii: [0.0, 1.0],
         ends: [0.0, 1.0],
         is_capped: false,
+    }
+}
+
+/// Draws a line along a straight line of the side, or with components one rounding beside it.
+pub(super) fn on_side(draws: &mut Draws) -> Question {
+    let around = draws.across([0.0, 0.0, 1.0]);
+    let side = [around[0], around[1], 1.0];
+    let origin = side.map(|x| x * if draws.sign() > 0.0 { -1.0 } else { 0.25 });
+    let origin = origin.map(|x| beside(draws, x));
+    let direction = side.map(|x| beside(draws, x));
+    Question::Round {
+        line: Line { origin, direction },
+        radii: [0.0, 1.0],
+        ends: [0.0, 1.0],
+        is_capped: false,
+    }
+}
+
+/// Returns `x` or one of its neighbours.
+fn beside(draws: &mut Draws, x: f64) -> f64 {
+    [x, x.next_up(), x.next_down()][draws.index(3)]
+}
+
+/// Draws a cylinder that is a hundred to 10⁸ of its radii away.
+pub(super) fn cylinder_far(draws: &mut Draws) -> Question {
+    far(draws, |_| [1.0; 2])
+}
+
+/// Draws a cone that is a hundred to 10⁸ of its radii away.
+pub(super) fn cone_far(draws: &mut Draws) -> Question {
+    far(draws, |draws| [draws.between(0.2, 0.8), 1.0])
+}
+
+fn far(draws: &mut Draws, radii: fn(&mut Draws) -> [f64; 2]) -> Question {
+    let (size, distance, direction) =
+        (draws.power(-1.0, 1.0), draws.power(2.0, 8.0), draws.direction());
+    let origin = along(around(draws), direction, -distance).map(|x| x * size);
+    Question::Round {
+        line: Line { origin, direction },
+        radii: radii(draws).map(|r| r * size),
+        ends: [0.0, size],
+        is_capped: draws.sign() > 0.0,
     }
 }
 
