@@ -42,6 +42,18 @@ pub(super) fn plane_scale(draws: &mut Draws) -> Question {
     }
 }
 
+/// Draws a line whose N·d is one product of two components, near the least number of the
+/// precision.
+pub(super) fn plane_subnormal(draws: &mut Draws) -> Question {
+    let mut least = || {
+        let decades = draws.decades;
+        draws.sign() * draws.power(-decades - 12.0, -decades)
+    };
+    let (normal, direction) = ([1.0, least(), 0.0], [0.0, least(), 1.0]);
+    let origin = [draws.sign() * draws.power(-30.0, -5.0), draws.between(-5.0, 5.0), 0.0];
+    Question::Plane { line: Line { origin, direction }, normal, k: 0.0 }
+}
+
 /// Returns a line towards `target` from a random origin.
 fn towards(draws: &mut Draws, target: [f64; 3]) -> Line {
     let origin = draws.point(5.0);

@@ -63,6 +63,7 @@ families! {
         "near parallel": flat::plane_near_parallel, [1e-13, 0.0], Some([1e-4, 0.0]);
         "offset by 1e6": flat::plane_offset, [1e-13, 0.0], Some([1e-4, 0.0]);
         "at any scale": flat::plane_scale, [1e-13, 0.0], Some([1e-4, 0.0]);
+        "at a subnormal N·d": flat::plane_subnormal, [1e-13, 0.0], Some([1e-4, 0.0]);
     }
     "square" {
         "generic": flat::square, [1e-15, 0.0], Some([1e-6, 0.0]);

@@ -16,12 +16,13 @@ const ROOM: i32 = 300;
 #[inline(never)]
 pub(in crate::shapes) fn plane<T: Real>(normal: &Vec3<T>, k: T, ray: &Ray<T>) -> Option<T> {
     let of_normal = -exponent(coordinates([*normal])); // scales N to some 1
-    let (n, k) = (times(double(*normal), of_normal), scaled(k.f64(), of_normal));
-    let line = Line::new(ray, k, ROOM)?;
+    let line = Line::new(ray, scaled(k.f64(), of_normal), ROOM)?.stretched(2 * ROOM);
+    // N and d are scaled up, so that products of two small components keep their digits.
+    let n = times(double(*normal), of_normal + ROOM);
+    let k = scaled(k.f64(), of_normal + ROOM + line.lengths);
     let dot = |v: Vec3<f64>| (Two3::of(n).dot(Two3::of(v)), n.abs().dot(v.abs()));
     let (slope, slopes) = dot(line.direction);
     let (along, terms) = dot(line.origin);
-    let k = scaled(k, line.lengths);
     let slope = slope.certain(slopes);
     (slope != Two::ZERO).then(|| line.t((Two::of(k) - along).certain(k.abs() + terms) / slope))
 }

@@ -38,6 +38,11 @@ impl Line {
         })
     }
 
+    /// Returns the same line with a direction that is 2^`e` times as long.
+    pub(super) fn stretched(self, e: i32) -> Self {
+        Self { direction: times(self.direction, e), ways: self.ways + e, ..self }
+    }
+
     /// Returns a point of the scene in these units.
     pub(super) fn point<T: Real>(&self, point: Vec3<T>) -> Vec3<f64> {
         times(double(point), self.lengths)
