@@ -68,8 +68,8 @@ fn ways(function: &str) -> Vec<(&'static str, Style)> {
     let quadratics = |n| {
         Quadratic::ALL[..n].iter().map(|q| (q.says(), Style { quadratic: *q, ..stable })).collect()
     };
-    let others: Vec<(&'static str, Style)> = match function {
-        "sphere" | "transformed sphere" => quadratics(Quadratic::ALL.len()),
+    let others: Vec<(&'static str, Style)> = match function.trim_start_matches("transformed ") {
+        "sphere" => quadratics(Quadratic::ALL.len()),
         // The last quadratic exists only for spheres.
         "cylinder" | "cone" => quadratics(Quadratic::ALL.len() - 1),
         "plane" => {

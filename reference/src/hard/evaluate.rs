@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::question::{Line, Question};
+use super::question::{Form, Line, Question};
 use crate::light::optics;
 use crate::numbers::real::Real;
 use crate::numbers::vec3::Vec3;
@@ -55,7 +55,7 @@ impl<T: Real> Prepared<T> {
     /// Prepares a question for the precision `T`.
     pub fn new(question: &Question) -> Self {
         let frame = match *question {
-            Question::TransformedSphere { rows, translation, .. } => Some(frame(rows, translation)),
+            Question::Transformed { rows, translation, .. } => Some(frame(rows, translation)),
             Question::Normal { rows, .. } => Some(frame(rows, [0.0; 3])),
             _ => None,
         };
@@ -75,31 +75,21 @@ pub fn evaluate<T: Real, R: RuleSource>(rules: R, question: &Question) -> Reply 
 pub fn answer<T: Real, R: RuleSource>(rules: R, prepared: &Prepared<T>) -> Reply {
     let frame = prepared.frame.as_ref();
     match prepared.question {
-        Question::Sphere { line, center, radius } => solid(
-            rules,
-            &line,
-            Solid::<T>::Sphere(Sphere { center: v(center), radius: T::of(radius) }),
-        ),
-        Question::Plane { line, normal, k } => {
-            bare(rules, &line, Solid::<T>::Plane(Plane { normal: v(normal), k: T::of(k) }))
+        Question::Plane { .. } | Question::Square { .. } => {
+            let (line, form) = Form::of(prepared.question);
+            bare(rules, &line, form_of::<T>(form))
         }
-        Question::Square { line } => bare(rules, &line, Solid::<T>::Square(Square)),
-        Question::Cuboid { line, min, max } => {
-            solid(rules, &line, Solid::<T>::Cuboid(Cuboid { min: v(min), max: v(max) }))
-        }
-        Question::Round { line, radii, ends, is_capped } => {
-            let [[bottom_radius, top_radius], [z_min, z_max]] =
-                [radii, ends].map(|pair| pair.map(T::of));
-            solid(
-                rules,
-                &line,
-                Solid::Round(Round { bottom_radius, top_radius, z_min, z_max, is_capped }),
-            )
+        Question::Sphere { .. } | Question::Cuboid { .. } | Question::Round { .. } => {
+            let (line, form) = Form::of(prepared.question);
+            solid(rules, &line, form_of::<T>(form))
         }
         Question::Triangle { line, corners } => {
             triangle(rules, &line, Triangle { corners: corners.map(v::<T>) })
         }
-        Question::TransformedSphere { line, .. } => transformed_sphere(rules, &line, frame?),
+        Question::Transformed { line, form, .. } => {
+            let (t, normal) = form_of(form).hit_under(rules, frame?, &ray(&line))?;
+            Some(Found::hit(t.f64(), out(normal)))
+        }
         Question::Reflect { direction, normal } => {
             Some(Found::direction(out(optics::reflect(rules, v::<T>(direction), v(normal)))))
         }
@@ -142,12 +132,20 @@ fn triangle<T: Real, R: RuleSource>(rules: R, line: &Line, triangle: Triangle<T>
     })
 }
 
-fn transformed_sphere<T: Real, R: RuleSource>(rules: R, line: &Line, frame: &Frame<T>) -> Reply {
-    let sphere = Solid::Sphere(Sphere { center: Vec3::ZERO, radius: T::HALF });
-    let moved = Frame::ray_to_object(rules, &frame.object_from_world, &ray(line));
-    let hit = sphere.intersect(rules, &moved)?;
-    let normal = frame.normal_to_world(rules, sphere.normal_at_hit(rules, &moved, &hit));
-    Some(Found::hit(hit.t.f64(), out(normal)))
+fn form_of<T: Real>(form: Form) -> Solid<T> {
+    match form {
+        Form::Sphere { center, radius } => {
+            Solid::Sphere(Sphere { center: v(center), radius: T::of(radius) })
+        }
+        Form::Plane { normal, k } => Solid::Plane(Plane { normal: v(normal), k: T::of(k) }),
+        Form::Square => Solid::Square(Square),
+        Form::Cuboid { min, max } => Solid::Cuboid(Cuboid { min: v(min), max: v(max) }),
+        Form::Round { radii, ends, is_capped } => {
+            let [[bottom_radius, top_radius], [z_min, z_max]] =
+                [radii, ends].map(|pair| pair.map(T::of));
+            Solid::Round(Round { bottom_radius, top_radius, z_min, z_max, is_capped })
+        }
+    }
 }
 
 /// Returns the frame as a scene has it: the inverse is computed in double precision, then both

@@ -8,7 +8,7 @@
 use super::evaluate::Found;
 use super::exact::{Exact, Exact3, ExactLine, cross, dot, exact3, minus, plus, times, unit};
 use super::oracle_round;
-use super::question::Question;
+use super::question::{Form, Question};
 
 /// Returns the correct answer. A miss, total internal reflection and a singular matrix are `None`.
 /// A sphere without radius has no normal.
@@ -27,7 +27,7 @@ pub fn right(question: &Question) -> Option<Found<Exact>> {
         Question::Plane { line, normal, k } => {
             plane(&ExactLine::of(&line), &exact3(normal), &Exact::of(k)).map(Found::at)
         }
-        Question::Square { line } => square(&ExactLine::of(&line)),
+        Question::Square { line } => square(&ExactLine::of(&line), &Exact::of(0.5)),
         Question::Cuboid { line, min, max } => {
             cuboid(&ExactLine::of(&line), &exact3(min), &exact3(max))
         }
@@ -40,8 +40,8 @@ pub fn right(question: &Question) -> Option<Found<Exact>> {
         Question::Triangle { line, corners } => {
             triangle(&ExactLine::of(&line), &corners.map(exact3))
         }
-        Question::TransformedSphere { line, rows, translation } => {
-            transformed_sphere(&ExactLine::of(&line), &rows.map(exact3), &exact3(translation))
+        Question::Transformed { line, form, rows, translation } => {
+            transformed(&ExactLine::of(&line), &form, &rows.map(exact3), &exact3(translation))
         }
         Question::Reflect { direction, normal } => {
             Some(reflect(&exact3(direction), &exact3(normal)))
@@ -80,15 +80,14 @@ fn plane(line: &ExactLine, normal: &Exact3, k: &Exact) -> Option<Exact> {
     (slope.sign() * rest.sign() > 0).then(|| rest.over(&slope))
 }
 
-fn square(line: &ExactLine) -> Option<Found<Exact>> {
+fn square(line: &ExactLine, half: &Exact) -> Option<Found<Exact>> {
     let (o, d) = (&line.origin, &line.direction);
     if o[2].sign() * d[2].sign() >= 0 {
         return None;
     }
-    let half = Exact::of(0.5);
     let is_within = |n: usize| {
         let at = &(&o[n] * &d[2]) - &(&o[2] * &d[n]); // the coordinate, multiplied by d_z
-        let reach = (&half * &d[2]).squared();
+        let reach = (half * &d[2]).squared();
         at.squared() <= reach
     };
     (is_within(0) && is_within(1)).then(|| Found::at((-&o[2]).over(&d[2])))
@@ -174,29 +173,55 @@ fn turned(cofactors: &[Exact3; 3], normal: &Exact3, sign: i32) -> Exact3 {
     })
 }
 
-/// Intersects the transformed sphere. O − t and d are multiplied by the adjugate, det A · A⁻¹,
-/// which changes no root: the sphere then has radius |det A|/2.
-fn transformed_sphere(
+/// Intersects the transformed shape. O − t and d are multiplied by |det A| A⁻¹, which is a matrix
+/// of cofactors, and so are the lengths of the shape: that changes no root.
+fn transformed(
     line: &ExactLine,
+    form: &Form,
     rows: &[Exact3; 3],
     translation: &Exact3,
 ) -> Option<Found<Exact>> {
     let cofactors = cofactors(rows);
     let det = dot(&rows[0], &cofactors[0]);
-    if det.sign() == 0 {
+    let sign = det.sign();
+    if sign == 0 {
         return None;
     }
-    let adjugate = |v: &Exact3| -> Exact3 {
+    let size = if sign < 0 { -&det } else { det };
+    let to_object = |v: &Exact3| -> Exact3 {
         std::array::from_fn(|n| {
-            &(&(&cofactors[0][n] * &v[0]) + &(&cofactors[1][n] * &v[1]))
-                + &(&cofactors[2][n] * &v[2])
+            let column = [&cofactors[0][n], &cofactors[1][n], &cofactors[2][n]].map(Exact::clone);
+            let along = dot(&column, v);
+            if sign < 0 { -&along } else { along }
         })
     };
-    let (from, direction) =
-        (adjugate(&minus(&line.origin, translation)), adjugate(&line.direction));
-    let t = sphere(&from, &direction, &det.clone().scaled(-1))?;
-    let normal = plus(&from, &times(&direction, &t)); // multiplied by det A, as the cofactors are
-    Some(Found::hit(t, unit(&turned(&cofactors, &normal, 1))))
+    let line = ExactLine {
+        origin: to_object(&minus(&line.origin, translation)),
+        direction: to_object(&line.direction),
+    };
+    let length = |x: f64| &Exact::of(x) * &size;
+    let point = |v: [f64; 3]| times(&exact3(v), &size);
+    let found = match *form {
+        Form::Sphere { center, radius } => {
+            let from_center = minus(&line.origin, &point(center));
+            let t = sphere(&from_center, &line.direction, &length(radius))?;
+            let normal = plus(&from_center, &times(&line.direction, &t));
+            Found::hit(t, normal)
+        }
+        Form::Plane { normal, k } => {
+            Found::hit(plane(&line, &exact3(normal), &length(k))?, exact3(normal))
+        }
+        Form::Square => {
+            let found = square(&line, &length(0.5))?;
+            Found { vector: Some(exact3([0.0, 0.0, 1.0])), ..found }
+        }
+        Form::Cuboid { min, max } => cuboid(&line, &point(min), &point(max))?,
+        Form::Round { radii, ends, is_capped } => {
+            oracle_round::round(&line, &radii.map(length), &ends.map(length), is_capped)?
+        }
+    };
+    let to_world = |normal: Exact3| unit(&turned(&cofactors, &normal, sign));
+    Some(Found { vector: found.vector.map(to_world), ..found })
 }
 
 fn reflect(direction: &Exact3, normal: &Exact3) -> Found<Exact> {
@@ -229,7 +254,7 @@ fn refract(
 
 #[cfg(test)]
 mod tests {
-    use super::super::question::Line;
+    use super::super::question::{Form, Line};
     use super::*;
 
     fn check(question: Question, t: Option<f64>) {
@@ -346,8 +371,9 @@ mod tests {
     #[test]
     fn a_transformed_sphere_is_hit() {
         let rows = [[2.0, 0.0, 0.0], [0.0, -2.0, 0.0], [0.0, 0.0, 8.0]];
-        let question = Question::TransformedSphere {
+        let question = Question::Transformed {
             line: line([1.0, 0.0, -9.0], [0.0, 0.0, 1.0]),
+            form: Form::SPHERE,
             rows,
             translation: [1.0, 0.0, 0.0],
         };

@@ -28,15 +28,62 @@ pub enum Question {
     Round { line: Line, radii: [f64; 2], ends: [f64; 2], is_capped: bool },
     /// The intersection with a triangle, with N and (α, β, γ). [rule 16] [rule 17]
     Triangle { line: Line, corners: [[f64; 3]; 3] },
-    /// The intersection with the sphere of radius ½ about the origin, transformed by A X + t, and N
-    /// there. `rows` are the rows of A. [rule 20]
-    TransformedSphere { line: Line, rows: [[f64; 3]; 3], translation: [f64; 3] },
+    /// The intersection with a shape that is transformed by A X + t, and N there. `rows` are the
+    /// rows of A. [rule 20]
+    Transformed { line: Line, form: Form, rows: [[f64; 3]; 3], translation: [f64; 3] },
     /// The reflected direction. [rule 7]
     Reflect { direction: [f64; 3], normal: [f64; 3] },
     /// The transmitted direction. Total internal reflection is a miss. [rule 8] [rule 10]
     Refract { direction: [f64; 3], normal: [f64; 3], eta_i: f64, eta_t: f64 },
     /// A normal, transformed by A. A singular matrix is a miss. [rule 20]
     Normal { rows: [[f64; 3]; 3], normal: [f64; 3] },
+}
+
+/// A shape in a space of its own. The fields are those of the questions about shapes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs, reason = "fields are named as in the questions")]
+pub enum Form {
+    Sphere { center: [f64; 3], radius: f64 },
+    Plane { normal: [f64; 3], k: f64 },
+    Square,
+    Cuboid { min: [f64; 3], max: [f64; 3] },
+    Round { radii: [f64; 2], ends: [f64; 2], is_capped: bool },
+}
+
+impl Form {
+    /// The sphere of radius ½ about the origin. [rule 14]
+    pub const SPHERE: Self = Self::Sphere { center: [0.0; 3], radius: 0.5 };
+
+    /// Returns line and shape of a question about a shape.
+    ///
+    /// # Panics
+    /// If the question is about a triangle or not about a shape.
+    pub fn of(question: Question) -> (Line, Self) {
+        match question {
+            Question::Sphere { line, center, radius } => (line, Self::Sphere { center, radius }),
+            Question::Plane { line, normal, k } => (line, Self::Plane { normal, k }),
+            Question::Square { line } => (line, Self::Square),
+            Question::Cuboid { line, min, max } => (line, Self::Cuboid { min, max }),
+            Question::Round { line, radii, ends, is_capped } => {
+                (line, Self::Round { radii, ends, is_capped })
+            }
+            other => panic!("{other:?} is not about a solid"),
+        }
+    }
+
+    fn map(self, f: &mut impl FnMut(f64) -> f64) -> Self {
+        match self {
+            Self::Sphere { center, radius } => {
+                Self::Sphere { center: three(center, f), radius: f(radius) }
+            }
+            Self::Plane { normal, k } => Self::Plane { normal: three(normal, f), k: f(k) },
+            Self::Square => Self::Square,
+            Self::Cuboid { min, max } => Self::Cuboid { min: three(min, f), max: three(max, f) },
+            Self::Round { radii, ends, is_capped } => {
+                Self::Round { radii: radii.map(&mut *f), ends: ends.map(&mut *f), is_capped }
+            }
+        }
+    }
 }
 
 impl Question {
@@ -66,9 +113,10 @@ impl Question {
             Self::Triangle { line: l, corners } => {
                 Self::Triangle { line: line(l, f), corners: corners.map(|c| three(c, f)) }
             }
-            Self::TransformedSphere { line: l, rows, translation } => {
-                let (line, rows) = (line(l, f), rows.map(|row| three(row, f)));
-                Self::TransformedSphere { line, rows, translation: three(translation, f) }
+            Self::Transformed { line: l, form, rows, translation } => {
+                let (line, form) = (line(l, f), form.map(f));
+                let rows = rows.map(|row| three(row, f));
+                Self::Transformed { line, form, rows, translation: three(translation, f) }
             }
             Self::Reflect { direction, normal } => {
                 Self::Reflect { direction: three(direction, f), normal: three(normal, f) }

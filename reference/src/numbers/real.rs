@@ -44,6 +44,9 @@ pub trait Real:
     /// The multiple of its error bound that a value must reach for its own digits to be trusted,
     /// and not only its sign.
     const MARGIN: Self;
+    /// The multiple of its error bound that a value must reach for a ray that a matrix has moved: a
+    /// share of its digits is then right.
+    const MOVED_MARGIN: Self;
 
     /// Returns the number nearest to `x`; ±∞ where `x` is beyond the range.
     fn of(x: f64) -> Self;
@@ -75,7 +78,7 @@ pub trait Real:
 }
 
 macro_rules! real {
-    ($t:ident, $ray_epsilon:expr, $safe:expr, $margin:expr) => {
+    ($t:ident, $ray_epsilon:expr, $safe:expr, $margin:expr, $moved_margin:expr) => {
         impl Real for $t {
             const ZERO: Self = 0.0;
             const HALF: Self = 0.5;
@@ -86,6 +89,7 @@ macro_rules! real {
             const RAY_EPSILON: Self = $ray_epsilon;
             const SAFE: [Self; 2] = $safe;
             const MARGIN: Self = $margin;
+            const MOVED_MARGIN: Self = $moved_margin;
 
             #[inline(always)]
             fn of(x: f64) -> Self {
@@ -131,8 +135,8 @@ macro_rules! real {
     };
 }
 
-real!(f32, 1e-4, [1e-18, 1e18], 512.0);
-real!(f64, cases::RAY_EPSILON, [1e-150, 1e150], 268_435_456.0);
+real!(f32, 1e-4, [1e-18, 1e18], 512.0, 16.0);
+real!(f64, cases::RAY_EPSILON, [1e-150, 1e150], 268_435_456.0, 16_384.0);
 
 /// Returns the exponent e with 2^e ≤ |x| < 2^(e + 1); −1023 for 0 and subnormal numbers, 1024 for ∞
 /// and NaN.

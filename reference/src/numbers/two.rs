@@ -7,6 +7,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::numbers::real::scaled;
 use crate::numbers::vec3::Vec3;
 
 /// A sum of terms counts as zero if it is at most this share of the sum of their magnitudes. The
@@ -56,6 +57,12 @@ impl Two {
     #[inline]
     pub fn abs(self) -> Self {
         if self.hi < 0.0 { -self } else { self }
+    }
+
+    /// Returns x 2^e. Words that become subnormal are rounded.
+    #[inline]
+    pub fn scaled(self, e: i32) -> Self {
+        Self { hi: scaled(self.hi, e), lo: scaled(self.lo, e) }
     }
 
     /// Returns the number, or 0 where rounding leaves its sign in doubt. `amounts` is the sum of
@@ -183,6 +190,16 @@ impl Two3 {
     /// Returns a − b, exactly.
     pub fn difference(a: Vec3<f64>, b: Vec3<f64>) -> Self {
         Self { x: Two::sum(a.x, -b.x), y: Two::sum(a.y, -b.y), z: Two::sum(a.z, -b.z) }
+    }
+
+    /// Returns v 2^e.
+    pub fn scaled(self, e: i32) -> Self {
+        Self { x: self.x.scaled(e), y: self.y.scaled(e), z: self.z.scaled(e) }
+    }
+
+    /// Returns the component along axis 0, 1 or 2.
+    pub fn along(self, axis: usize) -> Two {
+        [self.x, self.y, self.z][axis]
     }
 
     /// Returns the dot product, Σ of the products of components.

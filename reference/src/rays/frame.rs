@@ -9,6 +9,7 @@ use crate::numbers::bounds::Bounds;
 use crate::numbers::real::{Real, exponent, scaled};
 use crate::numbers::two::{Two, Two3};
 use crate::numbers::vec3::{Affine, Vec3};
+use crate::rays::moved::{MovedRay, WayToObject};
 use crate::rays::ray::{HitPoint, Ray};
 use crate::rules::{ObjectRay, Robustness, RuleSource, WorldNormal};
 
@@ -22,14 +23,17 @@ const CANCELS: f64 = 1.0 / 16.0;
 /// The transforms between world space and object space, with a bound of their error.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<T> {
-    /// M⁻¹ = (W, w). Rays are transformed by this matrix, so the surface that they intersect is the
-    /// one that it maps to the shape.
+    /// M⁻¹ = (W, w), rounded. Rays are transformed by this matrix, so the mesh that they intersect
+    /// is the one that it maps to the triangles. Hits on other shapes are decided for the exact
+    /// inverse of M.
     pub object_from_world: Affine<T>,
     /// M = (A, t).
     pub world_from_object: Affine<T>,
     /// A⁻ᵀ, up to a positive factor.
     normals: Normals<T>,
     error: ErrorMap<T>,
+    /// The exact inverse of A, with a bound of what W makes of a ray.
+    way: WayToObject<T>,
 }
 
 /// The matrix for normals, row by row: sign(det A) times the cofactors of A, of which A⁻ᵀ is a
@@ -77,11 +81,13 @@ impl<T: Real> Frame<T> {
         normals: Normals<T>,
     ) -> Self {
         let (forth, back) = (Affine::of(world_from_object), Affine::of(object_from_world));
+        let rest = rest(&forth, &back);
         Self {
             object_from_world: back,
             world_from_object: forth,
             normals,
-            error: ErrorMap::of(&forth, &back),
+            error: ErrorMap::of(&forth, &back, &rest),
+            way: WayToObject::of(&forth, &back, &rest.rows),
         }
     }
 
@@ -104,6 +110,18 @@ impl<T: Real> Frame<T> {
             }
             ObjectRay::OriginNotMoved => Ray { origin: ray.origin, ..moved },
         }
+    }
+
+    /// Returns the ray in object space, with what its exact numbers follow from. [rule 20]
+    ///
+    /// The origin is W (O − t): where the object is small and far from the world's origin, W O + w
+    /// would cancel.
+    #[inline(always)]
+    pub fn moved_ray<'a>(&'a self, ray: &'a Ray<T>) -> MovedRay<'a, T> {
+        let back = &self.object_from_world;
+        let origin = back.vector(ray.origin - self.world_from_object.translation);
+        let direction = back.vector(ray.direction);
+        MovedRay { ray: Ray { origin, direction, ..*ray }, cast: ray, way: &self.way }
     }
 
     /// Returns A⁻ᵀ N′, normalised: the normal in world space. [rule 20]
@@ -203,10 +221,9 @@ impl<T: Real> ErrorMap<T> {
     ///   that the surface lies R q + r beside q.
     /// - A ray from p, the image of q, is transformed back by a sum of four: γ(4) (|W| |p| + |w|),
     ///   where |p| ≤ |A| |q| + |t|.
-    fn of(forth: &Affine<T>, back: &Affine<T>) -> Self {
+    fn of(forth: &Affine<T>, back: &Affine<T>, rest: &Affine<T>) -> Self {
         let unit = T::of(SUM_OF_FOUR) * T::ULP;
         let (size, back_size) = (sizes(forth), sizes(back));
-        let rest = rest(forth, back);
         let column = |axis: usize| Vec3::new(size[0][axis], size[1][axis], size[2][axis]);
         let row = |i: usize| {
             let through = Vec3::new(

@@ -2,4 +2,5 @@
 
 pub mod camera;
 pub mod frame;
+pub mod moved;
 pub mod ray;

@@ -1,8 +1,10 @@
 //! Shapes in object space: where a ray intersects them, and the outward normal there. They know no
 //! materials.
 
+mod clear;
 mod cuboid;
 mod hit;
+mod moved;
 mod place;
 mod plane;
 mod round;
@@ -15,6 +17,7 @@ mod triangle_formulas;
 
 pub use cuboid::Cuboid;
 pub use hit::ShapeHit;
+pub(crate) use moved::is_exact;
 pub(crate) use place::on_triangle;
 pub use plane::Plane;
 pub use round::Round;

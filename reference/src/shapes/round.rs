@@ -7,6 +7,7 @@ use crate::numbers::real::Real;
 use crate::numbers::roots;
 use crate::numbers::two::Two;
 use crate::numbers::vec3::Vec3;
+use crate::rays::moved::ExactRay;
 use crate::rays::ray::Ray;
 use crate::rules::{Quadratic, Robustness, RuleSource};
 
@@ -34,7 +35,7 @@ pub struct Round<T> {
 
 impl<T: Real> Round<T> {
     /// Returns dr/dz.
-    fn slope(&self) -> T {
+    pub(super) fn slope(&self) -> T {
         (self.top_radius - self.bottom_radius) / (self.z_max - self.z_min)
     }
 
@@ -66,7 +67,7 @@ impl<T: Real> Round<T> {
         let is_own =
             style.quadratic == Quadratic::NearestPoint || style.quadratic == Quadratic::Geometric;
         if style.robustness == Robustness::Certified && is_own {
-            return self.certified(ray).unwrap_or_else(|Doubt| self.settled(ray));
+            return self.certified(ray).unwrap_or_else(|Doubt| self.settled(ray, ray));
         }
         let caps = self.caps().map(|(part, z, radius)| (part, cap(ray, z, radius)));
         self.nearest(self.side(rules, ray), caps)
@@ -100,12 +101,12 @@ impl<T: Real> Round<T> {
         Ok(self.nearest(side, [cap(bottom)?, cap(top)?]))
     }
 
-    /// Returns the first hit, computed in two words. On a rim, where even these cannot separate
-    /// side and end, the hit is on the side.
+    /// Returns the first hit in the interval of `ray`, computed in two words from `exact`. On a
+    /// rim, where even these cannot separate side and end, the hit is on the side.
     #[cold]
     #[inline(never)]
-    fn settled(&self, ray: &Ray<T>) -> Option<(T, u32)> {
-        let coil = self.coil(ray)?;
+    pub(super) fn settled(&self, ray: &Ray<T>, exact: &impl ExactRay) -> Option<(T, u32)> {
+        let coil = self.coil(exact)?;
         let counts = |t: &Two| ray.contains(coil.t(*t));
         let mut first = coil.side().into_iter().find(counts).map(|t| (t, SIDE));
         for (end, part) in [(0, BOTTOM), (1, TOP)].into_iter().filter(|_| self.is_capped) {
@@ -170,7 +171,7 @@ impl<T: Real> Round<T> {
 
     /// Returns b² − a c, multiplied out: the fourth powers cancel on paper.
     #[inline(always)]
-    fn discriminant(&self, ray: &Ray<T>, radius: T, growth: T) -> T {
+    pub(super) fn discriminant(&self, ray: &Ray<T>, radius: T, growth: T) -> T {
         let (o, d) = (ray.origin, ray.direction);
         let across = o.x * d.y - o.y * d.x;
         let (x, y) = (radius * d.x - growth * o.x, radius * d.y - growth * o.y);
@@ -205,17 +206,27 @@ impl<T: Real> Round<T> {
     /// alone gives has too few digits: it is computed in two words.
     #[inline(always)]
     pub(super) fn on_side(&self, ray: &Ray<T>, t: T) -> Vec3<T> {
+        let point = if self.is_far(ray, t) { self.exact_point(ray, t) } else { None };
+        point.unwrap_or_else(|| ray.at(t))
+    }
+
+    /// Returns whether the point of a hit along the ray has too few digits.
+    #[inline(always)]
+    pub(super) fn is_far(&self, ray: &Ray<T>, t: T) -> bool {
         let (o, at) = (ray.origin, ray.at(t));
         let (oo, rr) = (o.x * o.x + o.y * o.y, at.x * at.x + at.y * at.y);
-        if oo < rr * T::of(4096.0) && rr.is_safe() {
-            return at;
-        }
-        self.coil(ray).and_then(|coil| coil.on_side(t)).unwrap_or(at)
+        !(rr.is_safe() && oo < rr * T::of(4096.0))
+    }
+
+    /// Returns the point of the side at the hit of the ray at `t`, computed in two words; `None`
+    /// for a ray that does not hit it.
+    pub(super) fn exact_point(&self, ray: &impl ExactRay, t: T) -> Option<Vec3<T>> {
+        self.coil(ray)?.on_side(t)
     }
 
     /// Returns this surface and the line of the ray in two words; `None` for a ray without
     /// direction.
-    fn coil(&self, ray: &Ray<T>) -> Option<Coil> {
+    fn coil(&self, ray: &impl ExactRay) -> Option<Coil> {
         Coil::new(&[self.bottom_radius, self.top_radius], &[self.z_min, self.z_max], ray)
     }
 

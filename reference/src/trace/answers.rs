@@ -234,11 +234,8 @@ fn triangle<T: Real, R: RuleSource>(rules: R, ray: &cases::Ray, corners: [Vec3<T
 
 fn transformed_sphere<T: Real, R: RuleSource>(rules: R, ray: &Ray<T>, frame: &Frame<T>) -> Answer {
     let sphere = Solid::Sphere(Sphere { center: Vec3::ZERO, radius: T::of(0.5) });
-    let moved = Frame::ray_to_object(rules, &frame.object_from_world, ray);
-    match sphere.intersect(rules, &moved) {
-        Some(found) => {
-            hit(found.t, frame.normal_to_world(rules, sphere.normal_at_hit(rules, &moved, &found)))
-        }
+    match sphere.hit_under(rules, frame, ray) {
+        Some((t, normal)) => hit(t, normal),
         None => Answer::Miss(true),
     }
 }

@@ -6,9 +6,10 @@ use crate::numbers::bounds::Bounds;
 use crate::numbers::real::Real;
 use crate::numbers::vec3::Vec3;
 use crate::rays::frame::Frame;
+use crate::rays::moved::MovedRay;
 use crate::rays::ray::Ray;
 use crate::rules::RuleSource;
-use crate::shapes::{Cuboid, Plane, Round, ShapeHit, Solid, Sphere, Square};
+use crate::shapes::{Cuboid, Plane, Round, ShapeHit, Solid, Sphere, Square, is_exact};
 use crate::watch::work::{Tally, TriangleVisits, Work};
 use crate::world::mesh::Mesh;
 
@@ -74,6 +75,19 @@ impl<T: Real> Object<T> {
         Some(Frame::ray_to_object(rules, &frame.object_from_world, ray))
     }
 
+    /// Returns the ray in the object's own space, with what its exact numbers follow from; `None`
+    /// where that is world space.
+    #[inline(always)]
+    pub(crate) fn moved_ray<'a>(
+        &'a self,
+        ray: &'a Ray<T>,
+        tally: &mut impl Tally,
+    ) -> Option<MovedRay<'a, T>> {
+        let frame = self.frame.as_ref()?;
+        tally.did(Work::MovedRay);
+        Some(frame.moved_ray(ray))
+    }
+
     /// Calls `found` with the first hit of the ray. `FRAMES` says whether the object may have a
     /// space of its own.
     ///
@@ -121,6 +135,9 @@ impl<T: Real> Object<T> {
         meshes: &[Mesh<T>],
         tally: &mut impl Tally,
     ) -> Option<ShapeHit<T>> {
+        if let (ObjectShape::Solid(solid), true) = (&self.shape, is_exact(rules)) {
+            return solid.intersect_moved(rules, &self.moved_ray(ray, tally)?);
+        }
         let moved = self.ray_in_frame(rules, ray, tally)?;
         match &self.shape {
             ObjectShape::Solid(solid) => solid.intersect(rules, &moved),
@@ -141,6 +158,11 @@ impl<T: Real> Object<T> {
         tally: &mut Y,
         mut found: impl FnMut(&mut Y, T),
     ) {
+        if let (ObjectShape::Solid(solid), true, true) = (&self.shape, FRAMES, is_exact(rules)) {
+            if let Some(moved) = self.moved_ray(ray, tally) {
+                return solid.moved_crossings(rules, &moved, |t| found(tally, t));
+            }
+        }
         let moved = if FRAMES { self.ray_in_frame(rules, ray, tally) } else { None };
         let there = moved.as_ref().unwrap_or(ray);
         match &self.shape {
@@ -198,6 +220,10 @@ impl<T: Real> Object<T> {
         meshes: &[Mesh<T>],
         tally: &mut impl Tally,
     ) -> bool {
+        if let (ObjectShape::Solid(solid), true) = (&self.shape, is_exact(rules)) {
+            let moved = self.moved_ray(ray, tally);
+            return moved.is_some_and(|moved| solid.intersect_moved(rules, &moved).is_some());
+        }
         let moved = self.ray_in_frame(rules, ray, tally);
         moved.is_some_and(|moved| self.is_hit_in_object_space(rules, &moved, meshes, tally))
     }

@@ -3,7 +3,7 @@
 use cases::maths;
 
 use super::super::draws::{Draws, along, cross, unit};
-use super::super::question::{Line, Question};
+use super::super::question::{Form, Line, Question};
 
 /// Returns a unit direction towards the surface with normal `n`, whose angle of incidence has the
 /// cosine `cosine`.
@@ -67,7 +67,7 @@ fn rotation(draws: &mut Draws) -> [[f64; 3]; 3] {
 }
 
 /// Returns the rows of R diag(scales) S, where R and S are random rotations.
-fn matrix(draws: &mut Draws, scales: [f64; 3]) -> [[f64; 3]; 3] {
+pub(super) fn matrix(draws: &mut Draws, scales: [f64; 3]) -> [[f64; 3]; 3] {
     let (left, right) = (rotation(draws), rotation(draws));
     let at = |i: usize, j: usize| (0..3).map(|n| left[n][i] * scales[n] * right[n][j]).sum();
     std::array::from_fn(|i| std::array::from_fn(|j| at(i, j)))
@@ -113,7 +113,8 @@ fn moved_sphere(draws: &mut Draws, scales: [f64; 3], reach: f64) -> Question {
         (draws.direction().map(|x| x * reach), draws.direction().map(|x| x * 3.0));
     let (origin, target) = (moved(outside), moved(inside));
     let direction = unit(std::array::from_fn(|n| target[n] - origin[n]));
-    Question::TransformedSphere { line: Line { origin, direction }, rows, translation }
+    let (line, form) = (Line { origin, direction }, Form::SPHERE);
+    Question::Transformed { line, form, rows, translation }
 }
 
 pub(super) fn sphere_uniform(draws: &mut Draws) -> Question {

@@ -1,14 +1,14 @@
 //! Lines in units in which nothing overflows or underflows.
 
 use crate::numbers::real::{Real, exponent, scaled};
-use crate::numbers::two::Two;
+use crate::numbers::two::{Two, Two3};
 use crate::numbers::vec3::Vec3;
-use crate::rays::ray::Ray;
+use crate::rays::moved::ExactRay;
 
 /// The line of a ray, in units of its own.
 pub(super) struct Line {
-    pub(super) origin: Vec3<f64>,
-    pub(super) direction: Vec3<f64>,
+    pub(super) origin: Two3,
+    pub(super) direction: Two3,
     /// The exponent of the power of two that scales lengths of the scene to lengths here.
     pub(super) lengths: i32,
     /// The exponent of the power of two that scales the direction of the ray to the one here.
@@ -21,26 +21,23 @@ impl Line {
     ///
     /// The greatest coordinate of the origin, or `size` where that is greater, becomes some
     /// 2^`room`. The greatest component of the direction becomes some 1.
-    pub(super) fn new<T: Real>(ray: &Ray<T>, size: f64, room: i32) -> Option<Self> {
-        let (origin, direction) = (double(ray.origin), double(ray.direction));
-        let (length, way) = (
-            exponent(greatest(&[coordinates([origin]), size])),
-            exponent(coordinates([direction])),
-        );
-        let is_finite = length < 1024 && way < 1024;
-        let (lengths, ways) = (room - length, -way);
-        let is_ray = direction != Vec3::ZERO && is_finite;
-        is_ray.then(|| Self {
-            origin: times(origin, lengths),
-            direction: times(direction, ways),
+    pub(super) fn new(ray: &impl ExactRay, size: f64, room: i32) -> Option<Self> {
+        let [(origin, of_origin), (direction, of_direction)] = ray.exact();
+        let (from, along) = (coordinates([origin.f64()]), coordinates([direction.f64()]));
+        let length = (exponent(from) + of_origin).max(exponent(size));
+        let is_finite = from.is_finite() && size.is_finite() && along.is_finite();
+        let lengths = room - length;
+        (is_finite && along > 0.0).then(|| Self {
+            origin: origin.scaled(of_origin + lengths),
+            direction: direction.scaled(-exponent(along)),
             lengths,
-            ways,
+            ways: -exponent(along) - of_direction,
         })
     }
 
     /// Returns the same line with a direction that is 2^`e` times as long.
     pub(super) fn stretched(self, e: i32) -> Self {
-        Self { direction: times(self.direction, e), ways: self.ways + e, ..self }
+        Self { direction: self.direction.scaled(e), ways: self.ways + e, ..self }
     }
 
     /// Returns a point of the scene in these units.

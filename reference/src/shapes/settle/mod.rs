@@ -7,6 +7,9 @@
 //! hit is lost, and none is found that is farther than that beside a border. A ray without
 //! direction, or one that is not finite, hits nothing.
 //!
+//! A ray is passed as [`ExactRay`](crate::rays::moved::ExactRay), whose numbers have two words each
+//! where a matrix has moved it into object space.
+//!
 //! Shapes are passed as their numbers, so that nothing here depends on their files. They are passed
 //! by reference, so that a first step need not load the numbers for a second one that is rare.
 
@@ -16,7 +19,7 @@ mod round;
 mod sphere;
 mod triangle;
 
-pub(super) use flat::{cuboid, plane, square};
+pub(super) use flat::{cuboid, plane, square, square_at};
 pub(super) use round::Coil;
 pub(super) use sphere::{Ball, power};
 pub(super) use triangle::{barycentric, outwards, triangle};

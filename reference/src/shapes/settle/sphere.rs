@@ -5,7 +5,7 @@ use crate::numbers::real::Real;
 use crate::numbers::roots;
 use crate::numbers::two::{Two, Two3};
 use crate::numbers::vec3::Vec3;
-use crate::rays::ray::Ray;
+use crate::rays::moved::ExactRay;
 
 /// The exponent that the greatest coordinate is scaled to. Squares of lengths stay well within what
 /// Dekker's product can take, and so do those 2^500 times smaller.
@@ -38,13 +38,13 @@ impl Ball {
     pub(in crate::shapes) fn new<T: Real>(
         center: &Vec3<T>,
         radius: &T,
-        ray: &Ray<T>,
+        ray: &impl ExactRay,
     ) -> Option<Self> {
         let size = greatest(&[coordinates([*center]), radius.f64()]);
         let line = Line::new(ray, size, ROOM)?;
         Some(Self {
-            from_center: Two3::difference(line.origin, line.point(*center)),
-            direction: Two3::of(line.direction),
+            from_center: line.origin - Two3::of(line.point(*center)),
+            direction: line.direction,
             radius: line.length(*radius),
             line,
         })

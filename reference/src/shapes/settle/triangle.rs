@@ -4,7 +4,7 @@ use super::line::{Line, coordinates, double, times};
 use crate::numbers::real::{Real, exponent};
 use crate::numbers::two::{Two, Two3};
 use crate::numbers::vec3::Vec3;
-use crate::rays::ray::Ray;
+use crate::rays::moved::ExactRay;
 
 /// The exponent that the greatest coordinate is scaled to. Products of three stay within what
 /// Dekker's product can take, and so do corners 2^1000 times nearer to the ray.
@@ -29,16 +29,16 @@ struct Corner {
 #[inline(never)]
 pub(in crate::shapes) fn triangle<T: Real>(
     corners: &[Vec3<T>; 3],
-    ray: &Ray<T>,
+    ray: &impl ExactRay,
     axes: [usize; 3],
     tests_bc: bool,
 ) -> Option<(T, Vec3<T>)> {
     let line = Line::new(ray, coordinates(*corners), ROOM)?;
-    let [x, y, z] = axes.map(|axis| line.direction[axis]);
+    let [x, y, z] = axes.map(|axis| line.direction.along(axis));
     let [a, b, c] = corners.map(|corner| {
-        let from = Two3::difference(line.point(corner), line.origin);
-        let [fx, fy, fz] = axes.map(|axis| [from.x, from.y, from.z][axis]);
-        let (to_x, to_y) = ((fx * Two::of(z), fz * Two::of(x)), (fy * Two::of(z), fz * Two::of(y)));
+        let from = Two3::of(line.point(corner)) - line.origin;
+        let [fx, fy, fz] = axes.map(|axis| from.along(axis));
+        let (to_x, to_y) = ((fx * z, fz * x), (fy * z, fz * y));
         let terms = [to_x, to_y].map(|(p, q)| p.abs().f64() + q.abs().f64());
         Corner { x: to_x.0 - to_x.1, y: to_y.0 - to_y.1, z: fz, terms }
     });
@@ -53,7 +53,7 @@ pub(in crate::shapes) fn triangle<T: Real>(
     let along = u.0 * a.z + v.0 * b.z + w.0 * c.z;
     let terms =
         [(u, a), (v, b), (w, c)].map(|(e, corner)| (e.0.f64().abs() + e.1) * corner.z.f64().abs());
-    let t = along.certain(terms[0] + terms[1] + terms[2]) / (sum * Two::of(z));
+    let t = along.certain(terms[0] + terms[1] + terms[2]) / (sum * z);
     let weight = |e: (Two, f64)| T::of((e.0 / sum).f64());
     Some((line.t(t), Vec3::new(weight(u), weight(v), weight(w))))
 }

@@ -2,7 +2,7 @@
 
 use reference::hard::Question;
 use reference::hard::exact::Exact;
-use reference::hard::question::Line;
+use reference::hard::question::{Form, Line};
 use serde_json::Value;
 
 /// A case that is one call of a function of a shape or of optics.
@@ -62,6 +62,31 @@ fn one(case: &Value, question: Question) -> Hard {
 }
 
 fn question(case: &Value) -> Option<Question> {
+    let function = case["function"].as_str().expect("a function");
+    match function.strip_prefix("transformed_") {
+        Some("sphere") => Some(transformed(case, Form::SPHERE, 2.0)),
+        Some(of) => Some(transformed(case, Form::of(untransformed(case, of)?).1, 1.0)),
+        None => untransformed(case, function),
+    }
+}
+
+/// Returns the question about a shape that the matrix of the case transforms, times `scale`: the
+/// unit sphere of the catalogue has twice the radius of rule 14's.
+fn transformed(case: &Value, form: Form, scale: f64) -> Question {
+    let given = |name: &str| &case["inputs"][format!("{name}_dec")];
+    let m: Vec<f64> =
+        given("M_row_major").as_array().expect("a matrix").iter().map(number).collect();
+    let rows = [[m[0], m[1], m[2]], [m[3], m[4], m[5]], [m[6], m[7], m[8]]];
+    Question::Transformed {
+        line: Line { origin: three(given("O")), direction: three(given("D")) },
+        form,
+        rows: rows.map(|row| row.map(|x| scale * x)),
+        translation: three(given("translate")),
+    }
+}
+
+/// Returns the call of `function`, with the inputs of the case.
+fn untransformed(case: &Value, function: &str) -> Option<Question> {
     let given = |name: &str| &case["inputs"][format!("{name}_dec")];
     let line = || Line { origin: three(given("O")), direction: three(given("D")) };
     let rows = || {
@@ -70,7 +95,7 @@ fn question(case: &Value) -> Option<Question> {
         [[m[0], m[1], m[2]], [m[3], m[4], m[5]], [m[6], m[7], m[8]]]
     };
     let round = |radii| Question::Round { line: line(), radii, ends: [0.0, 1.0], is_capped: false };
-    Some(match case["function"].as_str().expect("a function") {
+    Some(match function {
         "sphere" => {
             Question::Sphere { line: line(), center: three(given("C")), radius: number(given("r")) }
         }
@@ -83,6 +108,7 @@ fn question(case: &Value) -> Option<Question> {
             line: line(),
             corners: ["A", "B", "C"].map(|name| three(given(name))),
         },
+        "square" => Question::Square { line: line() },
         "box" => {
             Question::Cuboid { line: line(), min: three(given("min")), max: three(given("max")) }
         }
@@ -99,12 +125,6 @@ fn question(case: &Value) -> Option<Question> {
             }
         }
         "transform_normal" => Question::Normal { rows: rows(), normal: three(given("N")) },
-        "transformed_sphere" => Question::TransformedSphere {
-            line: line(),
-            // The unit sphere of the catalogue has twice the radius of rule 14's.
-            rows: rows().map(|row| row.map(|x| 2.0 * x)),
-            translation: three(given("translate")),
-        },
         _ => return None,
     })
 }
