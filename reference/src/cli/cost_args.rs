@@ -15,15 +15,15 @@ use crate::rules::Robustness;
 /// threshold and effects
 #[derive(Debug, Parser)]
 #[command(after_help = "\
-The command measures all combinations of precision, formula and samples at the scene's own depth
-and threshold; then, at one ray per pixel, precision × formula at the greatest depth, each depth
-and each threshold alone; then the scene without each of its effects, and with all effects. Depth
-and threshold vary only if the scene calls for reflection or refraction. Errors are differences
-from the most accurate picture (f64, robust, twice the most samples per side, the greatest depth,
-no threshold) and from the most accurate picture with the same number of rays per pixel. Formulas:
-`plain` is what most tracers use (textbook quadratic, Möller–Trumbore, RAY_EPSILON), `stable` does
-not cancel, `robust` is the reference's own. Each round renders every setting once. Ctrl-C ends
-the measurement after the current picture; the finished rounds are reported.
+The command answers three questions, each with its own error and price. Rounding: precision and
+formula, against f64 with the robust formulas. Depth: recursion and cut-offs, against the greatest
+depth without cut-offs. Sampling: rays per pixel, against twice the most of --samples per side. It
+also renders the scene without each of its effects, and with all effects. Depth and threshold vary
+only if the scene calls for reflection or refraction. Formulas: `plain` is what most tracers use
+(textbook quadratic, Möller–Trumbore, RAY_EPSILON), `stable` does not cancel, `robust` is the
+reference's own. Each round renders every setting once. No setting counts as faster than another
+where their times overlap, so one round gives figures without advice. Ctrl-C ends the measurement
+after the current picture; the finished rounds are reported.
 
 Examples:
   reference cost 04_refraction/crystal_ball
@@ -89,7 +89,8 @@ pub(super) struct CostArgs {
         value_parser = clap::value_parser!(u32).range(1..=256)
     )]
     pub truth: Option<u32>,
-    /// Depths of recursion [default: from 0 to a little beyond the scene's own]
+    /// Depths of recursion [default: from 0 to a little beyond the scene's own]; the advice keeps
+    /// the scene's own depth unless this, --thresholds or --light-cutoffs is given
     #[arg(long, conflicts_with = "functions", value_name = "LIST", value_delimiter = ',')]
     pub depths: Option<Vec<u32>>,
     /// Weights below which paths end, 0 for never [default: 0, 1e-3, 1/256, 1/64, 1/16 and the
@@ -102,6 +103,16 @@ pub(super) struct CostArgs {
         value_parser = threshold
     )]
     pub thresholds: Option<Vec<f64>>,
+    /// Light below which a light source is skipped at a point, 0 for never [default: 0, 1e-3, 1/256
+    /// and 1/64 if a light weakens with distance]
+    #[arg(
+        long,
+        conflicts_with = "functions",
+        value_name = "LIST",
+        value_delimiter = ',',
+        value_parser = threshold
+    )]
+    pub light_cutoffs: Option<Vec<f64>>,
     /// Measure every combination of settings
     #[arg(long, conflicts_with = "functions")]
     pub full: bool,
@@ -167,6 +178,10 @@ impl CostArgs {
             samples,
             depths: self.depths.clone().unwrap_or(axes.depths),
             thresholds: self.thresholds.clone().unwrap_or(axes.thresholds),
+            light_cutoffs: self.light_cutoffs.clone().unwrap_or(axes.light_cutoffs),
+            varies_depth: self.depths.is_some()
+                || self.thresholds.is_some()
+                || self.light_cutoffs.is_some(),
             full: self.full,
             effects: !self.no_effects,
         }

@@ -31,7 +31,7 @@ pub(super) fn run(args: &CostArgs, path: &Path, session: &Session) -> Result<(),
     let page = Document { functions, scenes, starts };
     let beside = |name: String| path.with_file_name(name);
     for scene in &page.scenes {
-        let picture = plot::svg(&crate::cost::page::plots(scene)[0], Place::File);
+        let picture = plot::stack(&crate::cost::page::plots(scene), Place::File);
         put(
             &beside(document::picture_name(&stem, &scene.scene)),
             picture.as_bytes(),

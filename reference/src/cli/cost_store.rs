@@ -84,7 +84,7 @@ fn of_case(
         }));
     }
     let subjects = settings.iter().map(|(setting, _)| (*setting, About::Accuracy)).collect();
-    let sweep = Sweep { own, truth: own, subjects };
+    let sweep = Sweep::against(own, subjects);
     let measured = session.sweep(scene, rules, &sweep, usize::from(rounds))?;
     session.end(measured.first().map_or(0, |one| one.times_s.len()), rounds)?;
     let mut bench = Bench::new(scene, rules);

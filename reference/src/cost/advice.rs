@@ -1,288 +1,147 @@
-//! Advice on which setting to pick, in sentences.
+//! Advice on which setting to pick: one for each question, and a headline for all of them.
 
 use pages::figures::{figure, percent};
 
-use super::figures::levels;
-use super::report::{Report, SettingRow};
-use super::setting::{Formula, Setting};
+use super::answers::{self, deeper, faster, finer};
+use super::report::{Choice, Question, QuestionRow, Report};
 use crate::expect::variations::Precision;
 
-/// Returns the sentences of a report.
+/// Marks the pick of each question, and writes its sentences and the headline. If `varies_depth` is
+/// set, another depth or cut-off than the scene's own may be picked.
 ///
-/// They name the cheapest setting that changes no 8-bit pixel, the next step below it, the error
-/// and the bound of the scene's own setting, and the gain of more rays a pixel. Without a row for
-/// the scene's own setting there are none.
-pub(super) fn advice(report: &Report) -> Vec<String> {
-    let Some(own) = report.row(&report.own) else { return Vec::new() };
-    let same: Vec<&SettingRow> =
-        report.rows.iter().filter(|row| row.setting.samples == own.setting.samples).collect();
-    let mut sentences = Vec::new();
-    let cheapest = least(same.iter().filter(|row| row.same_rays.changed == 0.0).copied(), |row| {
-        row.time_ms.median
-    });
-    if let Some(pick) = cheapest {
-        sentences.push(pick_it(pick, own, &same));
-        sentences.extend(step_below(pick, &same));
+/// After fewer than two rounds, nothing is picked: a single time has no spread.
+pub(super) fn advise(report: &mut Report, varies_depth: bool) {
+    if report.rounds < 2 {
+        report.headline =
+            "Figures without advice: the times of one round have no spread.".to_owned();
+        return;
     }
-    sentences.extend(own_error(own));
-    sentences.extend(proven(own));
-    sentences.extend(samples(report));
-    sentences
-}
-
-fn least<'a>(
-    rows: impl Iterator<Item = &'a SettingRow>,
-    by: impl Fn(&SettingRow) -> f64,
-) -> Option<&'a SettingRow> {
-    rows.min_by(|a, b| by(a).total_cmp(&by(b)))
-}
-
-fn pick_it(pick: &SettingRow, own: &SettingRow, same: &[&SettingRow]) -> String {
-    let n = own.setting.samples;
-    let mut text = format!(
-        "Pick {}: {} ms. It is the cheapest setting with {n}×{n} rays a pixel that changes no \
-            8-bit pixel of the most accurate picture with as many rays.",
-        pick.name,
-        figure(pick.time_ms.median)
-    );
-    if pick.setting != own.setting {
-        let share = pick.time_ms.median / own.time_ms.median;
-        text += &format!(
-            " The scene's own setting ({}) takes {} ms; this is {} of that.",
-            own.name,
-            figure(own.time_ms.median),
-            percent(share)
-        );
-    }
-    let is_as_fast = |row: &&&SettingRow| {
-        row.setting != pick.setting
-            && row.same_rays.changed == 0.0
-            && row.time_ms.least <= pick.time_ms.greatest
-    };
-    let n_others = same.iter().filter(is_as_fast).count();
-    if n_others > 0 {
-        text += &if n_others == 1 {
-            " 1 other setting changes none either; the times of the two overlap, so they are not \
-                distinguished."
-                .to_owned()
-        } else {
-            format!(
-                " {n_others} other settings change none either; their times overlap, so they are \
-                    not distinguished."
-            )
-        };
-    }
-    text
-}
-
-fn step_below(pick: &SettingRow, same: &[&SettingRow]) -> Option<String> {
-    let cheaper = same
-        .iter()
-        .filter(|row| row.time_ms.median < pick.time_ms.median && row.same_rays.changed > 0.0);
-    let next = least(cheaper.copied(), |row| row.same_rays.rms_levels)?;
-    Some(format!(
-        "The next step below is {}: {} ms; it changes {} of the pixels, {} by more than 1/255, \
-            the worst by {} levels.",
-        next.name,
-        figure(next.time_ms.median),
-        percent(next.same_rays.changed),
-        percent(next.same_rays.off),
-        figure(next.same_rays.max_levels)
-    ))
-}
-
-fn own_error(own: &SettingRow) -> Option<String> {
-    (own.same_rays.changed > 0.0).then(|| {
-        format!(
-            "The scene's own setting is not deep enough: a greater depth or no threshold changes \
-                {} of its pixels, the worst by {} levels.",
-            percent(own.same_rays.changed),
-            figure(own.same_rays.max_levels)
-        )
-    })
-}
-
-fn proven(own: &SettingRow) -> Option<String> {
-    let sends_on = own.rays.reflected + own.rays.refracted > 0;
-    let text = match own.left_out_at_most {
-        Some(0.0) | None if !sends_on => return None,
-        Some(0.0) => "Proven: the scene's own setting leaves out no ray.".to_owned(),
-        Some(most) => {
-            let levels = figure(levels(most));
-            format!(
-                "Proven: the rays that the scene's own setting leaves out darken no pixel by more \
-                    than {levels} levels."
-            )
+    for n in 0..report.questions.len() {
+        if let Some(at) = pick(&report.questions[n], varies_depth) {
+            report.questions[n].rows[at].is_pick = true;
         }
-        None => "No bound is known for the rays that are left out: some surface passes on all \
-            light that it receives (kr + kt is not below 1)."
-            .to_owned(),
-    };
-    Some(text)
+        let (answer, facts) = answers::sentences(report, &report.questions[n]);
+        (report.questions[n].answer, report.questions[n].facts) = (answer, facts);
+    }
+    report.headline = headline(report);
 }
 
-/// Returns the sentence on more rays a pixel. It compares settings with f64, the robust formulas
-/// and the truth's depth, whose only error is that of sampling. `None` if there are fewer than two
-/// such settings, or no error.
-fn samples(report: &Report) -> Option<String> {
-    let exact = |row: &&SettingRow| {
-        let s = &row.setting;
-        let truth = Setting { samples: s.samples, ..report.truth };
-        *s == truth
-            && s.precision == Precision::F64
-            && s.formula == Formula::Robust
-            && *s != report.truth
-    };
-    let mut rows: Vec<&SettingRow> = report.rows.iter().filter(exact).collect();
-    rows.sort_by_key(|row| row.setting.samples);
-    let (first, last) = (rows.first()?, rows.last()?);
-    if first.setting.samples == last.setting.samples || last.error.rms_levels == 0.0 {
-        return None;
+/// Returns the index of the row to pick. It is never slower than the scene's own setting, unless
+/// the latter has an error and another depth may be picked.
+fn pick(question: &Question, varies_depth: bool) -> Option<usize> {
+    let own = question.own()?;
+    let distance = |row: &QuestionRow| row.setting.max_depth.abs_diff(own.setting.max_depth);
+    match question.about {
+        Choice::Rounding => best(
+            question,
+            |row| row.error.changed == 0.0,
+            |row| {
+                let rank = row.setting.formula as i32 * 2;
+                f64::from(rank + i32::from(row.setting.precision == Precision::F64))
+            },
+        ),
+        Choice::Depth if varies_depth => best(
+            question,
+            |row| row.error.changed == 0.0,
+            |row| -f64::from(distance(row)) - row.setting.threshold - row.setting.light_cutoff,
+        ),
+        Choice::Depth => question.rows.iter().position(|row| row.is_own),
+        Choice::Sampling => best(
+            question,
+            |row| row.error.rms_levels <= own.error.rms_levels,
+            |row| -row.error.rms_levels,
+        ),
     }
-    let step = |row: &&SettingRow| {
-        let n = row.setting.samples;
-        format!("{n}×{n} {} ms and {}", figure(row.time_ms.median), figure(row.error.rms_levels))
+}
+
+/// Returns the index of the fastest row that is good and distinctly faster than the scene's own
+/// setting, if the latter is good as well. Of the rows that are not distinctly slower than the
+/// fastest, the one with the greatest rank counts. Without such a row, the result is the scene's
+/// own setting.
+fn best(
+    question: &Question,
+    is_good: impl Fn(&QuestionRow) -> bool,
+    rank: impl Fn(&QuestionRow) -> f64,
+) -> Option<usize> {
+    let own = question.own()?;
+    let candidates = || {
+        question.rows.iter().enumerate().filter(|(_, row)| {
+            is_good(row) && (!is_good(own) || row.time_ms.is_less_than(&own.time_ms))
+        })
     };
-    let steps: Vec<String> = rows.iter().map(step).collect();
-    let ln = |x: f64| cases::maths::ln(x);
-    let order = ln(first.error.rms_levels / last.error.rms_levels)
-        / ln(f64::from(last.setting.samples) / f64::from(first.setting.samples));
-    let n = report.truth.samples;
-    Some(format!(
-        "More rays a pixel, against {n}×{n}: {} levels (root mean square). The error falls as the \
-            number of rays a side to the power −{}.",
-        steps.join(", "),
-        figure(order)
-    ))
+    // The rows are sorted by time.
+    let Some((_, fastest)) = candidates().next() else {
+        return question.rows.iter().position(|row| row.is_own);
+    };
+    candidates()
+        .filter(|(_, row)| !fastest.time_ms.is_less_than(&row.time_ms))
+        .max_by(|(_, a), (_, b)| rank(a).total_cmp(&rank(b)))
+        .map(|(at, _)| at)
+}
+
+/// Returns what accuracy costs and which setting to pick, in one sentence.
+fn headline(report: &Report) -> String {
+    let picks = report.questions.iter().filter_map(|question| {
+        let pick = question.pick()?;
+        Some((question.about, pick.setting))
+    });
+    let all = picks.fold(report.own, |all, (about, pick)| about.only(&all, &pick));
+    let (free, priced): (Vec<_>, Vec<_>) =
+        report.questions.iter().filter_map(price).partition(|(_, price)| price.is_none());
+    let free: Vec<String> = free.into_iter().map(|(name, _)| name).collect();
+    let free = match free.len() {
+        0 => None,
+        1 => Some(format!("{} costs no measurable time", free[0])),
+        _ => Some(format!("{} cost no measurable time", free.join(" and "))),
+    };
+    let priced = priced.into_iter().filter_map(|(name, price)| Some(format!("{name} {}", price?)));
+    let clauses: Vec<String> = free.into_iter().chain(priced).collect();
+    let advice = if all == report.own {
+        format!("Keep the scene as it stands ({all})")
+    } else {
+        format!("Pick {all}")
+    };
+    if clauses.is_empty() {
+        return format!("{advice}.");
+    }
+    format!("{advice}: {}.", clauses.join(", "))
+}
+
+/// Returns what more accuracy in one question is called, and its price in words, or `None` instead
+/// of a price that the spread of the times hides. `None` if more accuracy was not measured.
+fn price(question: &Question) -> Option<(String, Option<String>)> {
+    let (own, pick) = (question.own()?, question.pick()?);
+    if !pick.is_own && pick.time_ms.is_less_than(&own.time_ms) {
+        let share = percent(pick.of_own);
+        let gain = match question.about {
+            Choice::Rounding => "gives the same picture at this scale",
+            Choice::Depth => "gives the same picture",
+            Choice::Sampling => "has no greater error",
+        };
+        return Some((pick.name.clone(), Some(format!("{gain} in {share} of the time"))));
+    }
+    let (name, more, base) = match question.about {
+        Choice::Rounding => {
+            let base = faster(question, pick);
+            ("exact rounding".to_owned(), pick, base.unwrap_or(pick))
+        }
+        Choice::Depth if own.error.changed == 0.0 => return None,
+        Choice::Depth => deeper(question).map(|deep| (deep.name.clone(), deep, own))?,
+        Choice::Sampling => {
+            finer(question).map(|fine| (format!("sampling at {}", fine.name), fine, own))?
+        }
+    };
+    if !base.time_ms.is_less_than(&more.time_ms) {
+        return Some((name, None));
+    }
+    let ratio = more.time_ms.median / base.time_ms.median;
+    let price = if ratio < 2.0 {
+        format!("costs {} more time", percent(ratio - 1.0))
+    } else {
+        format!("costs {} times the time", figure(ratio))
+    };
+    Some((name, Some(price)))
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::cost::error::Error;
-    use crate::cost::report::Machine;
-    use crate::cost::times::Times;
-    use crate::watch::Counts;
-    use cases::Effects;
-
-    const OWN: Setting = Setting {
-        precision: Precision::F64,
-        formula: Formula::Robust,
-        samples: 1,
-        max_depth: 2,
-        threshold: 0.0,
-        effects: Effects::NONE,
-    };
-    const TRUTH: Setting = Setting { samples: 8, max_depth: 4, ..OWN };
-
-    /// Returns a row that takes `ms` ± 1 ms, with the share `changed` of changed pixels, and with
-    /// the RMS error `rms` against the truth.
-    fn row(setting: Setting, ms: f64, changed: f64, rms: f64) -> SettingRow {
-        SettingRow {
-            name: setting.to_string(),
-            setting,
-            time_ms: Times { median: ms, least: ms - 1.0, greatest: ms + 1.0 },
-            rays: Counts { reflected: 1, ..Counts::default() },
-            bytes: 0,
-            left_out_at_most: None,
-            error: Error { rms_levels: rms, ..Error::default() },
-            same_rays: Error {
-                changed,
-                rms_levels: changed,
-                max_levels: 100.0 * changed,
-                ..Error::default()
-            },
-            rounding: None,
-            is_on_front: false,
-            is_on_same_rays_front: false,
-        }
-    }
-
-    fn said(rows: Vec<SettingRow>) -> Vec<String> {
-        let machine =
-            Machine { processor: String::new(), threads: 1, clock: "", is_optimised: true };
-        let report = Report {
-            schema: 1,
-            scene: String::new(),
-            width: 1,
-            height: 1,
-            machine,
-            rounds: 1,
-            own: OWN,
-            truth: TRUTH,
-            is_cut_short: false,
-            advice: Vec::new(),
-            rows,
-            effects: Vec::new(),
-        };
-        advice(&report)
-    }
-
-    fn depth(max_depth: u32) -> Setting {
-        Setting { max_depth, ..OWN }
-    }
-
-    #[test]
-    fn the_cheapest_that_changes_nothing_is_picked_and_the_next_one_below_named() {
-        let single = Setting { precision: Precision::F32, ..OWN };
-        let all = said(vec![
-            row(OWN, 40.0, 0.0, 3.0),
-            row(single, 20.0, 0.0, 3.0),
-            row(depth(1), 15.0, 0.25, 3.0),
-            row(depth(0), 10.0, 0.5, 3.0),
-            row(TRUTH, 900.0, 0.0, 0.0),
-        ]);
-        assert!(
-            all[0].starts_with("Pick f32 robust, 1×1, depth 2: 20.0 ms. It is the cheapest"),
-            "{all:?}"
-        );
-        assert!(
-            all[0].contains("takes 40.0 ms; this is 50.0 % of that.")
-                && !all[0].contains("overlap"),
-            "{all:?}"
-        );
-        assert!(
-            all[1].starts_with(
-                "The next step below is f64 robust, 1×1, depth 1: 15.0 ms; it changes 25.0 %"
-            ),
-            "{all:?}"
-        );
-        assert!(all[2].starts_with("No bound is known for the rays"), "{all:?}");
-        assert_eq!(all.len(), 3, "one number of samples gives no sentence on samples: {all:?}");
-    }
-
-    #[test]
-    fn a_scene_that_is_not_deep_enough_is_reported_and_equals_are_counted() {
-        let bound = SettingRow { left_out_at_most: Some(0.01), ..row(OWN, 40.0, 0.125, 4.0) };
-        let all = said(vec![bound, row(depth(4), 50.0, 0.0, 4.0), row(depth(3), 51.0, 0.0, 4.0)]);
-        assert!(
-            all[0].starts_with("Pick f64 robust, 1×1, depth 4")
-                && all[0].contains("1 other setting changes none either"),
-            "{all:?}"
-        );
-        assert!(
-            all[2].starts_with("The scene's own setting is not deep enough")
-                && all[2].contains("12.5 %"),
-            "{all:?}"
-        );
-        assert!(all[3].contains("darken no pixel by more than 2.55 levels"), "{all:?}");
-    }
-
-    #[test]
-    fn the_gain_of_samples_is_a_power() {
-        let exact = |samples| Setting { samples, ..TRUTH };
-        let all = said(vec![
-            row(OWN, 10.0, 0.0, 8.0),
-            row(exact(1), 10.0, 0.0, 8.0),
-            row(exact(2), 40.0, 0.0, 4.0),
-            row(exact(4), 160.0, 0.0, 2.0),
-            row(TRUTH, 640.0, 0.0, 0.0),
-        ]);
-        let last = all.last().unwrap();
-        assert!(
-            last.contains("1×1 10.0 ms and 8.00, 2×2 40.0 ms and 4.00, 4×4 160 ms and 2.00"),
-            "{last}"
-        );
-        assert!(last.ends_with("to the power −1.00."), "{last}");
-    }
-}
+mod tests;

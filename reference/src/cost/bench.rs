@@ -90,8 +90,12 @@ fn ready<'a, T: Real>(
 fn render<T: Real>(world: &mut World<T>, rules: &Rules, setting: &Setting) -> (Image, Stats) {
     world.render.max_depth = setting.max_depth;
     world.render.threshold = setting.threshold;
-    let options =
-        Options { effects: setting.simulated(), samples: setting.samples, ..Options::of(world) };
+    let options = Options {
+        effects: setting.simulated(),
+        samples: setting.samples,
+        light_cutoff: setting.light_cutoff,
+        ..Options::of(world)
+    };
     let rules = setting.formula.rules(rules);
     match setting.alike {
         true => render::render_alike(world, &rules, &options, |_| {}),

@@ -5,6 +5,7 @@ use serde::{Serialize, Serializer};
 
 use super::error::Error;
 use super::report::{EffectRow, Report, SettingRow};
+use super::setting::Setting;
 use super::times::Times;
 use crate::watch::Counts;
 
@@ -20,6 +21,7 @@ struct Line<'a> {
     samples: u32,
     max_depth: u32,
     threshold: Decimal,
+    light_cutoff: Decimal,
     median_ms: Decimal,
     least_ms: Decimal,
     greatest_ms: Decimal,
@@ -29,20 +31,16 @@ struct Line<'a> {
     rays_reflected: u64,
     rays_refracted: u64,
     bytes: Option<usize>,
-    rms_levels: Decimal,
-    max_levels: Decimal,
-    rms_light: Decimal,
-    max_light: Decimal,
-    off_share: Decimal,
-    changed_share: Decimal,
-    same_rays_rms_levels: Option<Decimal>,
-    same_rays_max_levels: Option<Decimal>,
-    same_rays_changed_share: Option<Decimal>,
+    rms_levels: Option<Decimal>,
+    max_levels: Option<Decimal>,
+    rms_light: Option<Decimal>,
+    max_light: Option<Decimal>,
+    off_share: Option<Decimal>,
+    changed_share: Option<Decimal>,
     on_front: Option<bool>,
-    on_same_rays_front: Option<bool>,
+    as_it_stands: Option<bool>,
+    pick: Option<bool>,
     left_out_at_most: Option<Decimal>,
-    rounding_max_levels: Option<Decimal>,
-    rounding_changed_share: Option<Decimal>,
 }
 
 /// A number that is written as a decimal without an exponent. For floats themselves, the CSV writer
@@ -55,72 +53,76 @@ impl Serialize for Decimal {
     }
 }
 
-/// Returns the report as CSV: a header, a line for each setting, then a line for each effect.
-/// Columns that an effect has no value for are empty. A report without settings and effects gives
-/// an empty file.
+/// Returns the report as CSV: a header, a line for each setting of each question, a line for each
+/// setting that belongs to no question, then a line for each effect. The column `what` names the
+/// question, and the errors are those of that question. Cells without a value are empty. A report
+/// without settings and effects gives an empty file.
 ///
 /// # Errors
 /// Returns the errors of the writer. A writer into memory has none.
 pub fn csv(report: &Report) -> Result<Vec<u8>, csv::Error> {
     let scene = csv_cell(&report.scene);
     let mut out = csv::Writer::from_writer(Vec::new());
-    for row in &report.rows {
+    for question in &report.questions {
+        for one in &question.rows {
+            out.serialize(Line {
+                what: question.about.word(),
+                on_front: Some(one.is_on_front),
+                as_it_stands: Some(one.is_own),
+                pick: Some(one.is_pick),
+                ..with_error(of_setting(report, &scene, &report.rows[one.row]), one.error)
+            })?;
+        }
+    }
+    for row in report.others() {
         out.serialize(of_setting(report, &scene, row))?;
     }
-    for effect in &report.effects {
-        out.serialize(of_effect(report, &scene, effect))?;
+    for EffectRow { name, time_ms, rays, error, .. } in &report.effects {
+        let line = measured(report, &scene, &report.own, *time_ms, *rays);
+        out.serialize(Line { what: name, ..with_error(line, *error) })?;
     }
     out.into_inner().map_err(|why| why.into_error().into())
 }
 
 fn of_setting<'a>(report: &Report, scene: &'a str, row: &SettingRow) -> Line<'a> {
-    let same = row.same_rays;
     Line {
-        what: "setting",
-        precision: row.setting.precision.says(),
-        formula: row.setting.formula.name(),
-        samples: row.setting.samples,
-        max_depth: row.setting.max_depth,
-        threshold: Decimal(row.setting.threshold),
         bytes: Some(row.bytes),
-        same_rays_rms_levels: Some(Decimal(same.rms_levels)),
-        same_rays_max_levels: Some(Decimal(same.max_levels)),
-        same_rays_changed_share: Some(Decimal(same.changed)),
-        on_front: Some(row.is_on_front),
-        on_same_rays_front: Some(row.is_on_same_rays_front),
         left_out_at_most: row.left_out_at_most.map(Decimal),
-        rounding_max_levels: row.rounding.map(|error| Decimal(error.max_levels)),
-        rounding_changed_share: row.rounding.map(|error| Decimal(error.changed)),
-        ..measured(report, scene, row.time_ms, row.rays, row.error)
+        ..measured(report, scene, &row.setting, row.time_ms, row.rays)
     }
 }
 
-/// Returns the line of an effect. Its setting is the scene's own.
-fn of_effect<'a>(report: &Report, scene: &'a str, effect: &'a EffectRow) -> Line<'a> {
-    let EffectRow { name, time_ms, rays, error, .. } = effect;
-    Line { what: name, ..measured(report, scene, *time_ms, *rays, *error) }
+fn with_error(line: Line<'_>, error: Error) -> Line<'_> {
+    Line {
+        rms_levels: Some(Decimal(error.rms_levels)),
+        max_levels: Some(Decimal(error.max_levels)),
+        rms_light: Some(Decimal(error.rms_light)),
+        max_light: Some(Decimal(error.max_light)),
+        off_share: Some(Decimal(error.off)),
+        changed_share: Some(Decimal(error.changed)),
+        ..line
+    }
 }
 
-/// Returns a line with the columns that settings and effects share, and with the scene's own
-/// setting.
+/// Returns a line without errors.
 fn measured<'a>(
     report: &Report,
     scene: &'a str,
+    setting: &Setting,
     time_ms: Times,
     rays: Counts,
-    error: Error,
 ) -> Line<'a> {
-    let own = report.own;
     Line {
         scene,
         width: report.width,
         height: report.height,
-        what: "",
-        precision: own.precision.says(),
-        formula: own.formula.name(),
-        samples: own.samples,
-        max_depth: own.max_depth,
-        threshold: Decimal(own.threshold),
+        what: "other",
+        precision: setting.precision.says(),
+        formula: setting.formula.name(),
+        samples: setting.samples,
+        max_depth: setting.max_depth,
+        threshold: Decimal(setting.threshold),
+        light_cutoff: Decimal(setting.light_cutoff),
         median_ms: Decimal(time_ms.median),
         least_ms: Decimal(time_ms.least),
         greatest_ms: Decimal(time_ms.greatest),
@@ -130,19 +132,15 @@ fn measured<'a>(
         rays_reflected: rays.reflected,
         rays_refracted: rays.refracted,
         bytes: None,
-        rms_levels: Decimal(error.rms_levels),
-        max_levels: Decimal(error.max_levels),
-        rms_light: Decimal(error.rms_light),
-        max_light: Decimal(error.max_light),
-        off_share: Decimal(error.off),
-        changed_share: Decimal(error.changed),
-        same_rays_rms_levels: None,
-        same_rays_max_levels: None,
-        same_rays_changed_share: None,
+        rms_levels: None,
+        max_levels: None,
+        rms_light: None,
+        max_light: None,
+        off_share: None,
+        changed_share: None,
         on_front: None,
-        on_same_rays_front: None,
+        as_it_stands: None,
+        pick: None,
         left_out_at_most: None,
-        rounding_max_levels: None,
-        rounding_changed_share: None,
     }
 }

@@ -1,5 +1,7 @@
 //! The page `docs/accuracy.md` on the cost of accuracy, rendered from measurements.
 
+use std::collections::BTreeMap;
+
 use cases::Scene;
 use pages::page::{Serde, Value, context, text};
 use serde::Serialize;
@@ -7,7 +9,7 @@ use serde::Serialize;
 use super::bench::Bench;
 use super::error::Error;
 use super::functions_report::FunctionsReport;
-use super::report::Report;
+use super::report::{Choice, Report};
 use super::scaled::scaled;
 use super::setting::{Formula, Setting};
 use crate::expect::variations::Precision;
@@ -34,6 +36,23 @@ pub struct StartRow {
     pub name: String,
     /// The share of the pixels with a wrong 8-bit colour, for each size.
     pub changed: Vec<f64>,
+}
+
+impl StartRow {
+    /// Returns the sentence on the sizes at which no pixel is wrong.
+    fn safe_sizes(&self) -> String {
+        let all = SIZES.iter().zip(&self.changed);
+        let safe: Vec<String> = all
+            .filter(|(_, share)| **share == 0.0)
+            .map(|(power, _)| format!("10^{power}"))
+            .collect();
+        let name = &self.name;
+        match safe.len() {
+            0 => format!("{name}: no size is free of wrong pixels."),
+            n if n == SIZES.len() => format!("{name}: no pixel is wrong at any size."),
+            _ => format!("{name}: no pixel is wrong at {}.", safe.join(", ")),
+        }
+    }
 }
 
 /// Returns a row for the reference's own start and for each RAY_EPSILON, in both precisions. The
@@ -91,6 +110,10 @@ pub fn markdown(document: &Document, stem: &str) -> String {
     let pictures: Vec<String> =
         document.scenes.iter().map(|report| picture_name(stem, &report.scene)).collect();
     let page = Value::from(Serde(document));
-    let values = context! { page, pictures, sizes => SIZES.to_vec(), sized => SIZED };
+    let titles: BTreeMap<&str, &str> =
+        Choice::ALL.into_iter().map(|about| (about.word(), about.title())).collect();
+    let safe_sizes: Vec<String> = document.starts.iter().map(StartRow::safe_sizes).collect();
+    let sizes = SIZES.to_vec();
+    let values = context! { page, pictures, titles, safe_sizes, sizes, sized => SIZED };
     text(include_str!("accuracy.md.in"), &values)
 }

@@ -29,7 +29,7 @@ impl Error {
         let mut error = Self::default();
         let n_pixels = truth.pixels().len().max(1) as f64;
         for (a, b) in truth.pixels().iter().zip(image.pixels()) {
-            let levels = difference(*a, *b, level, 255.0);
+            let levels = levels_off(*a, *b);
             let light = difference(*a, *b, |light| light, 1.0);
             error.max_levels = error.max_levels.max(levels.max_element());
             error.max_light = error.max_light.max(light.max_element());
@@ -45,6 +45,12 @@ impl Error {
         error.off /= n_pixels;
         error
     }
+}
+
+/// Returns the absolute difference of each channel in 8-bit levels, before rounding to whole
+/// levels. A channel that is not finite is off by 255.
+pub(super) fn levels_off(a: DVec3, b: DVec3) -> DVec3 {
+    difference(a, b, level, 255.0)
 }
 
 /// Returns the absolute difference of each channel after `scale`, or `all` where `b` or the

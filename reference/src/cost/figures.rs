@@ -12,3 +12,8 @@ pub fn levels(light: f64) -> f64 {
 pub fn signed(x: f64) -> String {
     if x > 0.0 { format!("+{}", figure(x)) } else { figure(x) }
 }
+
+/// Rounds a number to three digits, so that two numbers that print alike count as equal.
+pub fn three_digits(x: f64) -> f64 {
+    format!("{x:.2e}").parse().unwrap_or(x)
+}

@@ -35,7 +35,7 @@ impl Forms for Report {
     }
 
     fn plots(&self) -> Vec<Plot> {
-        page::plots(self).into()
+        page::plots(self)
     }
 
     fn page(&self) -> String {

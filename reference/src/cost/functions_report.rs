@@ -2,19 +2,16 @@
 
 use std::fmt::Write;
 
-use cases::front::on_front;
 use pages::figures::figure;
 use pages::page::context;
 use serde::Serialize;
 
 use super::forms::Forms;
-use super::functions::Measured;
 use super::page;
 use super::plot::{self, Place, Plot, Point, Shape};
 use super::report::Machine;
 use super::times::Times;
 use crate::expect::variations::Precision;
-use crate::hard::SurveyCounts;
 
 /// The cost of accuracy, function by function.
 #[derive(Clone, Debug, Serialize)]
@@ -27,6 +24,11 @@ pub struct FunctionsReport {
     pub draws: u64,
     /// The number of times that each formula was timed.
     pub rounds: usize,
+    /// What the formulas cost over all functions, in one sentence. After one round, the sentence
+    /// gives the reason why there is no advice.
+    pub headline: String,
+    /// A sentence on each function: which formula to pick.
+    pub advice: Vec<String>,
     /// One row for each function, formula and precision.
     pub rows: Vec<FunctionRow>,
 }
@@ -83,67 +85,31 @@ pub struct Counts {
     pub doubtful: u64,
     /// The greatest relative error of a correct decision.
     pub max_error: f64,
-    /// The greatest relative error in units of the last place of 1, in the precision of the row.
-    pub ulps: f64,
+    /// The decimal digits that every correct decision has: the negative logarithm of `max_error`,
+    /// at least 0. Its unit is the same in both precisions. `None` if there is no error at all.
+    pub digits: Option<f64>,
 }
 
 impl Counts {
-    fn of(tally: &SurveyCounts, precision: Precision) -> Self {
-        let ulps = match precision {
-            Precision::F32 => tally.ulps::<f32>(),
-            Precision::F64 => tally.ulps::<f64>(),
-        };
-        Self {
-            n: tally.n,
-            wrong: tally.wrong(),
-            false_hits: tally.false_hits,
-            false_misses: tally.false_misses,
-            elsewhere: tally.elsewhere,
-            not_a_number: tally.not_a_number,
-            doubtful: tally.doubtful,
-            max_error: tally.max_error(),
-            ulps,
-        }
+    /// Returns these counts with the digits that their greatest error leaves.
+    pub(super) fn with_digits(self) -> Self {
+        let digits = -cases::maths::ln(self.max_error) / std::f64::consts::LN_10;
+        Self { digits: (self.max_error > 0.0).then_some(digits.max(0.0)), ..self }
     }
 
-    fn and(self, other: &Self) -> Self {
-        Self {
-            n: self.n + other.n,
-            wrong: self.wrong + other.wrong,
-            false_hits: self.false_hits + other.false_hits,
-            false_misses: self.false_misses + other.false_misses,
-            elsewhere: self.elsewhere + other.elsewhere,
-            not_a_number: self.not_a_number + other.not_a_number,
-            doubtful: self.doubtful + other.doubtful,
-            max_error: self.max_error.max(other.max_error),
-            ulps: self.ulps.max(other.ulps),
-        }
+    /// Returns the digits in words.
+    pub(super) fn digits_text(&self) -> String {
+        self.digits.map_or_else(|| "all digits".to_owned(), |digits| format!("{digits:.1} digits"))
     }
 
     /// Returns one number for both kinds of error: 1 if any decision is wrong, otherwise the
     /// greatest error, but at most 1.
-    fn loss(&self) -> f64 {
+    pub(super) fn loss(&self) -> f64 {
         if self.wrong > 0 { 1.0 } else { self.max_error.min(1.0) }
     }
 }
 
 impl FunctionsReport {
-    /// Returns the report of `measured`, with `draws` questions a family.
-    pub fn new(machine: Machine, measured: &[Measured], draws: u64) -> Self {
-        let rounds = measured.first().map_or(0, |one| one.rounds);
-        let mut rows: Vec<FunctionRow> = measured.iter().map(row).collect();
-        for function in names(&rows) {
-            let of: Vec<usize> =
-                (0..rows.len()).filter(|n| rows[*n].function == function).collect();
-            let points: Vec<(f64, f64)> =
-                of.iter().map(|n| (rows[*n].ns.median, rows[*n].all.loss())).collect();
-            for (n, is_on) in of.into_iter().zip(on_front(&points)) {
-                rows[n].is_on_front = is_on;
-            }
-        }
-        Self { schema: 1, machine, draws, rounds, rows }
-    }
-
     /// Returns the picture of one function.
     pub fn plot(&self, function: &str) -> Plot {
         let rows = self.rows.iter().filter(|row| row.function == function);
@@ -163,29 +129,11 @@ impl FunctionsReport {
     }
 }
 
-fn names(rows: &[FunctionRow]) -> Vec<&'static str> {
+/// Returns the functions of rows, in their order.
+pub(super) fn names(rows: &[FunctionRow]) -> Vec<&'static str> {
     let mut names: Vec<_> = rows.iter().map(|row| row.function).collect();
     names.dedup();
     names
-}
-
-fn row(one: &Measured) -> FunctionRow {
-    let precision = one.candidate.precision;
-    let family = |(family, tally): &(&'static str, SurveyCounts)| FamilyRow {
-        family,
-        counts: Counts::of(tally, precision),
-    };
-    let families: Vec<FamilyRow> = one.tallies.iter().map(family).collect();
-    FunctionRow {
-        function: one.candidate.function,
-        formula: one.candidate.formula,
-        precision,
-        ns: one.ns,
-        hard_ns: one.hard_ns,
-        all: families.iter().fold(Counts::default(), |all, row| all.and(&row.counts)),
-        is_on_front: false,
-        families,
-    }
 }
 
 fn point(row: &FunctionRow) -> Point {
@@ -197,15 +145,18 @@ fn point(row: &FunctionRow) -> Point {
         shape: if row.formula == "robust" { Shape::Circle } else { Shape::Square },
         is_hollow: row.precision == Precision::F32,
         is_on_front: row.is_on_front,
+        is_own: false,
+        is_pick: false,
+        link: None,
         hover: format!(
-            "{name}\n{} ns ({} to {}), over all families {} ns\n{} wrong of {}, {} ulps",
+            "{name}\n{} ns ({} to {}), over all families {} ns\n{} wrong of {}, {}",
             figure(row.ns.median),
             figure(row.ns.least),
             figure(row.ns.greatest),
             figure(row.hard_ns.median),
             row.all.wrong,
             row.all.n,
-            figure(row.all.ulps)
+            row.all.digits_text()
         ),
         label: name,
     }
@@ -224,7 +175,7 @@ const HEAD: [&str; 19] = [
     "not_a_number",
     "doubtful",
     "max_error",
-    "ulps",
+    "digits",
     "ns",
     "least_ns",
     "greatest_ns",
@@ -249,7 +200,7 @@ impl Forms for FunctionsReport {
             "questions",
             "wrong",
             "doubtful",
-            "ulps"
+            "digits"
         );
         for row in &self.rows {
             let _ = writeln!(
@@ -264,14 +215,18 @@ impl Forms for FunctionsReport {
                 row.all.n,
                 row.all.wrong,
                 row.all.doubtful,
-                figure(row.all.ulps),
+                row.all.digits.map_or("all".to_owned(), |digits| format!("{digits:.1}")),
             );
         }
         out += "ns: time of an answer to generic questions; hard ns: over all families. wrong: \
             decisions that no rounding of the question excuses.\n\
-                doubtful: decisions that are correct for a question one rounding away. ulps: \
-                greatest error of the correct decisions, in units of the last place of 1.\n\
+                doubtful: decisions that are correct for a question one rounding away. digits: \
+                decimal digits that every correct decision has, in both precisions alike.\n\
                 *: on the Pareto front of its function; a wrong decision is an error of 1.\n";
+        out += &format!("\n{}\n", self.headline);
+        for sentence in &self.advice {
+            out += &format!("{sentence}\n");
+        }
         if !self.machine.is_optimised {
             out += "This program was compiled without optimisation: measure with `cargo run \
                 --release`.\n";
@@ -297,7 +252,8 @@ impl Forms for FunctionsReport {
                     counts.doubtful,
                 ];
                 line.extend(numbers.map(|n| n.to_string()));
-                line.extend([counts.max_error, counts.ulps].map(|x| x.to_string()));
+                line.push(counts.max_error.to_string());
+                line.push(counts.digits.map_or_else(String::new, |digits| digits.to_string()));
                 line.extend(
                     [row.ns, row.hard_ns]
                         .iter()

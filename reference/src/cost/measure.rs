@@ -4,6 +4,7 @@ use cases::film::Image;
 
 use super::bench::Bench;
 use super::error::Error;
+use super::error_picture::ErrorPicture;
 use super::setting::Setting;
 use super::sweep::{About, Sweep};
 use super::times::Times;
@@ -16,14 +17,17 @@ pub struct Measured {
     pub setting: Setting,
     /// The purpose of the setting.
     pub about: About,
-    /// The error against the truth; for an effect, against the scene's own setting.
+    /// The difference from the scene's own setting.
     pub error: Error,
-    /// The error against the most accurate setting with as many rays a pixel; for an effect, equal
-    /// to `error`.
-    pub same_rays: Error,
     /// The error of precision and formulas alone: against f64 and the robust formulas, with
     /// everything else equal. `None` if that setting was not rendered.
-    pub rounding: Option<Error>,
+    pub rounding: Option<Compared>,
+    /// The error of depth and cut-offs, and of rounding: against the sweep's deepest setting.
+    /// `None` if the sampling differs.
+    pub depth: Option<Compared>,
+    /// The error of sampling, and of rounding: against the sweep's truth. `None` if the depth or a
+    /// cut-off differs.
+    pub sampling: Option<Compared>,
     /// The rays by kind, and the weight that was left out.
     pub stats: Stats,
     /// The memory, as [`Bench::bytes`] gives it.
@@ -37,6 +41,15 @@ impl Measured {
     pub fn time_ms(&self) -> Times {
         Times::of(&self.times_s.iter().map(|seconds| 1e3 * seconds).collect::<Vec<_>>())
     }
+}
+
+/// An error, and its picture if it can be seen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compared {
+    /// The error.
+    pub error: Error,
+    /// The picture of the error. `None` if no 8-bit pixel changes.
+    pub picture: Option<ErrorPicture>,
 }
 
 /// The outside world of a measurement: the clock, the user who may stop it, and the progress bar.
@@ -118,9 +131,8 @@ fn one_round(
 fn pictures(bench: &mut Bench, sweep: &Sweep, outside: &mut impl Outside) -> Option<Vec<Measured>> {
     let mut kept: Vec<(Setting, Image, Stats)> = Vec::new();
     for (setting, about) in &sweep.subjects {
-        let is_kept = *about == About::Accuracy
-            && (*setting == sweep.own || *setting == sweep.exact(setting));
-        if is_kept {
+        let is_kept = [sweep.own, sweep.truth, sweep.deepest].contains(setting);
+        if *about == About::Accuracy && is_kept {
             let (image, stats) = picture(bench, setting, outside)?;
             kept.push((*setting, image, stats));
         }
@@ -128,44 +140,40 @@ fn pictures(bench: &mut Bench, sweep: &Sweep, outside: &mut impl Outside) -> Opt
     let mut rows = Vec::new();
     let mut last_exact: Option<(Setting, Image)> = None;
     for (setting, about) in &sweep.subjects {
-        let found = kept.iter().find(|(s, ..)| s == setting);
-        let (image, stats) = match found {
+        let (image, stats) = match kept.iter().find(|(s, ..)| s == setting) {
             Some((_, image, stats)) => (image.clone(), *stats),
             None => picture(bench, setting, outside)?,
         };
-        let against = |other: &Setting| {
-            let other = kept.iter().find(|(s, ..)| s == other);
-            other.map_or_else(Error::default, |(_, truth, _)| {
-                Error::of(truth, &image, bench.rules().quantiser)
-            })
-        };
-        let (error, same_rays) = match about {
-            About::Accuracy => (against(&sweep.truth), against(&sweep.exact(setting))),
-            About::Without(_) | About::Everything => (against(&sweep.own), against(&sweep.own)),
-        };
         let exact = setting.by_exact_numbers();
-        let sibling = kept
-            .iter()
-            .map(|(s, picture, _)| (s, picture))
-            .chain(last_exact.iter().map(|(s, picture)| (s, picture)));
-        let sibling = sibling.into_iter().find(|(s, _)| **s == exact).map(|(_, picture)| picture);
-        let rounding = if exact == *setting { Some(&image) } else { sibling };
-        let rounding = rounding.map(|picture| Error::of(picture, &image, bench.rules().quantiser));
-        let bytes = bench.bytes(setting);
-        let (setting, about) = (*setting, *about);
+        if exact == *setting {
+            last_exact = Some((exact, image.clone()));
+        }
+        let against = |other: &Setting| {
+            let of_kept = kept.iter().map(|(s, truth, _)| (s, truth));
+            let all = of_kept.chain(last_exact.iter().map(|(s, truth)| (s, truth)));
+            let (_, truth) = all.into_iter().find(|(s, _)| *s == other)?;
+            let error = Error::of(truth, &image, bench.rules().quantiser);
+            let is_shown = *about == About::Accuracy && error.changed > 0.0;
+            let picture = is_shown.then(|| ErrorPicture::of(truth, &image)).flatten();
+            Some(Compared { error, picture })
+        };
+        let error = against(&sweep.own).map_or_else(Error::default, |compared| compared.error);
+        let rounding = against(&exact);
+        let is_as_sampled = exact.with_depth_of(&sweep.deepest) == sweep.deepest;
+        let depth = is_as_sampled.then(|| against(&sweep.deepest)).flatten();
+        let is_as_deep = exact.with_sampling_of(&sweep.truth) == sweep.truth;
+        let sampling = is_as_deep.then(|| against(&sweep.truth)).flatten();
         rows.push(Measured {
-            setting,
-            about,
+            setting: *setting,
+            about: *about,
             error,
-            same_rays,
             rounding,
+            depth,
+            sampling,
             stats,
-            bytes,
+            bytes: bench.bytes(setting),
             times_s: Vec::new(),
         });
-        if exact == setting {
-            last_exact = Some((setting, image));
-        }
     }
     Some(rows)
 }

@@ -4,9 +4,12 @@
 //! |---|---|
 //! | `setting.rs`, `sweep.rs` | the settings by which a picture can be computed, and which are measured |
 //! | `bench.rs`, `measure.rs` | a scene prepared for all settings; pictures first, then times in interleaved rounds |
-//! | `error.rs`, `times.rs` | the error of a picture against a better one; the median of several times |
-//! | `report.rs`, `summary.rs`, `advice.rs` | the report of a sweep: its data, its construction, its sentences |
+//! | `error.rs`, `error_picture.rs` | the error of a picture against a better one, as figures and as a picture |
+//! | `times.rs` | the median and the spread of several times |
+//! | `report.rs`, `summary.rs` | the report of a sweep: its data, and its construction |
+//! | `advice.rs`, `answers.rs` | which setting to pick, and the sentences of a report |
 //! | `functions.rs`, `functions_report.rs` | single functions: nanoseconds against errors and wrong decisions |
+//! | `functions_summary.rs`, `functions_advice.rs` | construction of that report; which formula to pick for each function |
 //! | `idle.rs` | a scene without each of its effects: pixels, rays and times |
 //! | `uncalled.rs` | the cost of an effect in a scene that does not call for it |
 //! | `forms.rs`, `table.rs`, `csv.rs`, `plot.rs`, `page.rs` | reports as text, CSV table, SVG picture and HTML page |
@@ -16,14 +19,18 @@
 //! Nothing here reads a clock. The caller passes a [`measure::Outside`].
 
 mod advice;
+mod answers;
 pub mod bench;
 pub mod csv;
 pub mod document;
 pub mod error;
+pub mod error_picture;
 pub mod figures;
 pub mod forms;
 pub mod functions;
+mod functions_advice;
 pub mod functions_report;
+mod functions_summary;
 pub mod idle;
 mod labels;
 pub mod measure;

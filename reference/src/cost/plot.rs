@@ -1,34 +1,32 @@
 //! Plots of error against cost as SVG, with logarithmic scales on both axes.
 //!
 //! No information is in colour alone: shapes and fillings distinguish the points, the front is a
-//! line with names, and each point has a tooltip. A logarithmic scale has no place for an error of
+//! line with names, and each point has a tooltip. The scene as it stands and the pick have outlines
+//! of their own and always a label. A logarithmic scale has no place for an error of
 //! 0, so such points lie in a band of their own below it.
+
+mod scale;
+mod symbols;
 
 use std::fmt::Write;
 
-use cases::maths;
+use scale::{Scale, number};
+pub use symbols::Shape;
+use symbols::{diamond, outline, ring};
 
 use super::labels::{self, Label};
 
-/// The width of the picture, in its own units.
-const WIDTH: f64 = 760.0;
-const HEIGHT: f64 = 480.0;
-const LEFT: f64 = 76.0;
-const RIGHT: f64 = 738.0;
-const TOP: f64 = 64.0;
-const BOTTOM: f64 = 424.0;
+/// The width of the picture, in its own units. It fits a phone without illegible letters.
+const WIDTH: f64 = 520.0;
+const HEIGHT: f64 = 400.0;
+const LEFT: f64 = 70.0;
+const RIGHT: f64 = 504.0;
+const TOP: f64 = 84.0;
+const BOTTOM: f64 = 346.0;
 /// The height of the band for an error of 0.
 const BAND: f64 = 30.0;
-
-/// The shape of a drawn point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "their names say it")]
-pub enum Shape {
-    Circle,
-    Square,
-    Triangle,
-    Diamond,
-}
+/// The radius of the rings around the scene as it stands and the pick.
+const RING: f64 = 10.0;
 
 /// One point of a plot.
 #[derive(Clone, Debug)]
@@ -45,10 +43,33 @@ pub struct Point {
     pub is_hollow: bool,
     /// Whether the point is on the Pareto front. It is then larger, and has its label beside it.
     pub is_on_front: bool,
+    /// Whether the point is the scene as it stands. It then has a ring and always a label.
+    pub is_own: bool,
+    /// Whether the point is the pick. It then has a diamond around it and always a label.
+    pub is_pick: bool,
     /// The label beside the point, if it is on the front.
     pub label: String,
     /// The tooltip.
     pub hover: String,
+    /// The fragment of the page that the point links to, without `#`.
+    pub link: Option<String>,
+}
+
+impl Point {
+    fn is_marked(&self) -> bool {
+        self.is_own || self.is_pick
+    }
+
+    /// Returns the label, with the reason why the point is marked.
+    fn full_label(&self) -> String {
+        let label = &self.label;
+        match (self.is_own, self.is_pick) {
+            (true, true) => format!("{label}: as it stands, and the pick"),
+            (true, false) => format!("{label}: as it stands"),
+            (false, true) => format!("{label}: the pick"),
+            (false, false) => label.clone(),
+        }
+    }
 }
 
 /// A plot of points.
@@ -80,50 +101,10 @@ pub enum Place {
 }
 
 /// The meaning of the line in plots of error against time.
-pub const FRONT: Option<&str> = Some("Pareto front: none faster and more accurate");
+pub const FRONT: Option<&str> = Some("front: none faster and more accurate");
 
 /// The style sheet of plots. It uses the colours of the page, if the page defines them.
 pub const STYLE: &str = include_str!("plot.css");
-
-/// A logarithmic scale.
-struct Scale {
-    from: (f64, f64),
-    to: (f64, f64),
-}
-
-impl Scale {
-    /// Returns the scale that maps the range of `values`, with a margin on either side, to `to`.
-    /// Without values the range is 1 to 10.
-    fn new(values: impl Iterator<Item = f64>, to: (f64, f64)) -> Self {
-        let (least, greatest) =
-            values.fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
-        let (least, greatest) = if least <= greatest { (least, greatest) } else { (1.0, 10.0) };
-        let room = 0.06 * (log10(greatest) - log10(least)).max(0.5);
-        Self { from: (log10(least) - room, log10(greatest) + room), to }
-    }
-
-    fn at(&self, value: f64) -> f64 {
-        let share = (log10(value) - self.from.0) / (self.from.1 - self.from.0);
-        self.to.0 + share * (self.to.1 - self.to.0)
-    }
-
-    /// Returns the values to mark: powers of ten. If there are many, only some of them are marked;
-    /// if there are few, also twice and five times each power.
-    fn ticks(&self) -> Vec<f64> {
-        let (first, last) = (self.from.0.floor() as i32, self.from.1.ceil() as i32);
-        let step = (last - first).div_euclid(8) + 1;
-        let multiples: &[f64] =
-            if self.from.1 - self.from.0 < 2.5 { &[1.0, 2.0, 5.0] } else { &[1.0] };
-        let decades = (first..=last).filter(|n| n.rem_euclid(step) == 0);
-        let values =
-            decades.flat_map(|n| multiples.iter().map(move |m| m * maths::pow(10.0, f64::from(n))));
-        values.filter(|v| (self.from.0..=self.from.1).contains(&log10(*v))).collect()
-    }
-}
-
-fn log10(x: f64) -> f64 {
-    maths::ln(x) / std::f64::consts::LN_10
-}
 
 /// Returns the picture as SVG.
 pub fn svg(plot: &Plot, place: Place) -> String {
@@ -133,10 +114,13 @@ pub fn svg(plot: &Plot, place: Place) -> String {
 /// Returns the pictures below one another as one SVG, which is empty for no pictures.
 pub fn stack(plots: &[Plot], place: Place) -> String {
     let height = HEIGHT * plots.len() as f64;
+    // A picture with links is a group of them, since the parts of an `img` cannot be reached.
+    let has_links = plots.iter().flat_map(|plot| &plot.points).any(|point| point.link.is_some());
+    let role = if has_links { "group" } else { "img" };
     let titles: Vec<String> = plots.iter().map(|plot| quoted(&plot.title)).collect();
     let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" \
-            class=\"plot\" aria-label=\"{}\">\n",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" \
+            role=\"{role}\" class=\"plot\" aria-label=\"{}\">\n",
         titles.join("; ")
     );
     if place == Place::File {
@@ -177,17 +161,51 @@ fn drawn(plot: &Plot) -> String {
     if plot.line.is_some() {
         out += &stairs(&front);
     }
-    for (point, at) in points.iter().zip(&at) {
+    // The marked points come last, so that no other point hides them.
+    let (marked, others): (Vec<_>, Vec<_>) =
+        points.iter().copied().zip(at.iter().copied()).partition(|(point, _)| point.is_marked());
+    for (point, at) in others.iter().chain(&marked) {
         let spread = [point.spread.0, point.spread.1]
             .map(|value| if value > 0.0 { x.at(value) } else { at.0 });
         out += &mark(point, *at, spread);
     }
-    let wanted: Vec<Label<'_>> =
-        on_front().map(|(point, at)| Label { text: &point.label, at: *at }).collect();
-    for (label, (left, base)) in labels::place(&wanted, &at, (LEFT, TOP, RIGHT, BOTTOM)) {
+    out + &names(&marked, &others, &at)
+}
+
+/// Returns the labels of marked points, which always have one, and of points on the front, if they
+/// have room.
+fn names(
+    marked: &[(&Point, (f64, f64))],
+    others: &[(&Point, (f64, f64))],
+    at: &[(f64, f64)],
+) -> String {
+    let text = |point: &Point| point.full_label();
+    let on_front = others.iter().filter(|(point, _)| point.is_on_front);
+    let texts: Vec<(String, (f64, f64), bool)> = marked
+        .iter()
+        .map(|(point, at)| (text(point), *at, true))
+        .chain(on_front.map(|(point, at)| (text(point), *at, false)))
+        .collect();
+    let wanted: Vec<Label<'_>> = texts
+        .iter()
+        .map(|(text, at, is_needed)| Label { text, at: *at, is_needed: *is_needed })
+        .collect();
+    let mut out = String::new();
+    for (label, (left, base)) in labels::place(&wanted, at, (LEFT, TOP, RIGHT, BOTTOM)) {
+        if label.is_needed {
+            let middle = left + labels::width(label.text) / 2.0;
+            let _ = writeln!(
+                out,
+                "<path class=\"lead\" d=\"M{:.1} {:.1}L{middle:.1} {:.1}\"/>",
+                label.at.0,
+                label.at.1,
+                base - 4.0
+            );
+        }
+        let class = if label.is_needed { "label marked" } else { "label" };
         let _ = writeln!(
             out,
-            "<text class=\"label\" x=\"{left:.1}\" y=\"{base:.1}\">{}</text>",
+            "<text class=\"{class}\" x=\"{left:.1}\" y=\"{base:.1}\">{}</text>",
             quoted(label.text)
         );
     }
@@ -242,34 +260,47 @@ fn axes(plot: &Plot, x: &Scale, y: &Scale, floor: f64, has_zero: bool) -> String
     let _ = writeln!(
         out,
         "<text class=\"name middle\" x=\"{middle}\" y=\"{}\">{}</text>",
-        BOTTOM + 40.0,
+        BOTTOM + 38.0,
         quoted(&plot.x)
     );
     let side = (TOP + BOTTOM) / 2.0;
     let _ = writeln!(
         out,
-        "<text class=\"name middle\" transform=\"translate(18 {side}) rotate(-90)\">{}</text>",
+        "<text class=\"name middle\" transform=\"translate(16 {side}) rotate(-90)\">{}</text>",
         quoted(&plot.y)
     );
-    let mut left = LEFT;
-    for (shape, is_hollow, text) in &plot.key {
-        let _ = writeln!(out, "{}", outline(*shape, *is_hollow, (left + 5.0, 40.0), false));
-        let _ = writeln!(
-            out,
-            "<text class=\"tick\" x=\"{}\" y=\"44\">{}</text>",
-            left + 15.0,
-            quoted(text)
-        );
-        left += 34.0 + labels::width(text);
+    out + &legend(plot)
+}
+
+/// Returns the legend, on as many lines as it takes.
+fn legend(plot: &Plot) -> String {
+    let mut items: Vec<(String, &str)> = plot
+        .key
+        .iter()
+        .map(|(shape, is_hollow, text)| (outline(*shape, *is_hollow, (5.0, 0.0), false), *text))
+        .collect();
+    if plot.points.iter().any(|point| point.is_own) {
+        items.push((ring((5.0, 0.0), 6.0), "the scene as it stands"));
+    }
+    if plot.points.iter().any(|point| point.is_pick) {
+        items.push((diamond((5.0, 0.0), 7.0), "the pick"));
     }
     if let Some(line) = plot.line {
-        let _ = writeln!(out, "<path class=\"front\" d=\"M{left} 40h24\"/>");
+        items.push(("<path class=\"front\" d=\"M-4 0h17\"/>".to_owned(), line));
+    }
+    let (mut out, mut left, mut top) = (String::new(), LEFT, 38.0);
+    for (symbol, text) in items {
+        let width = 34.0 + labels::width(text);
+        if left > LEFT && left + width > WIDTH + 14.0 {
+            (left, top) = (LEFT, top + 17.0);
+        }
         let _ = writeln!(
             out,
-            "<text class=\"tick\" x=\"{}\" y=\"44\">{}</text>",
-            left + 31.0,
-            quoted(line)
+            "<g transform=\"translate({left:.1} {top})\">{symbol}<text class=\"tick\" x=\"17\" \
+                y=\"4\">{}</text></g>",
+            quoted(text)
         );
+        left += width;
     }
     out
 }
@@ -285,56 +316,24 @@ fn stairs(front: &[(f64, f64)]) -> String {
 }
 
 fn mark(point: &Point, at: (f64, f64), spread: [f64; 2]) -> String {
-    format!(
+    let mut symbols = outline(point.shape, point.is_hollow, at, point.is_on_front);
+    if point.is_own {
+        symbols += &ring(at, RING);
+    }
+    if point.is_pick {
+        symbols += &diamond(at, 1.5 * RING);
+    }
+    let drawn = format!(
         "<g><title>{}</title><line class=\"spread\" x1=\"{:.1}\" y1=\"{y:.1}\" x2=\"{:.1}\" \
-            y2=\"{y:.1}\"/>{}</g>\n",
+            y2=\"{y:.1}\"/>{symbols}</g>",
         quoted(&point.hover),
         spread[0],
         spread[1],
-        outline(point.shape, point.is_hollow, at, point.is_on_front),
         y = at.1,
-    )
-}
-
-fn outline(shape: Shape, is_hollow: bool, (x, y): (f64, f64), is_large: bool) -> String {
-    let r = if is_large { 6.0 } else { 4.5 };
-    let class = if is_hollow { "hollow" } else { "solid" };
-    match shape {
-        Shape::Circle => {
-            format!("<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{r}\"/>")
-        }
-        Shape::Square => {
-            let (left, top, side) = (x - 0.9 * r, y - 0.9 * r, 1.8 * r);
-            format!(
-                "<rect class=\"{class}\" x=\"{left:.1}\" y=\"{top:.1}\" width=\"{side:.1}\" \
-                    height=\"{side:.1}\"/>"
-            )
-        }
-        Shape::Triangle => {
-            let (up, half, down) = (y - 1.2 * r, 1.1 * r, y + 0.8 * r);
-            format!(
-                "<path class=\"{class}\" d=\"M{x:.1} {up:.1}L{:.1} {down:.1}H{:.1}Z\"/>",
-                x + half,
-                x - half
-            )
-        }
-        Shape::Diamond => {
-            let d = 1.25 * r;
-            format!(
-                "<path class=\"{class}\" d=\"M{x:.1} {:.1}l{d:.1} {d:.1}l-{d:.1} {d:.1}l-{d:.1} \
-                    -{d:.1}Z\"/>",
-                y - d
-            )
-        }
-    }
-}
-
-/// Returns the text of a tick: a decimal from 0.001 to below 100,000, otherwise with an exponent.
-fn number(x: f64) -> String {
-    if (1e-3..1e5).contains(&x) {
-        format!("{:.4}", x).trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        format!("{x:.0e}")
+    );
+    match &point.link {
+        Some(link) => format!("<a href=\"#{}\">{drawn}</a>\n", quoted(link)),
+        None => drawn + "\n",
     }
 }
 

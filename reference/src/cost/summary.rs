@@ -5,8 +5,10 @@ use cases::front::on_front;
 use pages::plain;
 
 use super::advice;
+use super::figures::three_digits;
 use super::measure::Measured;
-use super::report::{EffectRow, Machine, Report, SettingRow};
+use super::report::{Choice, EffectRow, Machine, Question, QuestionRow, Report, SettingRow};
+use super::setting::Setting;
 use super::sweep::{About, Sweep};
 use crate::rules::Rules;
 use crate::trace::cutoff::Limits;
@@ -24,66 +26,84 @@ impl Report {
         n_rounds: usize,
     ) -> Self {
         let rounds = measured.first().map_or(0, |row| row.times_s.len());
+        let accuracy: Vec<&Measured> =
+            measured.iter().filter(|one| one.about == About::Accuracy).collect();
+        let limits = Limits::of(scene, rules, sweep.own.effects);
+        let questions = Choice::ALL.into_iter().map(|about| question(about, sweep, &accuracy));
         let mut report = Self {
-            schema: 1,
+            schema: 2,
             scene: one_line(name),
             width: scene.render.width,
             height: scene.render.height,
             machine,
             rounds,
             own: sweep.own,
-            truth: sweep.truth,
             is_cut_short: rounds < n_rounds,
-            advice: Vec::new(),
-            rows: rows(sweep, measured, &Limits::of(scene, rules, sweep.own.effects)),
+            headline: String::new(),
+            questions: questions.filter(|question| question.rows.len() > 1).collect(),
+            rows: accuracy.iter().map(|one| row(one, &limits)).collect(),
             effects: effects(sweep, measured),
         };
-        report.advice = advice::advice(&report);
+        advice::advise(&mut report, sweep.varies_depth);
         report
     }
 }
 
-/// Returns a row for each setting, with both fronts marked.
-fn rows(sweep: &Sweep, measured: &[Measured], limits: &Limits) -> Vec<SettingRow> {
-    let mut rows: Vec<SettingRow> = measured
-        .iter()
-        .filter(|one| one.about == About::Accuracy)
-        .map(|one| row(one, limits))
-        .collect();
-    let all: Vec<(f64, f64)> =
+/// Returns the question, without advice. It has one row if no other setting was measured for it.
+fn question(about: Choice, sweep: &Sweep, accuracy: &[&Measured]) -> Question {
+    let own = sweep.own;
+    let own_ms = accuracy.iter().find(|one| one.setting == own).map(|one| one.time_ms().median);
+    let row = |(n, one): (usize, &&Measured)| {
+        let setting = one.setting;
+        let compared = match about {
+            Choice::Rounding => &one.rounding,
+            Choice::Depth => &one.depth,
+            Choice::Sampling => &one.sampling,
+        };
+        let compared = compared.as_ref().filter(|_| about.only(&own, &setting) == setting)?;
+        let time_ms = one.time_ms();
+        Some(QuestionRow {
+            name: about.name(&setting),
+            setting,
+            row: n,
+            time_ms,
+            of_own: time_ms.median / own_ms.unwrap_or(f64::NAN),
+            error: compared.error,
+            changed_from_own: one.error.changed,
+            is_on_front: false,
+            is_own: setting == own,
+            is_pick: false,
+            picture: compared.picture.clone(),
+        })
+    };
+    let mut rows: Vec<QuestionRow> = accuracy.iter().enumerate().filter_map(row).collect();
+    rows.sort_by(|a, b| a.time_ms.median.total_cmp(&b.time_ms.median));
+    let points: Vec<(f64, f64)> =
         rows.iter().map(|row| (row.time_ms.median, three_digits(row.error.rms_levels))).collect();
-    let outside = (f64::NAN, f64::NAN);
-    let same = |row: &SettingRow| (row.time_ms.median, three_digits(row.same_rays.rms_levels));
-    let same: Vec<_> = rows
-        .iter()
-        .map(|row| if row.setting.samples == sweep.own.samples { same(row) } else { outside })
-        .collect();
-    for ((row, is_on), is_on_same) in rows.iter_mut().zip(on_front(&all)).zip(on_front(&same)) {
-        (row.is_on_front, row.is_on_same_rays_front) = (is_on, is_on_same);
+    for (row, is_on_front) in rows.iter_mut().zip(on_front(&points)) {
+        row.is_on_front = is_on_front;
     }
-    rows
+    let against: Setting = match about {
+        Choice::Rounding => own.by_exact_numbers(),
+        Choice::Depth => sweep.deepest,
+        Choice::Sampling => sweep.truth,
+    };
+    Question { about, against: against.to_string(), answer: String::new(), facts: vec![], rows }
 }
 
-/// Rounds an error to three digits, so that two errors that print alike count as equal.
-fn three_digits(error: f64) -> f64 {
-    format!("{error:.2e}").parse().unwrap_or(error)
-}
-
-/// Returns the row of a setting, not yet marked as on a front.
 fn row(one: &Measured, limits: &Limits) -> SettingRow {
+    let left_out = limits.of_weight(one.stats.left_out.into());
+    let most = (left_out + cases::glam::DVec3::from(one.stats.faint_light)).max_element();
     SettingRow {
         name: one.setting.to_string(),
         setting: one.setting,
         time_ms: one.time_ms(),
         rays: one.stats.rays,
         bytes: one.bytes,
-        left_out_at_most: Some(limits.of_weight(one.stats.left_out.into()).max_element())
-            .filter(|most| most.is_finite()),
-        error: one.error,
-        same_rays: one.same_rays,
-        rounding: one.rounding,
-        is_on_front: false,
-        is_on_same_rays_front: false,
+        left_out_at_most: Some(most).filter(|most| most.is_finite()),
+        rounding: one.rounding.as_ref().map(|compared| compared.error),
+        depth: one.depth.as_ref().map(|compared| compared.error),
+        sampling: one.sampling.as_ref().map(|compared| compared.error),
     }
 }
 

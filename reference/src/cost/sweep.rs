@@ -20,6 +20,10 @@ pub struct Axes {
     pub depths: Vec<u32>,
     /// The weights below which paths end; 0 for never. [rule 13]
     pub thresholds: Vec<f64>,
+    /// The light below which a light source is skipped at a point; 0 for never.
+    pub light_cutoffs: Vec<f64>,
+    /// Whether another depth or cut-off than the scene's own may be advised.
+    pub varies_depth: bool,
     /// Whether all axes are crossed.
     pub full: bool,
     /// Whether effects are measured too: each one switched off alone, and all switched on.
@@ -29,6 +33,7 @@ pub struct Axes {
 impl Axes {
     /// Returns the axes that make sense for `scene`. If it calls for neither reflection nor
     /// refraction, depth and threshold keep their own values, because they would change nothing.
+    /// Without attenuation, no light source is weak at some points only, so that none is skipped.
     pub fn of(scene: &Scene) -> Self {
         let own = Setting::of(scene);
         let (depths, thresholds) = if spawns(scene.effects) {
@@ -36,6 +41,8 @@ impl Axes {
         } else {
             (vec![own.max_depth], vec![own.threshold])
         };
+        let is_attenuated = scene.effects.has(Effect::Attenuation);
+        let light_cutoffs = if is_attenuated { light_cutoffs() } else { vec![own.light_cutoff] };
         let samples = vec![1, 2, 4];
         Self {
             precisions: vec![Precision::F32, Precision::F64],
@@ -44,6 +51,8 @@ impl Axes {
             samples,
             depths,
             thresholds,
+            light_cutoffs,
+            varies_depth: false,
             full: false,
             effects: true,
         }
@@ -75,6 +84,10 @@ fn thresholds(own: f64) -> Vec<f64> {
     sorted([0.0, own, 1e-3, 1.0 / 256.0, 1.0 / 64.0, 1.0 / 16.0], f64::total_cmp)
 }
 
+fn light_cutoffs() -> Vec<f64> {
+    vec![0.0, 1e-3, 1.0 / 256.0, 1.0 / 64.0]
+}
+
 fn sorted<T: PartialEq>(
     values: impl IntoIterator<Item = T>,
     by: impl Fn(&T, &T) -> std::cmp::Ordering,
@@ -102,8 +115,13 @@ pub enum About {
 pub struct Sweep {
     /// The scene's own setting.
     pub own: Setting,
-    /// The most accurate setting: f64, robust, the most samples, the greatest depth, no threshold.
+    /// The scene's own setting with the most samples. The errors of sampling are against it.
     pub truth: Setting,
+    /// The scene's own setting at the greatest depth without cut-offs. The errors of depth are
+    /// against it.
+    pub deepest: Setting,
+    /// Whether another depth or cut-off than the scene's own may be advised.
+    pub varies_depth: bool,
     /// The settings, each with its purpose. The settings of [`About::Accuracy`] come first, without
     /// repetition.
     pub subjects: Vec<(Setting, About)>,
@@ -112,13 +130,13 @@ pub struct Sweep {
 impl Sweep {
     /// Returns the settings around the scene's own.
     ///
-    /// Precision × formula × samples are crossed in full, and so are precision × formula at the
-    /// greatest depth without a threshold. Each other axis varies alone. Each number of samples
-    /// also has its most accurate setting. If `axes.full` is set, all axes are crossed in full.
+    /// Precision × formula × samples are crossed in full. Each other axis varies alone. If
+    /// `axes.full` is set, depths and thresholds are crossed with them as well.
     pub fn of(scene: &Scene, axes: &Axes) -> Self {
         let own = Setting::of(scene);
-        let deepest = axes.depths.iter().copied().max().unwrap_or(own.max_depth);
-        let exact = |samples| Setting { samples, max_depth: deepest, threshold: 0.0, ..own };
+        let max_depth = axes.depths.iter().copied().fold(own.max_depth, u32::max);
+        let deepest = Setting { max_depth, threshold: 0.0, light_cutoff: 0.0, ..own };
+        let truth = Setting { samples: axes.truth_samples, ..own };
         let mut settings = vec![own];
         let mut add = |setting: Setting| {
             if !settings.contains(&setting) {
@@ -131,39 +149,38 @@ impl Sweep {
         let mut numbers = pairs(&axes.precisions, &axes.formulas);
         // The exact setting comes before the settings that are compared with it.
         numbers.sort_by_key(|one| *one != (Precision::F64, Formula::Robust));
-        let mut cross = |base: Setting| {
-            numbers.iter().for_each(|(precision, formula)| {
-                add(Setting { precision: *precision, formula: *formula, ..base });
-            });
-        };
         for samples in &axes.samples {
             for (max_depth, threshold) in pairs(&depths, &thresholds) {
-                cross(Setting { samples: *samples, max_depth, threshold, ..own });
+                for (precision, formula) in numbers.iter().copied() {
+                    let samples = *samples;
+                    add(Setting { precision, formula, samples, max_depth, threshold, ..own });
+                }
             }
         }
-        cross(exact(own.samples));
+        axes.samples.iter().for_each(|samples| add(Setting { samples: *samples, ..own }));
         axes.depths.iter().for_each(|max_depth| add(Setting { max_depth: *max_depth, ..own }));
         axes.thresholds.iter().for_each(|threshold| add(Setting { threshold: *threshold, ..own }));
-        axes.samples
-            .iter()
-            .chain([&own.samples, &axes.truth_samples])
-            .for_each(|samples| add(exact(*samples)));
-        let truth = exact(axes.truth_samples);
+        for light_cutoff in &axes.light_cutoffs {
+            add(Setting { light_cutoff: *light_cutoff, ..own });
+        }
+        add(deepest);
+        add(truth);
         let accuracy = settings.into_iter().map(|setting| (setting, About::Accuracy));
         let effects = if axes.effects { switches(own) } else { Vec::new() };
-        Self { own, truth, subjects: accuracy.chain(effects).collect() }
+        let subjects = accuracy.chain(effects).collect();
+        Self { own, truth, deepest, varies_depth: axes.varies_depth, subjects }
+    }
+
+    /// Returns a sweep of `subjects`, of which `own` is the first. Their errors are against `own`.
+    pub fn against(own: Setting, subjects: Vec<(Setting, About)>) -> Self {
+        Self { own, truth: own, deepest: own, varies_depth: false, subjects }
     }
 
     /// Returns the scene's own setting, and that without each of its effects.
     pub fn of_effects(scene: &Scene) -> Self {
         let own = Setting::of(scene);
         let subjects = std::iter::once((own, About::Accuracy)).chain(without_each(own)).collect();
-        Self { own, truth: own, subjects }
-    }
-
-    /// Returns the most accurate setting with as many rays a pixel as `setting`.
-    pub fn exact(&self, setting: &Setting) -> Setting {
-        Setting { samples: setting.samples, ..self.truth }
+        Self::against(own, subjects)
     }
 }
 

@@ -24,6 +24,12 @@ impl Times {
             if times.len() % 2 == 1 { times[half] } else { (times[half - 1] + times[half]) / 2.0 };
         Self { median, least: *least, greatest: *greatest }
     }
+
+    /// Returns whether each of these times is less than each of `other`. Where the spreads overlap,
+    /// neither counts as faster.
+    pub fn is_less_than(&self, other: &Self) -> bool {
+        self.greatest < other.least
+    }
 }
 
 #[cfg(test)]
@@ -37,5 +43,13 @@ mod tests {
         assert_eq!(Times::of(&[3.0]), times(3.0, 3.0, 3.0));
         assert_eq!(Times::of(&[9.0, 1.0, 4.0]), times(4.0, 1.0, 9.0));
         assert_eq!(Times::of(&[9.0, 1.0, 4.0, 2.0]), times(3.0, 1.0, 9.0));
+    }
+
+    #[test]
+    fn times_that_overlap_have_no_winner() {
+        let (fast, slow) = (Times::of(&[1.0, 2.0]), Times::of(&[3.0, 4.0]));
+        assert!(fast.is_less_than(&slow) && !slow.is_less_than(&fast));
+        let middle = Times::of(&[2.0, 3.0]);
+        assert!(!fast.is_less_than(&middle) && !middle.is_less_than(&slow));
     }
 }

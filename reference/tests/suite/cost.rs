@@ -150,10 +150,6 @@ fn the_sweep_crosses_what_matters_and_takes_the_rest_one_by_one() {
                 assert_eq!(accuracy.iter().filter(|s| **s == wanted).count(), 1, "{wanted}");
             }
         }
-        assert!(
-            accuracy.contains(&Setting { samples, max_depth: 4, ..own }),
-            "the exact setting with as many rays"
-        );
     }
     for max_depth in [0, 1, 2, 3, 4] {
         assert!(accuracy.contains(&Setting { max_depth, ..own }), "depth {max_depth}");
@@ -161,10 +157,11 @@ fn the_sweep_crosses_what_matters_and_takes_the_rest_one_by_one() {
     for threshold in [0.0, 1e-3, 1.0 / 256.0, 1.0 / 64.0, 1.0 / 16.0] {
         assert!(accuracy.contains(&Setting { threshold, ..own }), "threshold {threshold}");
     }
-    assert_eq!(sweep.truth, Setting { samples: 8, max_depth: 4, ..own });
-    // 18 are crossed, 4 have other depths, 4 other thresholds, 3 are the exact ones for 2, 4 and 8
-    // rays a side, and 5 have another precision or formula than the exact one for 1.
-    assert_eq!(accuracy.len(), 18 + 4 + 4 + 3 + 5);
+    assert_eq!(sweep.truth, Setting { samples: 8, ..own }, "the scene keeps its depth");
+    assert_eq!(sweep.deepest, Setting { max_depth: 4, ..own });
+    // 18 are crossed, 4 have other depths, 4 other thresholds, and the truth has 8 rays a side. No
+    // light weakens with distance, so that there is no light cut-off.
+    assert_eq!(accuracy.len(), 18 + 4 + 4 + 1);
     let effects: Vec<About> =
         sweep.subjects.iter().map(|(_, about)| *about).filter(|a| *a != About::Accuracy).collect();
     let without = [Effect::Shadows, Effect::TintedShadows, Effect::Reflection, Effect::Refraction];
@@ -204,6 +201,26 @@ fn matrices_and_attenuation_are_left_out_one_by_one_too() {
 }
 
 #[test]
+fn lights_that_weaken_are_cut_off_at_several_strengths() {
+    let weak = scene(&SCENE.replace("point = {", "point = { attenuation = { linear = 0.1 },"));
+    let sweep = Sweep::of(&weak, &Axes::of(&weak));
+    let cutoffs: Vec<f64> = sweep
+        .subjects
+        .iter()
+        .map(|(setting, _)| setting.light_cutoff)
+        .filter(|cutoff| *cutoff > 0.0)
+        .collect();
+    assert_eq!(cutoffs, [1e-3, 1.0 / 256.0, 1.0 / 64.0]);
+    let mut bench = Bench::new(&weak, &Rules::LECTURE);
+    let all = bench.render(&sweep.own).1.rays.shadow;
+    // No light source is stronger than 10.
+    let none = bench.render(&Setting { light_cutoff: 10.0, ..sweep.own }).1.rays.shadow;
+    assert!(all > 0 && none == 0, "{all} and {none} shadow rays");
+    let strong = Sweep::of(&scene(SCENE), &Axes::of(&scene(SCENE)));
+    assert!(strong.subjects.iter().all(|(setting, _)| setting.light_cutoff == 0.0));
+}
+
+#[test]
 fn errors_are_taken_from_the_truth_and_times_from_the_clock() {
     let mut outside = FakeClock::until(usize::MAX);
     let report = report_of("a", 3, &mut outside).unwrap();
@@ -212,17 +229,14 @@ fn errors_are_taken_from_the_truth_and_times_from_the_clock() {
         Sweep::of(&scene, &Axes { samples: vec![1, 2], truth_samples: 3, ..Axes::of(&scene) });
     assert_eq!(outside.work, work(&sweep, 3), "the reported work is the work that was announced");
     let row = |setting: Setting| report.row(&setting).unwrap();
-    let (own, truth) = (row(report.own), row(report.truth));
-    assert_eq!(
-        (truth.error.rms_levels, truth.error.max_light, truth.error.changed),
-        (0.0, 0.0, 0.0)
-    );
-    assert!(own.error.rms_levels > 0.0 && own.error.changed > 0.0);
-    let exact = row(Setting { samples: 1, ..report.truth });
-    assert_eq!(exact.same_rays.max_light, 0.0);
-    assert!(own.same_rays.max_light > 0.0, "depth 2 is not 4");
+    let (own, truth, deepest) = (row(report.own), row(sweep.truth), row(sweep.deepest));
+    let none = |error: Option<Error>| error.unwrap().max_light == 0.0;
+    assert!(none(truth.sampling) && none(deepest.depth) && none(own.rounding));
+    assert!(own.sampling.unwrap().rms_levels > 0.0 && own.sampling.unwrap().changed > 0.0);
+    assert!(own.depth.unwrap().max_light > 0.0, "depth 2 is not 4");
+    assert!(deepest.sampling.is_none() && truth.depth.is_none(), "one error is not the other");
     let depth_0 = row(Setting { max_depth: 0, ..report.own });
-    assert!(depth_0.same_rays.rms_light > own.same_rays.rms_light);
+    assert!(depth_0.depth.unwrap().rms_light > own.depth.unwrap().rms_light);
     assert_eq!((depth_0.rays.reflected, depth_0.rays.eye), (0, 12 * 9));
     assert_eq!(truth.rays.eye, 12 * 9 * 9);
     for row in &report.rows {
@@ -235,23 +249,29 @@ fn errors_are_taken_from_the_truth_and_times_from_the_clock() {
         assert!(row.bytes > 12 * 9 * 12, "{}", row.name);
     }
     let plain = row(Setting { precision: Precision::F32, formula: Formula::Plain, ..report.own });
-    assert!(
-        plain.same_rays.max_light > own.same_rays.max_light * 0.999,
-        "f32 is no better than f64"
-    );
     assert!(plain.bytes < own.bytes);
-    assert_eq!(own.rounding.map(|error| error.max_light), Some(0.0));
     let rounding = plain.rounding.unwrap();
     assert!(
-        rounding.max_light > 0.0 && rounding.max_light < own.same_rays.max_light,
+        rounding.max_light > 0.0 && rounding.max_light < own.depth.unwrap().max_light,
         "rounding alone, not depth: {rounding:?}"
     );
     assert!(
         report.rows.iter().all(|row| row.rounding.is_some()),
         "every setting has its exact sibling"
     );
-    // All take equally long, so only the most accurate settings can be on the front.
-    assert!(report.rows.iter().all(|row| row.is_on_front == (row.error.rms_levels == 0.0)));
+    // All take equally long, so only the most accurate settings can be on a front, and none is
+    // picked instead of the scene's own.
+    assert_eq!(report.questions.len(), 3);
+    for question in &report.questions {
+        for row in &question.rows {
+            assert_eq!(row.is_on_front, row.error.rms_levels == 0.0, "{}", row.name);
+            assert_eq!((row.is_own, row.is_pick), (row.setting == report.own, row.is_own));
+            assert_eq!(row.picture.is_some(), row.error.changed > 0.0, "{}", row.name);
+            assert_eq!(row.of_own, 1.0);
+        }
+    }
+    let [rounding, depth, sampling] = &report.questions[..] else { panic!("three questions") };
+    assert_eq!([rounding, depth, sampling].map(|question| question.rows.len()), [6, 9, 3]);
     let shadows = report.effects.iter().find(|row| row.without == Some(Effect::Shadows)).unwrap();
     assert_eq!(shadows.rays.shadow, 0);
     assert!(shadows.error.changed > 0.0);
@@ -295,11 +315,16 @@ fn every_form_is_well_made_whatever_the_scene_is_called() {
     let mut lines = ::csv::Reader::from_reader(&text[..]);
     let n_columns = lines.headers().unwrap().len();
     let lines: Vec<_> = lines.records().map(Result::unwrap).collect();
-    assert_eq!(lines.len(), report.rows.len() + report.effects.len());
+    // Of 12 crossed settings, 5 have two choices other than the scene's own.
+    let n_asked: usize = report.questions.iter().map(|question| question.rows.len()).sum();
+    assert_eq!(lines.len(), n_asked + 5 + report.effects.len());
     assert!(lines.iter().all(|line| line.len() == n_columns && line[0].starts_with("'=1+1,\"")));
-    let svgs = page::plots(&report).map(|plot| plot::svg(&plot, Place::File));
+    let svgs: Vec<String> =
+        page::plots(&report).iter().map(|plot| plot::svg(plot, Place::File)).collect();
     let page = page::page(&report);
     for text in svgs.iter().chain([&page]) {
+        // Links lead to pictures on the page, which contains them.
+        let text = &text.replace("href=\"#", "").replace("src=\"data:image/png;base64,", "");
         assert!(
             !text.contains("<script") && !text.contains('\u{1b}') && !text.contains('\u{202e}'),
             "{text}"

@@ -27,7 +27,7 @@ fn the_command_prints_a_table_and_writes_every_form() {
     std::fs::write(at("scene.toml"), SCENE).unwrap();
     let short = ["scene.toml", "--samples", "1", "--rounds", "1", "--depths", "2"];
     let files = ["--json", "a.json", "--csv", "a.csv", "--svg", "a.svg", "--html", "a.html"];
-    let table = check(folder.path(), &[&short[..], &files].concat(), 0, "Pick ");
+    let table = check(folder.path(), &[&short[..], &files].concat(), 0, "without advice");
     assert!(!table.stdout.contains(&0x1b), "no colours without a terminal");
     for (file, begins) in [
         ("a.json", "{"),
@@ -46,6 +46,14 @@ fn the_command_prints_a_table_and_writes_every_form() {
         0,
         "f32 plain, 1×1",
     );
+    let twice = ["scene.toml", "--samples", "1", "--rounds", "2", "--html", "-"];
+    let page = String::from_utf8(check(folder.path(), &twice, 0, "").stdout).unwrap();
+    assert!(!page.contains("without advice") && page.contains("class=\"answer\""), "{page}");
+    for (at, id) in page.match_indices("<a href=\"#") {
+        let id = page[at + id.len()..].split('"').next().unwrap();
+        assert!(page.contains(&format!("<figure id=\"{id}\"><img src=\"data:image/png;")), "{id}");
+    }
+    assert!(page.contains("<a href=\"#sampling-"), "points link to pictures of errors");
     check(folder.path(), &["scene.toml", "--json", "-", "--csv", "-"], 2, "only one of");
     check(folder.path(), &["scene.toml", "--formulas", "naive"], 2, "plain, stable or robust");
     check(folder.path(), &["scene.toml", "--thresholds", "2"], 2, "from 0 to 1");
@@ -100,6 +108,8 @@ fn functions_are_measured_one_by_one_and_written_in_every_form() {
         assert!(row["ns"]["median"].as_f64().unwrap() > 0.0);
     }
     assert_eq!(of("cone", "robust", "f64")["precision"], "f64");
+    let digits = |formula, precision| of("sphere", formula, precision)["digits"].as_f64().unwrap();
+    assert!(digits("robust", "f64") > 12.0 && (4.0..9.0).contains(&digits("robust", "f32")));
     let text = at("f.csv");
     let mut lines = ::csv::Reader::from_reader(text.as_bytes());
     let n_families: usize = rows.iter().map(|row| row["families"].as_array().unwrap().len()).sum();

@@ -193,6 +193,9 @@ pub fn growth(rows: &[search::Row]) -> String {
             shape,
             is_hollow: row.library != Library::Ours,
             is_on_front: row.library == Library::Ours && Some(row.n_triangles) == most,
+            is_own: false,
+            is_pick: false,
+            link: None,
             label: format!("n^{:.2}", exponents[which].1),
             hover: format!(
                 "{}, {} triangles: {}",

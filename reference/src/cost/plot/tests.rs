@@ -12,8 +12,11 @@ fn point(x: f64, y: f64, is_on_front: bool) -> Point {
         shape: Shape::Circle,
         is_hollow: false,
         is_on_front,
+        is_own: false,
+        is_pick: false,
         label: text.clone(),
         hover: text,
+        link: None,
     }
 }
 
@@ -23,23 +26,6 @@ fn plot(points: Vec<Point>) -> String {
         &Plot { title: text(), x: text(), y: text(), line: Some("best"), key: vec![], points },
         Place::File,
     )
-}
-
-#[test]
-fn a_scale_takes_powers_of_ten_to_equal_steps() {
-    let scale = Scale { from: (0.0, 2.0), to: (100.0, 300.0) };
-    for (value, at) in [(1.0, 100.0), (10.0, 200.0), (100.0, 300.0)] {
-        assert!((scale.at(value) - at).abs() < 1e-9, "{value}");
-    }
-    assert_eq!(
-        scale.ticks().into_iter().map(number).collect::<Vec<_>>(),
-        ["1", "2", "5", "10", "20", "50", "100"]
-    );
-    let long = Scale { from: (-12.5, 3.5), to: (0.0, 1.0) };
-    assert_eq!(
-        long.ticks().into_iter().map(number).collect::<Vec<_>>(),
-        ["1e-12", "1e-9", "1e-6", "0.001", "1", "1000"]
-    );
 }
 
 #[test]
@@ -70,4 +56,29 @@ fn the_front_goes_down_in_stairs_and_bears_names() {
         "{path}"
     );
     assert_eq!(drawn.matches("class=\"label\"").count(), 2);
+}
+
+#[test]
+fn the_scene_and_the_pick_are_marked_even_in_a_crowd() {
+    let crowd =
+        || (0..400).map(|n| point(1.0 + f64::from(n % 20) / 20.0, 1.0 + f64::from(n / 20), true));
+    let own = Point { is_own: true, ..point(1.5, 10.0, false) };
+    let pick = Point { is_pick: true, ..point(1.5, 10.0, false) };
+    let both = plot(crowd().chain([own.clone(), pick.clone()]).collect());
+    assert_eq!(both.matches("class=\"label marked\"").count(), 2, "{both}");
+    assert!(both.contains(": as it stands</text>") && both.contains(": the pick</text>"));
+    assert!(both.contains(">the scene as it stands</text>") && both.contains(">the pick</text>"));
+    assert_eq!(both.matches("class=\"ring\"").count(), 4, "two marks, and two in the legend");
+    let last_other = both.rfind("&lt;1.95 &amp; 20&gt;</title>").unwrap();
+    assert!(both[last_other..].contains("<circle class=\"ring\""), "marks come last");
+    let one = plot(vec![Point { is_pick: true, ..own }]);
+    assert!(one.contains(": as it stands, and the pick</text>"), "{one}");
+    assert_eq!(plot(crowd().collect()).matches("class=\"ring\"").count(), 0);
+}
+
+#[test]
+fn a_point_with_a_link_leads_to_its_picture() {
+    let linked = Point { link: Some("rounding-3".to_owned()), ..point(1.0, 1.0, false) };
+    assert_eq!(plot(vec![linked]).matches("<a href=\"#rounding-3\"><g>").count(), 1);
+    assert!(!plot(vec![point(1.0, 1.0, false)]).contains("href"));
 }
