@@ -18,6 +18,12 @@ use crate::film::{Image, byte};
 pub struct Fronts {
     /// The machine that they were measured on, in a few words for people.
     pub machine: String,
+    /// The code and cases that they were measured on, as [`sources_digest`] gives them. `None` if
+    /// they were measured without the sources at hand.
+    ///
+    /// [`sources_digest`]: crate::files::sources_digest
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub measured_on: Option<String>,
     /// Points by id of the case, in the order in which they were measured.
     pub cases: BTreeMap<String, Vec<FrontPoint>>,
 }
@@ -36,6 +42,11 @@ pub struct FrontPoint {
 /// Returns the path of the stored [`Fronts`] below `stages`.
 pub fn fronts_path(stages: &Path) -> PathBuf {
     stages.join("fronts.json")
+}
+
+/// Returns the workspace whose cases lie in `stages`: the folder that contains `cases/stages`.
+pub fn workspace_of(stages: &Path) -> PathBuf {
+    stages.join("../..")
 }
 
 /// Returns the text to store for `fronts`.
@@ -151,14 +162,18 @@ mod tests {
     #[test]
     fn fronts_come_back() {
         let cases = BTreeMap::from([("01_ray_casting/ball".to_owned(), vec![point(0.001, 0.25)])]);
-        let fronts = Fronts { machine: "two cores".to_owned(), cases };
+        let fronts = Fronts { machine: "two cores".to_owned(), measured_on: None, cases };
         assert_eq!(fronts_from_str(&fronts_to_string(&fronts).unwrap()).unwrap(), fronts);
+        let dated = Fronts { measured_on: Some("0123456789abcdef".to_owned()), ..fronts };
+        assert_eq!(fronts_from_str(&fronts_to_string(&dated).unwrap()).unwrap(), dated);
         assert!(fronts_from_str("{}").is_err());
         for (time_s, rmse_levels) in
             [(0.0, 0.5), (-1.0, 0.5), (5e-324, 0.5), (1.0, -0.5), (1.0, 256.0)]
         {
             let cases = BTreeMap::from([("a/b".to_owned(), vec![point(time_s, rmse_levels)])]);
-            let text = fronts_to_string(&Fronts { machine: String::new(), cases }).unwrap();
+            let text =
+                fronts_to_string(&Fronts { machine: String::new(), measured_on: None, cases })
+                    .unwrap();
             let why = fronts_from_str(&text).unwrap_err().to_string();
             assert!(why.contains("a/b") && why.contains("cannot have been measured"), "{why}");
         }

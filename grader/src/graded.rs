@@ -34,6 +34,8 @@ pub struct Pictures {
 pub struct Front {
     /// The machine on which it was measured.
     pub machine: String,
+    /// Whether it was measured on other code or cases than the present ones.
+    pub is_old: bool,
     /// A point for each setting of the reference.
     pub points: Vec<FrontPoint>,
 }

@@ -40,6 +40,30 @@ fn files_that_documents_name_exist() {
     }
 }
 
+/// Returns the digest of the code and cases that the figures in a document were measured on.
+fn measured_on(path: &str) -> String {
+    let text = text(path);
+    let digest = if path.ends_with(".json") {
+        cases::front::fronts_from_str(&text).expect("fronts").measured_on
+    } else {
+        let rest = text.split_once("Code and cases: `").map(|(_, rest)| rest);
+        rest.and_then(|rest| rest.split_once('`')).map(|(digest, _)| digest.to_owned())
+    };
+    let digest = digest.unwrap_or_else(|| panic!("{path} has no digest; `.ci/measure` renews it"));
+    let is_digit = |byte: u8| byte.is_ascii_digit() || (b'a'..=b'f').contains(&byte);
+    assert!(digest.len() == 16 && digest.bytes().all(is_digit), "{path}: {digest}");
+    digest
+}
+
+/// Times differ from run to run, so no test measures them again. `reference cost --check` reports
+/// figures that are older than the code.
+#[test]
+fn measured_figures_name_the_code_they_were_measured_on() {
+    let [page, points, _] =
+        ["docs/accuracy.md", "cases/stages/fronts.json", "docs/performance.md"].map(measured_on);
+    assert_eq!(page, points, "the page and the points of reports are of different measurements");
+}
+
 /// Returns the cells of each row of the tables in a document, without asterisks.
 fn rows(path: &str) -> Vec<Vec<String>> {
     let cells = |line: &str| {

@@ -1,4 +1,4 @@
-//! Resolves file names, reads whole files, and writes whole files.
+//! Resolves file names, reads and writes whole files, and digests the sources of figures.
 //!
 //! A file is replaced whole: a reader sees the old content or the new content, never a part of it.
 //! Streams, pipes and devices are written to in place, because a file must never replace them.
@@ -6,9 +6,11 @@
 mod place;
 mod read;
 mod set;
+mod sources;
 mod write;
 
 pub use place::{Place, is_standard, is_stdout, is_stream};
 pub use read::{ReadError, read, read_text};
 pub use set::write_all;
+pub use sources::sources_digest;
 pub use write::{WriteError, check, is_usage, write};

@@ -37,6 +37,8 @@ pub struct Exam {
     pub surplus: Vec<String>,
     /// The measured cost of accuracy, `None` if it was not measured, or why it cannot be read.
     pub fronts: Result<Option<Fronts>, FrontsError>,
+    /// Whether that cost was measured on other code or cases than those around the folder.
+    pub fronts_are_old: bool,
     /// A hash of everything in the folder that a score depends on. Titles, descriptions and times
     /// do not count.
     pub hash: String,
@@ -73,6 +75,8 @@ impl Exam {
             .map_err(|why| faults.push(Fault { subject: Subject::Mistakes, why }))
             .unwrap_or_default();
         let fronts = fronts::read(folder);
+        let measured = fronts.as_ref().ok().and_then(Option::as_ref);
+        let fronts_are_old = measured.is_some_and(|fronts| fronts::are_old(folder, fronts));
         Ok(Self {
             folder: folder.to_owned(),
             course,
@@ -81,6 +85,7 @@ impl Exam {
             faults,
             surplus,
             fronts,
+            fronts_are_old,
             hash,
         })
     }

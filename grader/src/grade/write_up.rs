@@ -83,6 +83,7 @@ pub(super) fn stages(
         for (id, pictures) in &mut pictures {
             let front = |points: &Vec<FrontPoint>| Front {
                 machine: fronts.machine.clone(),
+                is_old: exam.fronts_are_old,
                 points: points.clone(),
             };
             pictures.front = fronts.cases.get(id).map(front);

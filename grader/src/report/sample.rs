@@ -54,7 +54,11 @@ pub(crate) fn pictures(has_actual: bool, extra: impl Fn(u32) -> DVec3) -> Pictur
         point("f64", 0.004, 0.0),
         point("f64, depth 9", 0.05, 0.0),
     ];
-    Pictures { answer, actual, front: Some(Front { machine: "two <cores>".to_owned(), points }) }
+    Pictures {
+        answer,
+        actual,
+        front: Some(Front { machine: "two <cores>".to_owned(), is_old: true, points }),
+    }
 }
 
 pub(crate) fn record(name: &str) -> Record {

@@ -8,7 +8,7 @@ use super::args::CostArgs;
 use super::cost_session::{Session, of_functions, of_scene, put};
 use super::output::{Talk, print_text};
 use super::stop::Stop;
-use super::{cost_page, cost_store};
+use super::{cost_check, cost_page, cost_store};
 use crate::cost::forms::Forms;
 use crate::cost::plot::{self, Place};
 
@@ -16,6 +16,9 @@ use crate::cost::plot::{self, Place};
 pub(super) fn run(args: &CostArgs, talk: Talk) -> Result<(), Stop> {
     let outputs = outputs(args)?;
     args.page.as_deref().map_or(Ok(()), page_fits)?;
+    if args.check {
+        return cost_check::run();
+    }
     let session = Session::start(args.threads, talk)?;
     if let Some(path) = &args.page {
         return cost_page::run(args, path, &session);

@@ -34,12 +34,13 @@ Examples:
   reference cost --functions --formulas robust --draws 1000000 --rounds 1
   reference cost --page docs/accuracy.md
   reference cost --store
+  reference cost --check
 
 Exit codes: 0 done, 2 usage, a file that cannot be read or a name that cannot be written, 3 the
 machine failed, such as a full disk, 130 interrupted")]
 pub(super) struct CostArgs {
     /// Scene, case, id of a case, or - for a scene on standard input
-    #[arg(required_unless_present_any = ["functions", "page", "store"])]
+    #[arg(required_unless_present_any = ["functions", "page", "store", "check"])]
     pub scene: Option<String>,
     /// Measure one function at a time instead: nanoseconds against errors and wrong decisions, over
     /// families of hard questions
@@ -65,6 +66,10 @@ pub(super) struct CostArgs {
     /// for students' reports
     #[arg(long, conflicts_with_all = ["scene", "functions", "json", "csv", "svg", "html"])]
     pub store: bool,
+    /// Report which of the stored figures in docs and cases/stages were measured on other code or
+    /// cases than those of this workspace
+    #[arg(long, conflicts_with_all = ["scene", "functions", "page", "store"])]
+    pub check: bool,
     /// Precisions to measure [default: f32,f64]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = precision)]
     pub precisions: Option<Vec<Precision>>,

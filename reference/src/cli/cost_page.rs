@@ -5,7 +5,7 @@ use std::path::Path;
 use pages::say;
 
 use super::args::CostArgs;
-use super::cost_session::{Session, of_functions, of_scene, put};
+use super::cost_session::{Session, measured_on, of_functions, of_scene, put};
 use super::find::{self, Found};
 use super::output::Talk;
 use super::stop::Stop;
@@ -28,7 +28,8 @@ pub(super) fn run(args: &CostArgs, path: &Path, session: &Session) -> Result<(),
     }
     let Found { scene, course, .. } = find::found(SIZED, &args.course)?;
     let starts = document::starts(&scene, &Rules::of(&course));
-    let page = Document { functions, scenes, starts };
+    let measured_on = measured_on(Path::new("."))?;
+    let page = Document { measured_on, functions, scenes, starts };
     let beside = |name: String| path.with_file_name(name);
     for scene in &page.scenes {
         let picture = plot::stack(&crate::cost::page::plots(scene), Place::File);

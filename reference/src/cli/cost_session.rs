@@ -64,6 +64,11 @@ pub(super) fn put(path: &Path, bytes: &[u8], talk: Talk) -> Result<(), Stop> {
     Ok(())
 }
 
+/// Returns the digest of the code and cases in the workspace `root`, if it has the sources.
+pub(super) fn measured_on(root: &Path) -> Result<Option<String>, Stop> {
+    files::sources_digest(root).map_err(Stop::machine("cannot read the sources"))
+}
+
 /// The clock of a measurement.
 #[derive(Clone, Copy, Debug)]
 enum Clock {

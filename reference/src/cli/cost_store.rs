@@ -7,12 +7,12 @@ use std::path::Path;
 use cases::Scene;
 use cases::course::course_of;
 use cases::files;
-use cases::front::{FrontPoint, Fronts, fronts_path, fronts_to_string, rmse_levels};
+use cases::front::{FrontPoint, Fronts, fronts_path, fronts_to_string, rmse_levels, workspace_of};
 use cases::stage;
 use pages::say;
 
 use super::args::CostArgs;
-use super::cost_session::{Session, put};
+use super::cost_session::{Session, measured_on, put};
 use super::find;
 use super::output::Talk;
 use super::stop::Stop;
@@ -45,6 +45,7 @@ pub(super) fn run(args: &CostArgs, session: &Session) -> Result<(), Stop> {
     let machine = session.machine();
     let fronts = Fronts {
         machine: format!("{}, {} of one thread", machine.processor, machine.clock),
+        measured_on: measured_on(&workspace_of(stages))?,
         cases: points,
     };
     let text = fronts_to_string(&fronts).map_err(Stop::machine("cannot encode the fronts"))?;

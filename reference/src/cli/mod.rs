@@ -3,6 +3,7 @@
 mod args;
 mod cost;
 mod cost_args;
+mod cost_check;
 mod cost_page;
 mod cost_session;
 mod cost_store;

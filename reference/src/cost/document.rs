@@ -89,6 +89,8 @@ pub fn starts(scene: &Scene, rules: &Rules) -> Vec<StartRow> {
 /// The measurements that the page shows.
 #[derive(Clone, Debug, Serialize)]
 pub struct Document {
+    /// The digest of the code and cases that were measured, if the sources were at hand.
+    pub measured_on: Option<String>,
     /// The single functions.
     pub functions: FunctionsReport,
     /// The whole pictures, of [`SCENES`].

@@ -183,6 +183,13 @@ fn fronts_are_stored_beside_the_stages() {
     .unwrap();
     let head = "title = \"t\"\nabout = \"a\"\nrules = [3]\npoints = 2\n";
     std::fs::write(stage.join("ball.toml"), format!("{head}{SCENE}")).unwrap();
+    let write = |path: &str, text: &str| {
+        let path = folder.path().join(path);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, text).unwrap();
+    };
+    check(folder.path(), &["--check"], 2, "no sources of the reference");
+    write("reference/src/lib.rs", "old");
     check(folder.path(), &["--store", "--rounds", "1"], 0, "1 cases");
     let stages = folder.path().join("cases/stages");
     let text = std::fs::read_to_string(cases::front::fronts_path(&stages)).unwrap();
@@ -193,6 +200,17 @@ fn fronts_are_stored_beside_the_stages() {
     let named = |name: &str| points.iter().find(|point| point.setting == name).unwrap();
     assert_eq!(named("f64, robust formulas").rmse_levels, 0.0);
     assert!(named("f64, robust formulas, depth 0").rmse_levels > 0.0);
+    let digest = fronts.measured_on.unwrap();
+    write("docs/accuracy.md", &format!("Code and cases: `{digest}`. More."));
+    let checked = |said: &str| check(folder.path(), &["--check"], 0, said);
+    checked("cases/stages/fronts.json: up to date");
+    checked("docs/accuracy.md: up to date");
+    checked("docs/performance.md: STALE, since it has no digest");
+    write("reference/src/lib.rs", "new");
+    checked(&format!("docs/accuracy.md: STALE, measured on {digest}, but the code and cases are "));
+    checked("cases/stages/fronts.json: STALE, measured on ");
+    write("cases/stages/fronts.json", "{}");
+    check(folder.path(), &["--check"], 2, "fronts.json: ");
 }
 
 #[cfg(unix)]

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use cases::files;
+use cases::files::{self, sources_digest};
 use clap::{Parser, ValueEnum};
 use tests::performance::bench::Bench;
 use tests::performance::report::{Machine, Report};
@@ -95,6 +95,7 @@ fn measure(arguments: &Arguments) -> Result<Report, String> {
     Ok(Report {
         schema: 1,
         machine,
+        measured_on: sources_digest(tests::workspace()).map_err(|why| why.to_string())?,
         n_rounds: bench.n_rounds,
         pictures: is_asked(Section::Pictures).then(|| pictures::measure(&bench)).transpose()?,
         search: is_asked(Section::Search).then(|| search::measure(&bench)).transpose()?,

@@ -42,7 +42,7 @@ fn head(report: &Report) -> String {
         "# Speed beside other renderers\n\nMade by `cargo run --release -p tests --bin performance \
          -- --out docs/performance.md`,\nwhich installs the others (`tests/peers/renderers`); do \
          not edit.\n\nMeasured on: {}, {} threads, {}, {:.0} GiB, {}; medians of {} rounds in \
-         which all take turns{}.\n\n",
+         which all take turns{}.{}\n\n",
         machine.processor,
         machine.n_threads,
         if machine.vectors.is_empty() {
@@ -58,7 +58,13 @@ fn head(report: &Report) -> String {
         } else {
             String::new()
         },
+        report.measured_on.as_deref().map_or_else(String::new, dated),
     )
+}
+
+/// Returns the sentence that names the code and cases of a measurement.
+fn dated(digest: &str) -> String {
+    format!(" Code and cases: `{digest}`.")
 }
 
 fn bar_table(bars: &[Bar]) -> String {
@@ -322,6 +328,7 @@ mod tests {
                 system,
                 vectors,
             },
+            measured_on: Some("0123456789abcdef".to_owned()),
             n_rounds: 3,
             pictures: None,
             search: Some(search.map(|(mesh, n)| searched(Library::Ours, mesh, n)).to_vec()),
@@ -336,6 +343,7 @@ mod tests {
         for part in [
             "Some 9000, 2 threads, AVX2, 8 GiB, Some Linux; medians of 3 rounds in which all take \
                 turns (**on a busy machine**: load 3.0",
+            " at the beginning). Code and cases: `0123456789abcdef`.\n",
             "| 82k | this reference, f64 | 12.21 | 12.21 | 12.21 | 12.21 | 3 | 40 | 8.19 | 100 |",
             "![Building and searching, from a thousand to a million triangles](growth.svg)",
             "| building the tree | 1.00 |",

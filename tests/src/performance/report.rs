@@ -14,6 +14,8 @@ pub struct Report {
     pub schema: u32,
     /// The machine on which the benchmark ran.
     pub machine: Machine,
+    /// The code and cases that were measured, as `cases::files::sources_digest` gives them.
+    pub measured_on: Option<String>,
     /// The number of rounds.
     pub n_rounds: usize,
     /// Rendering of whole scenes.

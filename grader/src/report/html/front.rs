@@ -30,6 +30,7 @@ pub(super) struct FrontView {
     y_ticks: Vec<Tick>,
     sentence: String,
     machine: String,
+    is_old: bool,
 }
 
 #[derive(Serialize)]
@@ -102,6 +103,7 @@ pub(super) fn view(pictures: &Pictures, time_s: f64) -> Option<FrontView> {
             .into(),
         sentence,
         machine: shown(&front.machine),
+        is_old: front.is_old,
     })
 }
 
