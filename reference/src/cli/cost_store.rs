@@ -72,7 +72,7 @@ fn of_case(
         .flat_map(both)
         .map(|(precision, formula)| {
             (
-                Setting { precision, formula, ..own },
+                Setting { precision, formula, alike: true, ..own },
                 format!("{}, {} formulas", precision.says(), formula.name()),
             )
         })

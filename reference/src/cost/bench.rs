@@ -93,6 +93,7 @@ fn render<T: Real>(world: &mut World<T>, rules: &Rules, setting: &Setting) -> (I
     let options = Options {
         effects: setting.simulated(),
         samples: setting.samples,
+        adaptive: setting.adaptive,
         light_cutoff: setting.light_cutoff,
         ..Options::of(world)
     };

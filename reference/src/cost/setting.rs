@@ -18,6 +18,8 @@ pub struct Setting {
     pub formula: Formula,
     /// The N of N × N rays a pixel.
     pub samples: u32,
+    /// Whether only pixels that differ from a neighbour get these rays, and the others one.
+    pub adaptive: bool,
     /// The depth at which rays spawn no more rays. [rule 13]
     pub max_depth: u32,
     /// The weight below which rays spawn no more rays; 0 for never. [rule 13]
@@ -41,6 +43,7 @@ impl Setting {
             precision: Precision::F64,
             formula: Formula::Robust,
             samples: 1,
+            adaptive: false,
             max_depth: scene.render.max_depth,
             threshold: if scene.effects.has(Effect::AdaptiveDepth) {
                 scene.render.threshold
@@ -71,7 +74,7 @@ impl Setting {
 
     /// Returns this setting with the sampling of `other`.
     pub fn with_sampling_of(&self, other: &Self) -> Self {
-        Self { samples: other.samples, ..*self }
+        Self { samples: other.samples, adaptive: other.adaptive, ..*self }
     }
 
     /// Returns the precision and formulas in words, such as `f64 robust`.
@@ -91,9 +94,9 @@ impl Setting {
         name
     }
 
-    /// Returns the sampling in words, such as `2×2`.
+    /// Returns the sampling in words, such as `2×2` or `4×4 adaptive`.
     pub fn sampling_name(&self) -> String {
-        format!("{0}×{0}", self.samples)
+        format!("{0}×{0}{1}", self.samples, if self.adaptive { " adaptive" } else { "" })
     }
 
     /// Returns the effects that the kernel simulates: `effects`, with `adaptive_depth` if the

@@ -50,8 +50,10 @@ impl Report {
 }
 
 /// Returns the question, without advice. It has one row if no other setting was measured for it.
+///
+/// Formulas are compared in kernels that are compiled alike, the scene's own among them.
 fn question(about: Choice, sweep: &Sweep, accuracy: &[&Measured]) -> Question {
-    let own = sweep.own;
+    let own = Setting { alike: about == Choice::Rounding, ..sweep.own };
     let own_ms = accuracy.iter().find(|one| one.setting == own).map(|one| one.time_ms().median);
     let row = |(n, one): (usize, &&Measured)| {
         let setting = one.setting;

@@ -130,8 +130,9 @@ pub struct Sweep {
 impl Sweep {
     /// Returns the settings around the scene's own.
     ///
-    /// Precision × formula × samples are crossed in full. Each other axis varies alone. If
-    /// `axes.full` is set, depths and thresholds are crossed with them as well.
+    /// Precision × formula are crossed in full, in kernels that are compiled alike. Each other axis
+    /// varies alone; each grid of more than one ray is also cast adaptively. If `axes.full` is set,
+    /// samples, depths and thresholds are crossed with precision × formula as well.
     pub fn of(scene: &Scene, axes: &Axes) -> Self {
         let own = Setting::of(scene);
         let max_depth = axes.depths.iter().copied().fold(own.max_depth, u32::max);
@@ -143,21 +144,30 @@ impl Sweep {
                 settings.push(setting);
             }
         };
-        let only_own = (vec![own.max_depth], vec![own.threshold]);
-        let (depths, thresholds) =
-            if axes.full { (axes.depths.clone(), axes.thresholds.clone()) } else { only_own };
+        let (grids, depths, thresholds) = if axes.full {
+            (axes.samples.clone(), axes.depths.clone(), axes.thresholds.clone())
+        } else {
+            (vec![own.samples], vec![own.max_depth], vec![own.threshold])
+        };
         let mut numbers = pairs(&axes.precisions, &axes.formulas);
         // The exact setting comes before the settings that are compared with it.
         numbers.sort_by_key(|one| *one != (Precision::F64, Formula::Robust));
-        for samples in &axes.samples {
+        let alike = Setting { alike: true, ..own };
+        if numbers.iter().any(|one| *one != (Precision::F64, Formula::Robust)) {
+            add(alike);
+        }
+        for samples in &grids {
             for (max_depth, threshold) in pairs(&depths, &thresholds) {
                 for (precision, formula) in numbers.iter().copied() {
                     let samples = *samples;
-                    add(Setting { precision, formula, samples, max_depth, threshold, ..own });
+                    add(Setting { precision, formula, samples, max_depth, threshold, ..alike });
                 }
             }
         }
         axes.samples.iter().for_each(|samples| add(Setting { samples: *samples, ..own }));
+        for samples in axes.samples.iter().filter(|samples| **samples > 1) {
+            add(Setting { samples: *samples, adaptive: true, ..own });
+        }
         axes.depths.iter().for_each(|max_depth| add(Setting { max_depth: *max_depth, ..own }));
         axes.thresholds.iter().for_each(|threshold| add(Setting { threshold: *threshold, ..own }));
         for light_cutoff in &axes.light_cutoffs {

@@ -143,13 +143,19 @@ fn the_sweep_crosses_what_matters_and_takes_the_rest_one_by_one() {
         .filter(|(_, about)| *about == About::Accuracy)
         .map(|(setting, _)| *setting)
         .collect();
-    for samples in [1, 2, 4] {
-        for precision in [Precision::F32, Precision::F64] {
-            for formula in Formula::ALL {
-                let wanted = Setting { samples, precision, formula, ..own };
-                assert_eq!(accuracy.iter().filter(|s| **s == wanted).count(), 1, "{wanted}");
-            }
+    let measured = |wanted: Setting| {
+        assert_eq!(accuracy.iter().filter(|s| **s == wanted).count(), 1, "{wanted}");
+    };
+    for precision in [Precision::F32, Precision::F64] {
+        for formula in Formula::ALL {
+            measured(Setting { precision, formula, alike: true, ..own });
         }
+    }
+    for samples in [1, 2, 4] {
+        measured(Setting { samples, ..own });
+    }
+    for samples in [2, 4] {
+        measured(Setting { samples, adaptive: true, ..own });
     }
     for max_depth in [0, 1, 2, 3, 4] {
         assert!(accuracy.contains(&Setting { max_depth, ..own }), "depth {max_depth}");
@@ -159,15 +165,17 @@ fn the_sweep_crosses_what_matters_and_takes_the_rest_one_by_one() {
     }
     assert_eq!(sweep.truth, Setting { samples: 8, ..own }, "the scene keeps its depth");
     assert_eq!(sweep.deepest, Setting { max_depth: 4, ..own });
-    // 18 are crossed, 4 have other depths, 4 other thresholds, and the truth has 8 rays a side. No
-    // light weakens with distance, so that there is no light cut-off.
-    assert_eq!(accuracy.len(), 18 + 4 + 4 + 1);
+    // 6 are crossed in kernels compiled alike, the scene's own is first, 4 have other grids, 4 other
+    // depths, 4 other thresholds, and the truth has 8 rays a side. No light weakens with distance,
+    // so that there is no light cut-off.
+    assert_eq!(accuracy.len(), 6 + 1 + 4 + 4 + 4 + 1);
     let effects: Vec<About> =
         sweep.subjects.iter().map(|(_, about)| *about).filter(|a| *a != About::Accuracy).collect();
     let without = [Effect::Shadows, Effect::TintedShadows, Effect::Reflection, Effect::Refraction];
     assert_eq!(effects, [&without.map(About::Without)[..], &[About::Everything]].concat());
     let full = Sweep::of(&scene, &Axes { full: true, effects: false, ..axes });
-    assert_eq!(full.subjects.len(), 2 * 3 * 3 * 5 * 5 + 1, "and the truth");
+    let one_by_one = 1 + 4 + 4 + 4; // the scene's own, grids, depths, thresholds
+    assert_eq!(full.subjects.len(), 2 * 3 * 3 * 5 * 5 + one_by_one + 1, "and the truth");
 }
 
 #[test]
@@ -248,7 +256,8 @@ fn errors_are_taken_from_the_truth_and_times_from_the_clock() {
         );
         assert!(row.bytes > 12 * 9 * 12, "{}", row.name);
     }
-    let plain = row(Setting { precision: Precision::F32, formula: Formula::Plain, ..report.own });
+    let alike = Setting { alike: true, ..report.own };
+    let plain = row(Setting { precision: Precision::F32, formula: Formula::Plain, ..alike });
     assert!(plain.bytes < own.bytes);
     let rounding = plain.rounding.unwrap();
     assert!(
@@ -265,13 +274,14 @@ fn errors_are_taken_from_the_truth_and_times_from_the_clock() {
     for question in &report.questions {
         for row in &question.rows {
             assert_eq!(row.is_on_front, row.error.rms_levels == 0.0, "{}", row.name);
-            assert_eq!((row.is_own, row.is_pick), (row.setting == report.own, row.is_own));
+            let as_rendered = Setting { alike: false, ..row.setting };
+            assert_eq!((row.is_own, row.is_pick), (as_rendered == report.own, row.is_own));
             assert_eq!(row.picture.is_some(), row.error.changed > 0.0, "{}", row.name);
             assert_eq!(row.of_own, 1.0);
         }
     }
     let [rounding, depth, sampling] = &report.questions[..] else { panic!("three questions") };
-    assert_eq!([rounding, depth, sampling].map(|question| question.rows.len()), [6, 9, 3]);
+    assert_eq!([rounding, depth, sampling].map(|question| question.rows.len()), [6, 9, 4]);
     let shadows = report.effects.iter().find(|row| row.without == Some(Effect::Shadows)).unwrap();
     assert_eq!(shadows.rays.shadow, 0);
     assert!(shadows.error.changed > 0.0);
@@ -315,9 +325,8 @@ fn every_form_is_well_made_whatever_the_scene_is_called() {
     let mut lines = ::csv::Reader::from_reader(&text[..]);
     let n_columns = lines.headers().unwrap().len();
     let lines: Vec<_> = lines.records().map(Result::unwrap).collect();
-    // Of 12 crossed settings, 5 have two choices other than the scene's own.
     let n_asked: usize = report.questions.iter().map(|question| question.rows.len()).sum();
-    assert_eq!(lines.len(), n_asked + 5 + report.effects.len());
+    assert_eq!(lines.len(), n_asked + report.effects.len());
     assert!(lines.iter().all(|line| line.len() == n_columns && line[0].starts_with("'=1+1,\"")));
     let svgs: Vec<String> =
         page::plots(&report).iter().map(|plot| plot::svg(plot, Place::File)).collect();

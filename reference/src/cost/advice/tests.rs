@@ -13,6 +13,7 @@ const OWN: Setting = Setting {
     precision: Precision::F64,
     formula: Formula::Robust,
     samples: 1,
+    adaptive: false,
     max_depth: 2,
     threshold: 0.0,
     light_cutoff: 0.0,
