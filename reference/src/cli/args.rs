@@ -117,12 +117,19 @@ Examples:
   reference render scene.toml -o big.exr --size 1280x960 --samples 4 --stats
   reference render scene.toml -o smooth.png --samples 4 --adaptive
   reference render scene.toml -o fast.png --max-depth 50 --threshold 1/256 --stats
+  reference render scene.toml -o glass.png --max-depth 20 --max-rays 50000000
   reference render scene.toml -o - --effects shadows,reflection > out.png
   reference render scene.toml -o - | grader compare - expected.png
   reference render - -o out.png < scene.toml               a scene on standard input
 
-Exit codes: 0 rendered, 2 usage, a scene that cannot be read or a name that cannot be written, 3
-the machine failed, such as a full disk")]
+Where some material both reflects and transmits, each level of depth may have many times as many
+rays as the one before. From depth 8 on, such a scene is first rendered at one pixel in 256, and a
+warning states the expected number of rays if it is more than 100 for each eye ray. --quiet
+suppresses it.
+
+Exit codes: 0 rendered, 1 the picture takes more rays than --max-rays, so that nothing is written,
+2 usage, a scene that cannot be read or a name that cannot be written, 3 the machine failed, such
+as a full disk")]
 pub(super) struct RenderArgs {
     /// Scene, case, id of a case, or - for a scene on standard input
     pub scene: String,
@@ -149,6 +156,10 @@ pub(super) struct RenderArgs {
     /// point is skipped there, with its shadow ray; 0 for never
     #[arg(long, value_name = "LIGHT", default_value = "0", value_parser = threshold)]
     pub light_cutoff: f64,
+    /// Number of rays of all kinds, shadow rays included, beyond which the picture is given up and
+    /// nothing is written [default: no limit]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub max_rays: Option<u64>,
     /// Floating-point numbers to compute with
     #[arg(long, default_value = "f64")]
     pub precision: Precision,
@@ -224,10 +235,11 @@ pub(super) struct EffectsArgs {
 /// Prints the tree of rays behind a pixel
 #[derive(Debug, Parser)]
 #[command(after_help = "\
-Example:
+Examples:
   reference explain 04_refraction/crystal_ball 80 60
+  reference explain 04_refraction/crystal_ball 80 60 --max-rays 1000
 
-Exit codes: 0 printed, 2 a scene that cannot be read, or a pixel outside its picture")]
+Exit codes: 0 printed, 1 the pixel takes more rays than --max-rays, 2 a scene that cannot be read, or a pixel outside its picture")]
 pub(super) struct ExplainArgs {
     /// Scene, case, id of a case, or - for a scene on standard input
     pub scene: String,
@@ -235,6 +247,10 @@ pub(super) struct ExplainArgs {
     pub x: u32,
     /// Row of the picture from the top, from 0
     pub y: u32,
+    /// Number of rays of all kinds, shadow rays included, beyond which no tree is printed [default:
+    /// no limit]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub max_rays: Option<u64>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,

@@ -6,19 +6,19 @@ use std::time::Instant;
 use cases::files;
 use cases::film::exr::{Depth, Part, rgb};
 use cases::film::{self, Image, Quantiser};
-use cases::glam::DVec3;
 use cases::{Course, Effect, Effects, Scene, effects};
+use pages::figures::figure;
 use pages::say;
 
 use super::args::{Bits, Precision, RenderArgs};
 use super::find::{self, Found};
 use super::output::Talk;
 use super::progress::Bar;
-use super::stats::{Report, Row};
-use super::stop::Stop;
+use super::stats::{LeftOut, Report, Row};
+use super::stop::{Stop, too_many_rays};
 use crate::numbers::real::Real;
 use crate::rules::Rules;
-use crate::trace::cutoff::Limits;
+use crate::trace::forecast::forecast;
 use crate::trace::render::{self, Options, Stats};
 use crate::watch::work::Amounts;
 use crate::world::World;
@@ -56,11 +56,14 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
         adaptive: args.adaptive,
         light_cutoff: args.light_cutoff,
         counts: args.stats.is_some(),
+        max_rays: args.max_rays,
     };
-    let ((image, stats, work), prepare_s) = pool.install(|| match args.precision {
+    let (picture, prepare_s) = pool.install(|| match args.precision {
         Precision::F32 => picture::<f32>(&scene, &rules, fineness, talk),
         Precision::F64 => picture::<f64>(&scene, &rules, fineness, talk),
     });
+    let (image, stats, work) =
+        picture.ok_or_else(|| too_many_rays("the picture", args.max_rays.unwrap_or(u64::MAX)))?;
     let render_s = clock.lap() - prepare_s;
     files::write(out, &form.bytes(&image, rules.quantiser)?)?;
     let write_s = clock.lap();
@@ -78,7 +81,7 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
         rays: stats.rays,
         work,
         by_effect: Row::all(reasons, scene.effects, &stats.rays, &work),
-        left_out_at_most: left_out(&scene, &rules, &stats),
+        left_out: LeftOut::of(&scene, &rules, &stats),
         load_s,
         prepare_s,
         render_s,
@@ -120,14 +123,6 @@ fn cut(scene: &mut Scene, threshold: f64, may_adapt: bool) -> Result<(), Stop> {
     Ok(())
 }
 
-/// Returns the most by which the rays and light that were left out darken a pixel, in linear light.
-/// It is `None` if there is no bound. [rule 13]
-fn left_out(scene: &Scene, rules: &Rules, stats: &Stats) -> Option<f64> {
-    let of_rays = Limits::of(scene, rules, scene.effects).of_weight(stats.left_out.into());
-    let most = (of_rays + DVec3::from(stats.faint_light)).max_element();
-    most.is_finite().then_some(most)
-}
-
 /// Returns the effects that `--effects` requests.
 fn selected(scene: &Scene, requested: &str) -> Result<Effects, Stop> {
     let effect = |name: &str| {
@@ -158,30 +153,53 @@ struct Fineness {
     light_cutoff: f64,
     /// Whether the work is counted.
     counts: bool,
+    /// The greatest number of rays.
+    max_rays: Option<u64>,
 }
 
-/// Returns the picture, and the seconds that it took to build the world.
+/// The number of rays for each eye ray beyond which a warning is printed.
+const MANY_RAYS: f64 = 100.0;
+
+/// Warns of a tree of rays that explodes.
+fn warn<T: Real>(world: &World<T>, rules: &Rules, options: &Options) {
+    let Some(expected) = forecast(world, rules, options) else { return };
+    if expected.per_eye_ray > MANY_RAYS {
+        say::err(&format!(
+            "warning: the picture is expected to take {} rays, {} for each eye ray\n\
+                help: --max-depth or --threshold limits them, --max-rays gives the picture up",
+            figure(expected.rays),
+            figure(expected.per_eye_ray),
+        ));
+    }
+}
+
+/// Returns the picture, and the seconds that it took to build the world. The picture is `None` if
+/// it takes more rays than allowed.
 fn picture<T: Real>(
     scene: &Scene,
     rules: &Rules,
     fineness: Fineness,
     talk: Talk,
-) -> (Picture, f64) {
-    let Fineness { samples, adaptive, light_cutoff, counts } = fineness;
+) -> (Option<Picture>, f64) {
+    let Fineness { samples, adaptive, light_cutoff, counts, max_rays } = fineness;
     let start = Instant::now();
     let world = World::<T>::new(scene);
     let prepare_s = start.elapsed().as_secs_f64();
     let n_pixels = u64::from(scene.render.width) * u64::from(scene.render.height);
+    let options = Options { samples, adaptive, light_cutoff, ..Options::of(&world) };
+    if talk >= Talk::Normal {
+        warn(&world, rules, &options);
+    }
     let n_rays = if adaptive { 1 } else { u64::from(samples) * u64::from(samples) };
     let bar = Bar::rendering(n_pixels, n_rays, talk);
-    let options = Options { samples, adaptive, light_cutoff, ..Options::of(&world) };
     let progress = |n| bar.add(n);
-    let picture = if counts {
-        let (image, stats, work) = render::count_by(&world, rules, &options, progress);
-        (image, stats, Some(work))
+    let picture = if counts || max_rays.is_some() {
+        let most = max_rays.unwrap_or(u64::MAX);
+        let picture = render::count_within(&world, rules, &options, most, progress);
+        picture.map(|(image, stats, work)| (image, stats, Some(work)))
     } else {
         let (image, stats) = render::render_by(&world, rules, &options, progress);
-        (image, stats, None)
+        Some((image, stats, None))
     };
     (picture, prepare_s)
 }

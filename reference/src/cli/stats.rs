@@ -3,8 +3,9 @@
 
 use std::fmt::Write;
 
-use cases::Effects;
 use cases::effects::Reason;
+use cases::glam::DVec3;
+use cases::{Effects, Scene};
 use pages::figures::figure;
 use serde::Serialize;
 
@@ -12,6 +13,9 @@ use super::args::ObjectShape;
 use super::output::print;
 use super::stop::Stop;
 use crate::cost::figures::levels;
+use crate::rules::Rules;
+use crate::trace::cutoff::Limits;
+use crate::trace::render::Stats;
 use crate::watch::work::{Amounts, Work};
 use crate::watch::{Counts, made_by};
 
@@ -28,13 +32,56 @@ pub(super) struct Report {
     pub(super) rays: Counts,
     pub(super) work: Amounts,
     pub(super) by_effect: Vec<Row>,
-    /// Greatest amount of linear light by which a pixel is darker because of depth, threshold and
-    /// light cutoff; `None` if it is unbounded.
-    pub(super) left_out_at_most: Option<f64>,
+    #[serde(flatten)]
+    pub(super) left_out: LeftOut,
     pub(super) load_s: f64,
     pub(super) prepare_s: f64,
     pub(super) render_s: f64,
     pub(super) write_s: f64,
+}
+
+/// Bounds on the linear light that a pixel lacks because of depth, threshold and light cutoff.
+/// [rule 13]
+#[derive(Debug, Serialize)]
+pub(super) struct LeftOut {
+    /// The most by which the pixel is darker; `None` if it is unbounded.
+    left_out_at_most: Option<f64>,
+    /// The most by which each further level of rays makes a pixel brighter; `None` if it is
+    /// unbounded, or if the levels grow.
+    left_out_per_level_at_most: Option<f64>,
+}
+
+impl LeftOut {
+    /// Returns the bounds for a picture with these figures.
+    pub(super) fn of(scene: &Scene, rules: &Rules, stats: &Stats) -> Self {
+        let (limits, weight) =
+            (Limits::of(scene, rules, scene.effects), DVec3::from(stats.left_out));
+        let finite = |bound: DVec3| Some(bound.max_element()).filter(|most| most.is_finite());
+        let grows = limits.sent_on.cmpgt(DVec3::ONE).any();
+        Self {
+            left_out_at_most: finite(limits.of_weight(weight) + DVec3::from(stats.faint_light)),
+            left_out_per_level_at_most: finite(limits.of_levels(weight, 1)).filter(|_| !grows),
+        }
+    }
+
+    fn text(&self) -> String {
+        let levels = |most| figure(levels(most));
+        match (self.left_out_at_most, self.left_out_per_level_at_most) {
+            (Some(0.0), _) => "nothing, for depth, threshold or light cutoff".to_owned(),
+            (Some(most), _) => format!(
+                "rays and light that darken no pixel by more than {} levels (proven)",
+                levels(most)
+            ),
+            (None, Some(most)) => format!(
+                "light without a bound, since a material with its own light has kr + kt of 1; each \
+                    further level of rays adds at most {} levels to a pixel (proven)",
+                levels(most)
+            ),
+            (None, None) => "light without a bound: some material has kr + kt above 1, or a light \
+                grows without bound"
+                .to_owned(),
+        }
+    }
 }
 
 /// An effect, with the reason for which it was simulated or not.
@@ -106,16 +153,6 @@ impl Report {
 
     fn text(&self) -> String {
         let Counts { eye, shadow, reflected, refracted } = self.rays;
-        let left_out = match self.left_out_at_most {
-            Some(0.0) => "nothing, for depth, threshold or light cutoff".to_owned(),
-            Some(most) => {
-                format!(
-                    "rays and light that darken no pixel by more than {} levels (proven)",
-                    figure(levels(most))
-                )
-            }
-            None => "light without a bound: some material has kr + kt of 1 or more".to_owned(),
-        };
         let amounts = |works: &[Work]| {
             let done = works.iter().filter(|work| self.work.of(**work) > 0);
             let all: Vec<_> =
@@ -138,9 +175,13 @@ impl Report {
         text.extend(self.by_effect.iter().map(Row::line));
         let _ = writeln!(
             text,
-            "left out   {left_out}\nseconds    load {:.4}, prepare {:.4}, render {:.4} (with \
+            "left out   {}\nseconds    load {:.4}, prepare {:.4}, render {:.4} (with \
                 counting), write {:.4}",
-            self.load_s, self.prepare_s, self.render_s, self.write_s,
+            self.left_out.text(),
+            self.load_s,
+            self.prepare_s,
+            self.render_s,
+            self.write_s,
         );
         text
     }

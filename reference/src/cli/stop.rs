@@ -28,6 +28,15 @@ pub(super) enum Stop {
     Interrupted(String),
 }
 
+/// Returns the end of a command because `what`, such as a picture or a scene, takes more than
+/// `most` rays.
+pub(super) fn too_many_rays(what: &str, most: u64) -> Stop {
+    Stop::NotPassed(format!(
+        "error: {what} takes more than {most} rays, the limit of --max-rays\n\
+            help: raise --max-rays, or limit the depth of the rays with `max_depth` or `threshold`"
+    ))
+}
+
 impl From<Problems> for Stop {
     fn from(problems: Problems) -> Self {
         Self::Problems(problems)

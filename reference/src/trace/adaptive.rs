@@ -30,11 +30,13 @@ const CHUNK: usize = 64;
 /// every pixel that differs from one of its four neighbours by more than [`CONTRAST`].
 ///
 /// A pixel with a grid has the colour that it has in a picture with grids everywhere. The result
-/// does not depend on the number of threads. `book` is that of `coarse`; the result includes it.
+/// does not depend on the number of threads. `book` is that of `coarse`, and the result includes it;
+/// `fresh` is an empty book.
 pub(super) fn refined<T: Real, R: RuleSource, E: EffectSource, B: Book>(
     kernel: &Kernel<'_, T, R, E>,
     options: &Options,
     coarse: &Image,
+    fresh: B,
     mut book: B,
 ) -> (Image, B) {
     let (width, height) = (coarse.width(), coarse.height());
@@ -49,7 +51,7 @@ pub(super) fn refined<T: Real, R: RuleSource, E: EffectSource, B: Book>(
             return (picture, book);
         }
         let render = |chunk: &[usize]| {
-            let mut book = B::default();
+            let mut book = fresh;
             let colour = |n: &usize| {
                 let pixel = (*n as u32 % width, *n as u32 / width);
                 render_pixel(kernel, options, pixel, &mut book).f64()

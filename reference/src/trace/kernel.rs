@@ -330,6 +330,9 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
             watch.left_out(|| weight);
             return Vec3::ZERO;
         }
+        if !watch.allows(parent.depth + 1) {
+            return Vec3::ZERO;
+        }
         let path = Path { kind, depth: parent.depth + 1, weight };
         self.trace(ray, path, watch)
     }

@@ -35,7 +35,7 @@ impl Options {
     }
 
     /// Returns the effects, looked up by the kernel.
-    pub(super) fn any(&self) -> AllEffects {
+    pub(crate) fn any(&self) -> AllEffects {
         AllEffects::of(self.effects, self.light_cutoff)
     }
 }

@@ -9,6 +9,7 @@ use crate::trace::kernel::Kernel;
 pub use crate::trace::options::Options;
 use crate::trace::simulated::{EffectSource, EyeAlone, WithShadows};
 use crate::trace::{adaptive, tiles};
+use crate::watch::metered::{Metered, RayBudget};
 use crate::watch::work::Amounts;
 use crate::watch::{Book, Counts, Ledger, Notes};
 use crate::world::World;
@@ -88,11 +89,39 @@ pub fn count_by<T: Real>(
     options: &Options,
     progress: impl Fn(u64) + Sync,
 ) -> (Image, Stats, Amounts) {
-    let (image, Ledger { notes, work }) = if rules.lecture_by() == Some(Formula::Robust) {
-        render_under(world, Lecture, options.any(), options, progress)
+    counted(world, rules, options, None, progress)
+}
+
+/// Renders like [`count_by`] within a number of rays of all kinds.
+///
+/// Returns `None` if the picture takes more than `most` rays. That is found out soon after this
+/// many rays were traced. It does not depend on the number of threads.
+pub fn count_within<T: Real>(
+    world: &World<T>,
+    rules: &Rules,
+    options: &Options,
+    most: u64,
+    progress: impl Fn(u64) + Sync,
+) -> Option<(Image, Stats, Amounts)> {
+    let budget = RayBudget::new(most);
+    let picture = counted(world, rules, options, Some(&budget), progress);
+    (!budget.is_exceeded()).then_some(picture)
+}
+
+fn counted<T: Real>(
+    world: &World<T>,
+    rules: &Rules,
+    options: &Options,
+    budget: Option<&RayBudget>,
+    progress: impl Fn(u64) + Sync,
+) -> (Image, Stats, Amounts) {
+    let (fresh, effects) = (Metered::new(Ledger::default(), budget), options.any());
+    let (image, book) = if rules.lecture_by() == Some(Formula::Robust) {
+        render_in(world, Lecture, effects, options, fresh, progress)
     } else {
-        render_under(world, rules, options.any(), options, progress)
+        render_in(world, rules, effects, options, fresh, progress)
     };
+    let Ledger { notes, work } = book.settled();
     (image, Stats::of(&notes), work)
 }
 
@@ -134,10 +163,24 @@ pub fn render_under<T: Real, R: RuleSource, E: EffectSource, B: Book>(
     options: &Options,
     progress: impl Fn(u64) + Sync,
 ) -> (Image, B) {
+    render_in(world, rules, effects, options, B::default(), progress)
+}
+
+/// Returns the picture, and the book of its rays. Each tile has its own copy of `fresh`, an empty
+/// book.
+fn render_in<T: Real, R: RuleSource, E: EffectSource, B: Book>(
+    world: &World<T>,
+    rules: R,
+    effects: E,
+    options: &Options,
+    fresh: B,
+    progress: impl Fn(u64) + Sync,
+) -> (Image, B) {
     let kernel = Kernel::by(world, rules, effects);
     if !options.adaptive || options.samples == 1 {
-        return tiles::render_grid(&kernel, options, progress);
+        return tiles::render_grid(&kernel, options, fresh, progress);
     }
-    let (coarse, book) = tiles::render_grid(&kernel, &Options { samples: 1, ..*options }, progress);
-    adaptive::refined(&kernel, options, &coarse, book)
+    let one_ray = Options { samples: 1, ..*options };
+    let (coarse, book) = tiles::render_grid(&kernel, &one_ray, fresh, progress);
+    adaptive::refined(&kernel, options, &coarse, fresh, book)
 }

@@ -21,10 +21,12 @@ const TILE: u32 = 16;
 const BLOCK: u32 = 4;
 const _: () = assert!((BLOCK * BLOCK) as usize == packet::MOST && TILE.is_multiple_of(BLOCK));
 
-/// Returns the picture with a grid of rays through every pixel, and the book of its rays.
+/// Returns the picture with a grid of rays through every pixel, and the book of its rays. Each tile
+/// has its own copy of `fresh`, an empty book.
 pub(super) fn render_grid<T: Real, R: RuleSource, E: EffectSource, B: Book>(
     kernel: &Kernel<'_, T, R, E>,
     options: &Options,
+    fresh: B,
     progress: impl Fn(u64) + Sync,
 ) -> (Image, B) {
     let (width, height) = (kernel.world.render.width, kernel.world.render.height);
@@ -33,7 +35,7 @@ pub(super) fn render_grid<T: Real, R: RuleSource, E: EffectSource, B: Book>(
         .into_par_iter()
         .map(|n| {
             let (columns, rows) = (span(n % n_columns, width), span(n / n_columns, height));
-            let tile = render_tile(kernel, options, columns, rows);
+            let tile = render_tile(kernel, options, columns, rows, fresh);
             progress(tile.0.len() as u64);
             tile
         })
@@ -45,7 +47,7 @@ pub(super) fn render_grid<T: Real, R: RuleSource, E: EffectSource, B: Book>(
             [(j % TILE) as usize * tile_width + (i % TILE) as usize]
             .f64()
     });
-    (image, tiles.into_iter().fold(B::default(), |all, (_, book)| all.plus(book)))
+    (image, tiles.into_iter().fold(fresh, |all, (_, book)| all.plus(book)))
 }
 
 /// Returns the pixels of tile `n` along a side of `size` pixels.
@@ -58,8 +60,11 @@ fn render_tile<T: Real, R: RuleSource, E: EffectSource, B: Book>(
     options: &Options,
     columns: Range<u32>,
     rows: Range<u32>,
+    mut book: B,
 ) -> (Vec<Vec3<T>>, B) {
-    let mut book = B::default();
+    if !book.allows(0) {
+        return (vec![Vec3::ZERO; columns.len() * rows.len()], book);
+    }
     if options.packets && kernel.gains_by_packets() {
         return (render_in_blocks(kernel, options.samples, columns, rows, &mut book), book);
     }

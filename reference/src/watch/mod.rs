@@ -1,6 +1,7 @@
 //! Watches are called for every ray during tracing: counters for `--stats`, a recorder for
 //! `explain`.
 
+pub mod metered;
 pub mod work;
 
 use cases::Effect;
@@ -37,6 +38,11 @@ pub trait Watch: Tally {
     fn leave<T: Real>(&mut self, colour: Vec3<T>);
     /// Called for every shadow ray.
     fn shadow_ray(&mut self);
+    /// Returns whether rays of this depth may be spawned. If not, the picture will not be used.
+    #[inline(always)]
+    fn allows(&self, _depth: u32) -> bool {
+        true
+    }
     /// Called if rays are left out for depth or weight. `weight` returns the largest total weight
     /// that they could have had. [rule 13]
     #[inline(always)]
@@ -174,7 +180,7 @@ impl Watch for Notes {
 }
 
 /// A watch over one part of a picture. The books of two parts can be merged.
-pub trait Book: Watch + Default + Send {
+pub trait Book: Watch + Copy + Default + Send + Sync {
     /// Returns the figures collected so far.
     fn notes(&mut self) -> &mut Notes;
     /// Returns the book of both parts.

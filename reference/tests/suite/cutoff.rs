@@ -57,7 +57,7 @@ fn the_figures_worked_out_on_paper() {
     // 1 + 0.9 + 0.81 + … = 10; 51 terms are 10 (1 − 0.9^51) = 9.9536
     let scene = mirror_ball(1.0, 0.9, 50, 0.0);
     let limits = Limits::of(&scene, &Rules::LECTURE, scene.effects);
-    near(limits.light().x, 10.0);
+    near(limits.light.x, 10.0);
     let (all, n_rays) = pixels(&scene, 50, 0.0);
     near(all[0].0.x, 9.9536160231341);
     assert_eq!(n_rays, 4 * 51);
@@ -73,19 +73,65 @@ fn the_figures_worked_out_on_paper() {
     assert_eq!(pixels(&scene, 1000, 1e-6).1, 4 * 133);
 }
 
+/// Two facing squares, with the eye between them: a perfect mirror that emits nothing, and a wall
+/// that emits `glow` and reflects half of the light.
+fn facing_mirrors(glow: f64, max_depth: u32) -> Scene {
+    load(&format!(
+        "[render]\nsize = [1, 1]\nmax_depth = {max_depth}\n\
+            [scene.camera]\neye = [0, 0, 0]\nlook_at = [0, 0, -1]\n\
+         up = [0, 1, 0]\nfov_y_deg = 40\n[scene.materials]\n\
+         perfect = {{ kd = [0, 0, 0], kr = [1, 1, 1] }}\n\
+         wall = {{ ke = [{glow}, {glow}, {glow}], kd = [0, 0, 0], kr = [0.5, 0.5, 0.5] }}\n\
+         [[scene.objects]]\nplane = {{ normal = [0, 0, 1], k = -1 }}\nmaterial = \"perfect\"\n\
+         [[scene.objects]]\nplane = {{ normal = [0, 0, 1], k = 1 }}\nmaterial = \"wall\"\n"
+    ))
+}
+
+/// The mirror returns what the wall returns, and the wall g + (g + (…)/2)/2 = 2 g. At depth 2 k + 1
+/// the last ray ends at the wall, and k + 1 terms of g (1 + 1/2 + 1/4 + …) are there.
+#[test]
+fn a_perfect_mirror_among_others_has_the_bound_of_the_others() {
+    let scene = facing_mirrors(3.0, 50);
+    let limits = Limits::of(&scene, &Rules::LECTURE, scene.effects);
+    assert_eq!((limits.sent_on.x, limits.light.x), (1.0, 6.0));
+    assert_eq!(limits.of_depth(50).x, 6.0, "the bound for the depth alone does not fall");
+    for (depth, light) in [(0, 0.0), (1, 3.0), (3, 4.5), (5, 5.25), (7, 5.625)] {
+        let (found, _) = pixels(&scene, depth, 0.0);
+        assert_eq!(found[0].0.x, light, "depth {depth}");
+        assert_eq!(limits.of_weight(found[0].1).x, 6.0 - light, "depth {depth}");
+    }
+}
+
+/// In a ball with kr = 1 that emits 1, a picture of depth n shows n + 1. There is no bound for all
+/// depths, and the bound for n more levels is reached.
+#[test]
+fn a_glowing_perfect_mirror_gains_its_glow_with_each_level() {
+    let scene = mirror_ball(1.0, 1.0, 3, 0.0);
+    let limits = Limits::of(&scene, &Rules::LECTURE, scene.effects);
+    let at = |depth: u32| pixels(&scene, depth, 0.0).0[0];
+    let (light, weight) = at(3);
+    assert_eq!(limits.light, DVec3::INFINITY);
+    for n in [1, 2, 10] {
+        near(at(3 + n).0.x - light.x, f64::from(n));
+        near(limits.of_levels(weight, n).x, f64::from(n));
+    }
+    // With kr = 2, the levels after depth 3 add 16, 32, 64 …
+    let scene = mirror_ball(1.0, 1.0, 3, 0.0);
+    let doubling = Limits { sent_on: DVec3::splat(2.0), ..limits };
+    assert_eq!(doubling.of_levels(DVec3::splat(16.0), 3).x, 16.0 + 32.0 + 64.0);
+    assert_eq!(Limits::of(&scene, &Rules::LECTURE, Effects::NONE).of_levels(weight, 9).x, 1.0);
+}
+
 #[test]
 fn what_does_not_fade_has_no_bound() {
     let limits = |scene: &Scene| Limits::of(scene, &Rules::LECTURE, scene.effects);
     let endless = limits(&mirror_ball(1.0, 1.0, 3, 0.0));
-    assert_eq!(
-        (endless.light().x, endless.of_weight(DVec3::ONE).x),
-        (f64::INFINITY, f64::INFINITY)
-    );
+    assert_eq!((endless.light.x, endless.of_weight(DVec3::ONE).x), (f64::INFINITY, f64::INFINITY));
     assert_eq!(endless.of_weight(DVec3::ZERO), DVec3::ZERO, "nothing was left out");
     let scene = mirror_ball(2.0, 1.0, 3, 0.0);
     let dull = Limits::of(&scene, &Rules::LECTURE, Effects::NONE);
     assert_eq!(
-        (dull.sent_on, dull.light().x),
+        (dull.sent_on, dull.light.x),
         (DVec3::ZERO, 2.0),
         "kr has no effect without reflection"
     );

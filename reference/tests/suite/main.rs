@@ -17,6 +17,7 @@ mod crowded;
 mod cutoff;
 mod effects;
 mod expect_commands;
+mod explosion;
 mod families;
 mod formulas;
 mod leaving;

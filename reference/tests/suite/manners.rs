@@ -25,6 +25,7 @@ fn place() -> tempfile::TempDir {
     let stage = "title = \"One\"\nabout = \"a\"\nallows = []\nneeds = []\nunit_points = 0\n";
     let case = format!("title = \"t\"\nabout = \"a\"\nrules = [3]\npoints = 2\n{SCENE}");
     write("scene.toml", SCENE);
+    write("mirror.toml", &SCENE.replace("kd =", "kr = [1, 1, 1], kd ="));
     write("bad.toml", &SCENE.replace("fov_y_deg", "fov"));
     write("course.toml", "index_of_air = 1.0\n");
     write("bad_course.toml", "index_of_air = 2\n");
@@ -54,6 +55,11 @@ const CALLS: &[(&str, i32, &str)] = &[
     ("render missing.toml a.png", 2, "there is no file `missing.toml`"),
     ("render bad.toml a.png", 2, "bad.toml:8:1"),
     ("render scene.toml", 2, "required"),
+    (
+        "render scene.toml unwritten.png --max-rays 47",
+        1,
+        "more than 47 rays, the limit of --max-rays",
+    ),
     ("effects scene.toml", 0, "shadows"),
     ("effects scene.toml --measure --rounds 1", 0, "pixels changed"),
     ("effects scene.toml --rounds 1", 2, "--measure"),
@@ -61,6 +67,7 @@ const CALLS: &[(&str, i32, &str)] = &[
     ("cost scene.toml --rounds 1 --samples 1 --precisions f32 --no-effects", 0, "f32"),
     ("cost bad.toml", 2, "bad.toml"),
     ("explain scene.toml 4 3", 0, "eye ray"),
+    ("explain mirror.toml 4 3 --max-rays 1", 1, "more than 1 rays, the limit of --max-rays"),
     ("explain scene.toml 8 3", 2, "pixel (8, 3)"),
     ("probe", 0, ""),
     ("probe --course bad_course.toml", 2, "bad_course.toml"),
@@ -98,6 +105,10 @@ fn every_call_ends_as_help_says() {
         assert!(text.contains(part), "reference {line}: no {part:?} in\n{text}");
     }
     assert!(place.path().join("pages/reference-man.1").is_file(), "a page is missing");
+    assert!(
+        !place.path().join("unwritten.png").exists(),
+        "a picture was written in spite of its rays"
+    );
 }
 
 #[test]
