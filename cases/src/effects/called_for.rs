@@ -4,7 +4,7 @@ use glam::{DAffine3, DVec3};
 use serde::Serialize;
 
 use super::{Effect, Effects};
-use crate::course::{Course, ShadowTint, TwoSided};
+use crate::course::{Course, InsideNormal, Lobe, Near, ShadowTint, TwoSided};
 use crate::scene::{Attenuation, Light, Material, Object, Scene, Shape};
 
 /// The reason why a scene calls for an effect, or why it does not.
@@ -64,26 +64,18 @@ fn verdict(scene: &Scene, course: &Course, effect: Effect) -> Result<String, Str
         Effect::TintedShadows => tinted_shadows(scene, course),
         Effect::Reflection => spawning(scene, "kr", |m| m.kr),
         Effect::Refraction => spawning(scene, "kt", |m| m.kt),
-        Effect::SmoothNormals => named(
-            scene.objects.iter().find(|object| has_normals(scene, object)),
-            |object| format!("mesh {} carries vertex normals", object.name),
-            "no mesh carries vertex normals",
-        ),
+        Effect::SmoothNormals => smooth_normals(scene, course),
         Effect::Transforms => named(
             scene.objects.iter().find(|object| !object.is_untransformed()),
             |object| format!("{} has a matrix that is not the identity", object.name),
             "every object's matrix is the identity",
         ),
         Effect::Attenuation => named(
-            scene.lights.iter().position(weakens),
+            scene.lights.iter().position(|light| weakens(light, course)),
             |j| format!("lights[{j}] weakens with distance"),
             "no light that shines weakens with distance",
         ),
-        Effect::AdaptiveDepth => named(
-            (scene.render.threshold > 0.0).then_some(scene.render.threshold),
-            |threshold| format!("render.threshold is {threshold}"),
-            "render.threshold is 0",
-        ),
+        Effect::AdaptiveDepth => adaptive_depth(scene),
     }
 }
 
@@ -93,6 +85,9 @@ fn shadows(scene: &Scene, course: &Course) -> Result<String, String> {
     }
     if scene.objects.is_empty() {
         return Err("there is no object".into());
+    }
+    if !scene.objects.iter().any(|object| shows_lights(scene, course, object)) {
+        return Err("no object has kd or ks in a colour in which a light shines".into());
     }
     if !scene.objects.iter().any(|object| blocks(scene, course, object)) {
         return Err(
@@ -122,10 +117,53 @@ fn blocks(scene: &Scene, course: &Course, object: &Object) -> bool {
     course.tint != ShadowTint::Nothing || scene.material(object).kt == DVec3::ZERO
 }
 
-/// Returns whether a light weakens with distance. A black light has nothing to lose. [rule 4]
-fn weakens(light: &Light) -> bool {
+/// Returns whether `object` reflects something of a light directly: whether I ⊙ (kd + ks) is above
+/// 0 for some light. Other highlights than the lecture's are assumed to. [rule 3]
+fn shows_lights(scene: &Scene, course: &Course, object: &Object) -> bool {
+    let material = scene.material(object);
+    let shows = |light: &Light| light.colour() * (material.kd + material.ks) != DVec3::ZERO;
+    course.highlight != Lobe::Blinn || scene.lights.iter().any(shows)
+}
+
+/// Returns whether a light weakens with distance. A black light has nothing to lose. Clamped to 1,
+/// a constant of at most 1 weakens nothing. [rule 4]
+fn weakens(light: &Light, course: &Course) -> bool {
     let Light::Point { attenuation, colour, .. } = light else { return false };
-    *attenuation != Attenuation::NONE && *colour != DVec3::ZERO
+    let Attenuation { quadratic, linear, constant } = *attenuation;
+    let is_clamped_to_1 =
+        course.attenuation == Near::Clamped && (quadratic, linear) == (0.0, 0.0) && constant <= 1.0;
+    *attenuation != Attenuation::NONE && !is_clamped_to_1 && *colour != DVec3::ZERO
+}
+
+/// Vertex normals matter where a surface reflects a light or spawns rays. By interpolated normals a
+/// course may also decide whether a ray is inside, and with it about ambient light. [rule 18]
+fn smooth_normals(scene: &Scene, course: &Course) -> Result<String, String> {
+    let mut smooth = scene.objects.iter().filter(|object| has_normals(scene, object)).peekable();
+    if smooth.peek().is_none() {
+        return Err("no mesh carries vertex normals".into());
+    }
+    let matters = |object: &&Object| {
+        let material = scene.material(object);
+        course.inside_by == InsideNormal::Interpolated
+            || material.kr.max(material.kt) != DVec3::ZERO
+            || shows_lights(scene, course, object)
+    };
+    named(
+        smooth.find(matters),
+        |object| format!("mesh {} carries vertex normals", object.name),
+        "no mesh with vertex normals reflects a light or spawns rays",
+    )
+}
+
+fn adaptive_depth(scene: &Scene) -> Result<String, String> {
+    let threshold = scene.render.threshold;
+    if threshold <= 0.0 {
+        return Err("render.threshold is 0".into());
+    }
+    let spawns = spawning(scene, "kr", |m| m.kr).or_else(|_| spawning(scene, "kt", |m| m.kt));
+    spawns
+        .map(|_| format!("render.threshold is {threshold}"))
+        .map_err(|_| format!("render.threshold is {threshold}, but no object spawns rays"))
 }
 
 /// Returns whether `object` may occlude a light from a lit point of itself.

@@ -22,9 +22,9 @@ enum Place<T> {
         quadratic: T,
         linear: T,
         constant: T,
-        /// Whether (quadratic, linear, constant) is (0, 0, 1): the light never weakens, and the
-        /// division is skipped.
-        is_steady: bool,
+        /// Whether the light never weakens, so that the division is skipped: unclamped, and
+        /// clamped to 1. [rule 4]
+        is_steady: [bool; 2],
     },
     /// A directional light, with the direction in which the light travels.
     Far { direction: Vec3<T> },
@@ -39,7 +39,12 @@ impl<T: Real> Light<T> {
                 quadratic: T::of(attenuation.quadratic),
                 linear: T::of(attenuation.linear),
                 constant: T::of(attenuation.constant),
-                is_steady: *attenuation == cases::scene::Attenuation::NONE,
+                is_steady: [
+                    *attenuation == cases::scene::Attenuation::NONE,
+                    attenuation.quadratic == 0.0
+                        && attenuation.linear == 0.0
+                        && T::of(attenuation.constant) <= T::ONE,
+                ],
             },
             cases::Light::Directional { direction, .. } => {
                 Place::Far { direction: Vec3::of(*direction) }
@@ -75,7 +80,13 @@ impl<T: Real> Light<T> {
         let Place::Point { quadratic, linear, constant, is_steady, .. } = self.place else {
             return T::ONE;
         };
-        if is_steady && rules.get().attenuation != Attenuation::Swapped {
+        let [unclamped, clamped] = is_steady;
+        let is_steady = match rules.get().attenuation {
+            Attenuation::Clamped => clamped,
+            Attenuation::Unclamped | Attenuation::Absent | Attenuation::NotSquared => unclamped,
+            Attenuation::Swapped => false,
+        };
+        if is_steady {
             return T::ONE;
         }
         tally.did(Work::Attenuation);

@@ -2,7 +2,7 @@
 //! picture: `auto` gives the picture of `all`.
 
 use crate::common::{Random, random};
-use cases::course::{self, Course};
+use cases::course::{self, Course, TwoSided};
 use cases::effects::{self, Effect, Effects};
 use cases::film::Image;
 use cases::{Scene, scene};
@@ -23,8 +23,8 @@ fn n_different(one: &Image, other: &Image) -> usize {
 }
 
 #[test]
-fn auto_is_all_in_300_scenes_under_300_courses() {
-    let found: Vec<(Effects, Option<String>)> = (1..=300u64)
+fn auto_is_all_in_1000_scenes_under_1000_courses() {
+    let found: Vec<(Effects, TwoSided, Option<String>)> = (1..=1000u64)
         .into_par_iter()
         .map(|seed| {
             let mut random = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
@@ -34,15 +34,20 @@ fn auto_is_all_in_300_scenes_under_300_courses() {
             let n = n_different(&picture(&scene, &course), &picture(&all, &course));
             let wrong =
                 (n > 0).then(|| format!("seed {seed}: {n} pixels under {:?}", course.written()));
-            (scene.effects, wrong)
+            (scene.effects, course.two_sided, wrong)
         })
         .collect();
-    let wrong: Vec<&String> = found.iter().filter_map(|(_, wrong)| wrong.as_ref()).collect();
+    let wrong: Vec<&String> = found.iter().filter_map(|(.., wrong)| wrong.as_ref()).collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
     // Each effect is called for in some scenes and not in others. Otherwise the test is vacuous.
     for effect in Effect::ALL {
-        let n = found.iter().filter(|(effects, _)| effects.has(effect)).count();
-        assert!((20..=280).contains(&n), "{effect} is called for in {n} of 300 scenes");
+        let n = found.iter().filter(|(effects, ..)| effects.has(effect)).count();
+        assert!((60..=940).contains(&n), "{effect} is called for in {n} of 1000 scenes");
+    }
+    // So is each answer to which side of a surface is lit, which decides about lone solids.
+    for answer in [TwoSided::Never, TwoSided::Transmissive, TwoSided::Always] {
+        let n = found.iter().filter(|(_, two_sided, _)| *two_sided == answer).count();
+        assert!(n >= 200, "{answer:?} is drawn in {n} of 1000 courses");
     }
 }
 
@@ -75,6 +80,46 @@ fn a_lone_solid_that_is_lit_from_behind_calls_for_shadows() {
             let n = n_different(&picture(&scene, &course), &picture(&without, &course));
             assert_eq!(n > 100, called_for, "{shape}, {line}: {n} pixels");
         }
+    }
+}
+
+const SMOOTH: &str = "[render]\nsize = [8, 6]\nmax_depth = 3\nthreshold = 0.1\n\
+    [scene.camera]\neye = [0, 0, 4]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nfov_y_deg = 20\n\
+    [scene.materials]\nm = { MATERIAL }\n\
+    [[scene.lights]]\npoint = { position = [0, 0, 9], colour = [1, 0, 0], attenuation = { \
+    constant = CONSTANT } }\n\
+    [[scene.objects]]\nsquare = {}\nmaterial = \"m\"\n\
+    [[scene.objects]]\nmaterial = \"m\"\nmesh = { vertices = [[-1, -1, 0], [1, -1, 0], [0, 1, \
+    0.5]], triangles = [[0, 1, 2]], normals = [[0, 0, 1], [0, 0.6, 0.8], [0, 0, 1]] }\n";
+
+/// What no pixel can show is not called for: shadows and normals without kd and ks in the colour of
+/// a light, a threshold where nothing is spawned, attenuation that is clamped to 1.
+#[test]
+fn what_nothing_can_show_is_not_called_for() {
+    use Effect::{AdaptiveDepth, Attenuation, Reflection, Shadows, SmoothNormals};
+    let lit = Effects::NONE.with(Shadows).with(SmoothNormals);
+    let table = [
+        ("kd = [1, 1, 1]", "0.5", "", lit),
+        ("kd = [1, 1, 1]", "2", "", lit.with(Attenuation)),
+        ("kd = [1, 1, 1]", "0.5", "attenuation = \"unclamped\"", lit.with(Attenuation)),
+        ("ke = [1, 1, 1], kd = [0, 0, 0]", "1", "", Effects::NONE),
+        ("kd = [0, 1, 1]", "1", "", Effects::NONE),
+        ("kd = [0, 1, 1]", "1", "highlight = \"phong\"", lit),
+        ("kd = [0, 1, 1]", "1", "inside_by = \"interpolated\"", Effects::NONE.with(SmoothNormals)),
+        (
+            "kd = [0, 1, 1], kr = [0, 0, 1]",
+            "1",
+            "",
+            Effects::NONE.with(Reflection).with(SmoothNormals).with(AdaptiveDepth),
+        ),
+    ];
+    for (material, constant, line, expected) in table {
+        let course = course::parse("course", &format!("bytes = \"rounded\"\n{line}")).unwrap();
+        let text = SMOOTH.replace("MATERIAL", material).replace("CONSTANT", constant);
+        let scene = scene::parse("smooth", &text, std::path::Path::new(""), &course)
+            .unwrap_or_else(|problems| panic!("{problems}"));
+        let found: Vec<Effect> = effects::called_for(&scene, &course).iter().collect();
+        assert_eq!(found, expected.iter().collect::<Vec<_>>(), "{material}, {constant}, {line}");
     }
 }
 
