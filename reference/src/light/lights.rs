@@ -53,6 +53,12 @@ impl<T: Real> Light<T> {
         Self { colour: Vec3::of(light.colour()), ambient: Vec3::of(light.ambient()), place }
     }
 
+    /// Returns whether the light may weaken with distance, clamped to 1 or not. [rule 4]
+    pub fn weakens(&self) -> bool {
+        matches!(self.place, Place::Point { is_steady: [unclamped, clamped], .. }
+            if !(unclamped && clamped))
+    }
+
     /// Returns L, the unit vector towards the light, and t_light, which is infinite for a
     /// directional light. The result is `None` if `point` is the position of the point light.
     /// [rule 5]

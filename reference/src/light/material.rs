@@ -62,6 +62,19 @@ impl<T: Real> Material<T> {
     }
 }
 
+/// The greatest exponent of a highlight for which (N·H)₊^ns is certainly less than 2, although
+/// rounding may make N·H a little greater than 1.
+const MOST_NS: f64 = 1e6;
+
+impl<T: Real> Material<T> {
+    /// Returns whether the material reflects at most kd + ks of a light, except for a factor of 2
+    /// for rounding, and tints shadows with at most 1. It is false for a negative coefficient.
+    pub fn only_weakens(&self) -> bool {
+        let least = self.kd.min_element().least(self.ks.min_element()).least(self.kt.min_element());
+        least >= T::ZERO && self.kt.max_element() <= T::ONE && self.ns <= T::of(MOST_NS)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

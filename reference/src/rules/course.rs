@@ -106,4 +106,59 @@ impl Rules {
             ..Self::LECTURE
         }
     }
+    /// Returns whether the proofs hold by which work is left out that cannot change a picture: the
+    /// style is the reference's, and the rules differ from the lecture's at most in choices of a
+    /// course that the proofs allow for. It is false for every mistake that moves a ray or a hit.
+    pub fn is_proven(&self) -> bool {
+        let has_known_light = matches!(
+            (self.facing, self.attenuation),
+            (
+                Facing::OnlyFront | Facing::BothSidesOfTransmissive | Facing::BothSides,
+                Attenuation::Clamped | Attenuation::Unclamped
+            )
+        );
+        let has_known_epsilon = matches!(self.epsilon, Epsilon::RayEpsilon | Epsilon::Fixed(_));
+        let lecture = Self {
+            pixel_centre: self.pixel_centre,
+            rows_from_top: self.rows_from_top,
+            picture_from_top: self.picture_from_top,
+            fov: self.fov,
+            highlight: self.highlight,
+            facing: self.facing,
+            attenuation: self.attenuation,
+            tint: self.tint,
+            air: self.air,
+            ambient_inside: self.ambient_inside,
+            depth: self.depth,
+            cutoff: self.cutoff,
+            quantiser: self.quantiser,
+            epsilon: self.epsilon,
+            ..Self::LECTURE
+        };
+        has_known_light && has_known_epsilon && *self == lecture
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rules::misconceptions;
+
+    #[test]
+    fn the_proofs_hold_for_courses_and_for_no_mistake_that_moves_a_ray() {
+        let course = |line: &str| Rules::of(&cases::course::parse("course", line).unwrap());
+        for line in [
+            "bytes = \"truncated\"",
+            "two_sided = \"always\"",
+            "tint = \"per_object\"",
+            "epsilon = 1e-3",
+        ] {
+            assert!(course(line).is_proven(), "{line}");
+        }
+        assert!(!course("reflect_by = \"geometric\"").is_proven());
+        assert!(!Rules::LECTURE.plain().is_proven());
+        let spoilt = misconceptions::of(&Rules::LECTURE);
+        let n = spoilt.iter().filter(|wrong| !wrong.on(&Rules::LECTURE).is_proven()).count();
+        assert!(n > spoilt.len() / 2, "{n} of {}", spoilt.len());
+    }
 }

@@ -176,7 +176,7 @@ fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
                 ShadingPoint { hit_point, normal, to_viewer, is_inside, material: object.material };
             let world = World::<T>::with_search(scene, Search::Scan);
             let rules = of_given_point(rules);
-            colour(Kernel::new(&world, &rules, scene.effects).shade(
+            colour(Kernel::new(&world, &rules, scene.effects).without_proofs().shade(
                 &at,
                 Vec3::ONE,
                 &mut Counts::default(),
@@ -189,7 +189,7 @@ fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
                 return colour(Vec3::<T>::ONE);
             };
             let rules = of_given_point(rules);
-            let kernel = Kernel::new(&world, &rules, scene.effects);
+            let kernel = Kernel::new(&world, &rules, scene.effects).without_proofs();
             // The question has no normal, and `to_light` replaces it: a style that moves the origin
             // along the normal moves it along the ray.
             let hit_point = HitPoint { point: v(*point), error: Vec3::ZERO, n_geom: to_light };
@@ -197,7 +197,7 @@ fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
         }
         Ask::Trace { scene, ray, depth } => {
             let world = World::<T>::with_search(scene, Search::Scan);
-            let kernel = Kernel::new(&world, rules, scene.effects);
+            let kernel = Kernel::new(&world, rules, scene.effects).without_proofs();
             colour(kernel.trace(&Ray::of(ray), Path::eye(*depth), &mut Counts::default()))
         }
         _ => unreachable!("`answer_in` passes only scenes"),

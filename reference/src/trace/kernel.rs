@@ -32,6 +32,8 @@ pub struct Kernel<'w, T, R, E = AllEffects> {
     pub rules: R,
     lens: Lens<T>,
     effects: E,
+    /// Whether [`Rules::is_proven`](crate::rules::Rules::is_proven).
+    is_proven: bool,
 }
 
 /// A point of the picture: a pixel and the position in it, as in [`Kernel::eye`].
@@ -116,7 +118,15 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
     /// Returns the kernel that simulates the effects of `effects`.
     pub fn by(world: &'w World<T>, rules: R, effects: E) -> Self {
         let (width, height) = (world.render.width, world.render.height);
-        Self { world, rules, lens: Lens::new(rules, &world.camera, width, height), effects }
+        let lens = Lens::new(rules, &world.camera, width, height);
+        Self { world, rules, lens, effects, is_proven: rules.get().is_proven() }
+    }
+
+    /// Returns the kernel that leaves out no work because of a proof, for a world that may
+    /// contradict itself, such as by a matrix that is not the inverse of the other.
+    #[must_use]
+    pub fn without_proofs(self) -> Self {
+        Self { is_proven: false, ..self }
     }
 
     /// Returns the light through a point of the pixel in column i from the left and row j from the
@@ -227,7 +237,8 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
                 && way_through().is_none();
             if !is_black {
                 let ray = Ray::spawned(self.rules, &hit_point, r);
-                colour += kr * self.spawn(RayKind::Reflected, &ray, path, kr, watch);
+                let kind = RayKind::Reflected;
+                colour += kr * self.spawn(kind, &ray, path, kr, !is_inside, watch);
             }
         }
         if self.effects.has(Effect::Refraction)
@@ -236,7 +247,7 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         {
             let kt = self.transmit_weight(material);
             let ray = Ray::spawned(self.rules, &hit_point, t);
-            colour += kt * self.spawn(RayKind::Refracted, &ray, path, kt, watch);
+            colour += kt * self.spawn(RayKind::Refracted, &ray, path, kt, is_inside, watch);
         }
         colour
     }
@@ -307,14 +318,16 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         }
     }
 
-    /// Traces a ray that is spawned with `weight` and returns its light. A ray that contributes
-    /// nothing to the pixel is not cast and returns 0.
+    /// Traces a ray that is spawned with `weight`, to the outside of the object if `goes_outside`,
+    /// and returns its light. A ray that contributes nothing to the pixel is not cast and returns
+    /// 0. Neither is a ray cast that can only miss: it returns the background.
     fn spawn<W: Watch>(
         &self,
         kind: RayKind,
         ray: &Ray<T>,
         parent: Path<T>,
         weight: Vec3<T>,
+        goes_outside: bool,
         watch: &mut W,
     ) -> Vec3<T> {
         let weight = if self.rules.get().cutoff == Cutoff::LastOnly {
@@ -329,6 +342,10 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
             watch.did(Work::FaintPath);
             watch.left_out(|| weight);
             return Vec3::ZERO;
+        }
+        if self.world.alone.is_clear(goes_outside) && self.is_proven && !W::SEES_ALL {
+            watch.did(Work::SureMiss);
+            return self.world.background;
         }
         if !watch.allows(parent.depth + 1) {
             return Vec3::ZERO;

@@ -30,6 +30,12 @@ pub enum Work {
     FaintPath,
     /// A light is skipped because it is too weak at a point.
     FaintLight,
+    /// A light is skipped because its term vanishes in the rounded sum of the others.
+    VanishingLight,
+    /// A shadow ray ends at the first hit, since no transparent object can lie on it.
+    UntintedRay,
+    /// A spawned ray is not cast because it can only miss.
+    SureMiss,
 }
 
 /// A counter of work; `()` counts nothing.
@@ -56,6 +62,9 @@ pub struct Amounts {
     pub tinted_crossings: u64,
     pub faint_paths: u64,
     pub faint_lights: u64,
+    pub vanishing_lights: u64,
+    pub untinted_rays: u64,
+    pub sure_misses: u64,
 }
 
 impl Amounts {
@@ -87,6 +96,9 @@ impl Amounts {
             Work::TintedCrossing => &mut self.tinted_crossings,
             Work::FaintPath => &mut self.faint_paths,
             Work::FaintLight => &mut self.faint_lights,
+            Work::VanishingLight => &mut self.vanishing_lights,
+            Work::UntintedRay => &mut self.untinted_rays,
+            Work::SureMiss => &mut self.sure_misses,
         }
     }
 }
@@ -100,7 +112,7 @@ impl Tally for Amounts {
 
 impl Work {
     /// Every kind of work.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 14] = [
         Self::ObjectNode,
         Self::Object,
         Self::MeshNode,
@@ -112,6 +124,9 @@ impl Work {
         Self::TintedCrossing,
         Self::FaintPath,
         Self::FaintLight,
+        Self::VanishingLight,
+        Self::UntintedRay,
+        Self::SureMiss,
     ];
 
     /// Returns the name of several units of the work, such as `objects tested`.
@@ -128,6 +143,9 @@ impl Work {
             Self::TintedCrossing => "surfaces crossed by shadow rays",
             Self::FaintPath => "paths ended for their weight",
             Self::FaintLight => "lights too weak to be followed",
+            Self::VanishingLight => "lights that vanish in the sum of the others",
+            Self::UntintedRay => "shadow rays away from all transparent objects",
+            Self::SureMiss => "spawned rays not cast because they can only miss",
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The scene prepared for ray tracing: numbers in one precision, trees, and searches for hits.
 //! [rule 2]
 
+mod clear;
 pub mod mesh;
 pub mod object;
 pub mod packet;
@@ -22,6 +23,7 @@ use crate::rays::ray::{HitPoint, Ray};
 use crate::rules::RuleSource;
 use crate::shapes::{ShapeHit, is_exact};
 use crate::watch::work::{Tally, Work};
+use clear::{Alone, GlassBall};
 use mesh::Mesh;
 pub use object::Object;
 use object::ObjectShape;
@@ -47,6 +49,13 @@ pub struct World<T> {
     pub materials: Vec<Material<T>>,
     /// The lights that each material reflects.
     pub(crate) reflected: Vec<ReflectedLights>,
+    /// Whether the light of some lamp may vanish in the sum of the others: it weakens with
+    /// distance, and no term of the direct light is greater than I_j A_j (kd + ks) or negative.
+    pub(crate) may_vanish: bool,
+    /// The ball around the transparent objects.
+    pub(crate) glass: GlassBall<T>,
+    /// What a ray can still hit that leaves the only object.
+    pub(crate) alone: Alone,
     /// The objects, in the scene's order.
     pub objects: Vec<Object<T>>,
     pub(crate) meshes: Vec<Mesh<T>>,
@@ -111,16 +120,25 @@ impl<T: Real> World<T> {
     pub fn with_search(scene: &Scene, search: Search) -> Self {
         let lights: Vec<Light<T>> = scene.lights.iter().map(Light::of).collect();
         let materials: Vec<Material<T>> = scene.materials.iter().map(Material::of).collect();
+        let objects: Vec<Object<T>> = scene.objects.iter().map(Object::of).collect();
+        let meshes: Vec<Mesh<T>> = scene.meshes.iter().map(|mesh| Mesh::of(mesh, search)).collect();
+        let is_transparent = |object: &&Object<T>| materials[object.material].kt != Vec3::ZERO;
+        let transparent = objects.iter().filter(is_transparent);
         let mut world = Self {
             camera: scene.camera,
             render: scene.render,
             effects: scene.effects,
             background: Vec3::of(scene.background),
             reflected: materials.iter().map(|one| ReflectedLights::of(one, &lights)).collect(),
+            may_vanish: lights.iter().any(Light::weakens)
+                && materials.iter().all(Material::only_weakens)
+                && lights.iter().all(|light| light.colour.min_element() >= T::ZERO),
+            glass: GlassBall::of(transparent, &meshes, loss(&objects)),
+            alone: Alone::of(&objects),
             lights,
             materials,
-            objects: scene.objects.iter().map(Object::of).collect(),
-            meshes: scene.meshes.iter().map(|mesh| Mesh::of(mesh, search)).collect(),
+            objects,
+            meshes,
             has_frames: scene.objects.iter().any(|object| !object.is_untransformed()),
             endless: Vec::new(),
             tree: None,
@@ -150,11 +168,9 @@ impl<T: Real> World<T> {
         if inside.iter().map(|i| self.objects[*i as usize].cost()).sum::<usize>() <= FEW {
             return;
         }
-        let loss =
-            self.objects.iter().filter_map(|object| object.frame.as_deref()).map(Frame::loss);
         let (tree, order) = Bvh::build(&bounds);
         let inside = order.into_iter().map(|n| inside[n as usize]).collect();
-        self.tree = Some((inside, tree.with_loss(loss.fold(T::ONE, T::greatest).f64())));
+        self.tree = Some((inside, tree.with_loss(loss(&self.objects).f64())));
         self.endless = endless;
     }
 
@@ -239,4 +255,13 @@ impl<T: Real> World<T> {
             object: index,
         }
     }
+}
+
+/// Returns how many times as much as in world space the tests of some object lose.
+fn loss<T: Real>(objects: &[Object<T>]) -> T {
+    objects
+        .iter()
+        .filter_map(|object| object.frame.as_deref())
+        .map(Frame::loss)
+        .fold(T::ONE, T::greatest)
 }

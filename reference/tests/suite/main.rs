@@ -23,6 +23,7 @@ mod formulas;
 mod leaving;
 mod manners;
 mod misconceptions;
+mod needless;
 mod optics;
 mod paper;
 mod rules_version;

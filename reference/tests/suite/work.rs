@@ -121,8 +121,14 @@ fn a_path_that_counts_for_nothing_ends() {
         );
     }
     check("no mirror", &[], &[&square("gloss"), &red], 0.0, &[("reflected", 0), ("refracted", 0)]);
-    // Through one pane, into the background.
-    check("a pane", &[], &[&square("glass")], 0.0, &[("reflected", 0), ("refracted", 1)]);
+    // Through one pane, into the background. The ray is cast only if there is something to hit.
+    let (pane, other) = (square("glass"), square_at([9, 0, 0], "chalk"));
+    check("a pane", &[], &[&pane, &other], 0.0, &[("reflected", 0), ("refracted", 1)]);
+    let ball = "sphere = {}, material = \"red\"";
+    for (what, lone) in [("a lone pane", &*pane), ("a lone mirroring ball", ball)] {
+        let figures = [("refracted", 0), ("reflected", 0), ("sure_misses", 1)];
+        check(what, &[], &[lone], 0.0, &figures);
+    }
 }
 
 #[test]

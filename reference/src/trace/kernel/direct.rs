@@ -15,14 +15,89 @@ use crate::watch::Watch;
 use crate::watch::work::{Tally, Work};
 use crate::world::search::Crossings;
 
+/// The lights at a point whose terms may vanish in the sum.
+#[derive(Clone, Copy, Debug)]
+struct Vanished<T> {
+    /// The sum with the greatest value that each of their terms can have.
+    greatest: Vec3<T>,
+    n_lights: u32,
+}
+
+impl<T: Real> Vanished<T> {
+    /// Returns these lights and one more, with the attenuation `weakened`, of which the surface
+    /// reflects at most `most`, except for rounding.
+    ///
+    /// A factor of 2 covers the rounding, and the least trusted number that of numbers near 0.
+    #[cold]
+    fn and(self, weakened: T, most: Vec3<T>) -> Self {
+        let term = if weakened == T::ZERO {
+            Vec3::ZERO
+        } else {
+            most * T::TWO + Vec3::new(T::SAFE[0], T::SAFE[0], T::SAFE[0])
+        };
+        Self { greatest: self.greatest + term, n_lights: self.n_lights + 1 }
+    }
+}
+
 impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
     /// Returns ke and the light of every light source at a point. `weight` is the weight of the
     /// path in the pixel. [rule 3]
+    ///
+    /// **Lights that vanish.** The term of a light whose attenuation is below half an ulp of 1 may
+    /// vanish in the rounded sum. Its least value is 0, its greatest is known without a shadow ray.
+    /// The sum is therefore computed with both, by the same additions. A rounded addition is
+    /// monotonic, so the true sum lies between the two. Where they are equal, the true sum is that
+    /// number too, and the shadow rays of such lights are not needed. Elsewhere the sum starts over
+    /// with all shadow rays.
     pub fn shade(&self, at: &ShadingPoint<T>, weight: Vec3<T>, watch: &mut impl Watch) -> Vec3<T> {
+        let may_vanish = self.world.may_vanish
+            && self.is_proven
+            && self.effects.has(Effect::Shadows)
+            && shade::is_bounded(self.rules);
+        if may_vanish && let Some(sum) = self.sum_with_vanishing_lights(at, weight, watch) {
+            return sum;
+        }
+        self.sum_of_lights::<false>(at, weight, watch).0
+    }
+
+    /// Returns ke and the sum of all lights at a point, or `None` if a light that may vanish does
+    /// not. Never inlined, because most scenes have no such light.
+    #[inline(never)]
+    fn sum_with_vanishing_lights(
+        &self,
+        at: &ShadingPoint<T>,
+        weight: Vec3<T>,
+        watch: &mut impl Watch,
+    ) -> Option<Vec3<T>> {
+        let (least, vanished) = self.sum_of_lights::<true>(at, weight, watch);
+        let Some(Vanished { greatest, n_lights }) = vanished else { return Some(least) };
+        if greatest != least {
+            return None;
+        }
+        (0..n_lights).for_each(|_| watch.did(Work::VanishingLight));
+        Some(least)
+    }
+
+    /// Returns ke and the sum of all lights at a point. If `MAY_VANISH`, lights whose term may
+    /// vanish count as 0 and are reported.
+    #[inline(always)]
+    fn sum_of_lights<const MAY_VANISH: bool>(
+        &self,
+        at: &ShadingPoint<T>,
+        weight: Vec3<T>,
+        watch: &mut impl Watch,
+    ) -> (Vec3<T>, Option<Vanished<T>>) {
         let material = &self.world.materials[at.material];
         let n_lights = self.world.lights.len();
         let lights = self.world.reflected[at.material];
         let mut colour = shade::emission(self.rules, material, n_lights);
+        let mut vanished: Option<Vanished<T>> = None;
+        let add = |colour: &mut Vec3<T>, vanished: &mut Option<Vanished<T>>, term: Vec3<T>| {
+            *colour += term;
+            if MAY_VANISH && let Some(vanished) = vanished {
+                vanished.greatest += term;
+            }
+        };
         for n in 0..n_lights {
             let j = if self.rules.get().style.lights == LightOrder::Reversed {
                 n_lights - 1 - n
@@ -37,7 +112,7 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
                 }
                 continue;
             }
-            colour += ambient;
+            add(&mut colour, &mut vanished, ambient);
             // A red lamp on a blue surface adds nothing, so it needs no shadow ray.
             if shade::is_bounded(self.rules) && !lights.has(j) {
                 continue;
@@ -49,11 +124,13 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
                 continue;
             }
             let weakened = light.attenuation(self.rules, r, watch);
-            if self.is_faint_light(
-                || light.colour * weakened * (material.kd + material.ks),
-                weight,
-                watch,
-            ) {
+            let most = || light.colour * weakened * (material.kd + material.ks);
+            if self.is_faint_light(most, weight, watch) {
+                continue;
+            }
+            if MAY_VANISH && weakened < T::HALF * T::ULP {
+                let so_far = vanished.unwrap_or(Vanished { greatest: colour, n_lights: 0 });
+                vanished = Some(so_far.and(weakened, most()));
                 continue;
             }
             let reaching = self.shadow(&at.hit_point, to_light, r, watch) * weakened;
@@ -61,7 +138,7 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
                 continue;
             }
             let arriving = reaching * light.colour;
-            colour += shade::light_term(
+            let term = shade::light_term(
                 self.rules,
                 material,
                 arriving,
@@ -70,8 +147,9 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
                 to_light,
                 watch,
             );
+            add(&mut colour, &mut vanished, term);
         }
-        colour
+        (colour, vanished)
     }
 
     /// Returns the ambient and the direct term of a light for rules by which shadows darken both.
@@ -136,7 +214,10 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
             if self.rules.get().shadow_reach == ShadowReach::Unbounded { T::INFINITY } else { r };
         let ray = Ray::to_light(self.rules, hit_point, to_light, reach);
         if self.effects.has(Effect::TintedShadows) && self.rules.get().tint != Tint::Opaque {
-            return self.tint(&ray, watch);
+            if !self.is_proven || self.world.glass.may_be_on(&ray) {
+                return self.tint(&ray, watch);
+            }
+            watch.did(Work::UntintedRay);
         }
         if self.world.occluded(self.rules, &ray, watch) { Vec3::ZERO } else { Vec3::ONE }
     }
