@@ -17,7 +17,8 @@ use crate::rules::Rules;
 
 /// Runs the command.
 pub(super) fn run(args: &EffectsArgs, talk: Talk) -> Result<(), Stop> {
-    let Found { scene, course, .. } = find::found(&args.scene, &args.course)?;
+    let Found { scene, course, .. } =
+        find::found(args.scene.as_deref().unwrap_or_default(), &args.course)?;
     let session = Session::start(1, talk)?;
     let (rules, sweep) = (Rules::of(&course), Sweep::of_effects(&scene));
     let measured = session.sweep(&scene, &rules, &sweep, usize::from(args.rounds))?;

@@ -170,9 +170,16 @@ impl Report {
             self.threads,
         );
         let search = amounts(&[Work::ObjectNode, Work::Object, Work::MeshNode, Work::Triangle]);
-        let shading = amounts(&[Work::Power, Work::FaintLight]);
+        let shading = amounts(&[
+            Work::Power,
+            Work::FaintLight,
+            Work::VanishingLight,
+            Work::UntintedRay,
+            Work::SureMiss,
+        ]);
         let _ = writeln!(text, "search     {search}\nshading    {shading}\neffects");
         text.extend(self.by_effect.iter().map(Row::line));
+        text += "  (`reference effects SCENE` counts the pixels that each effect changes)\n";
         let _ = writeln!(
             text,
             "left out   {}\nseconds    load {:.4}, prepare {:.4}, render {:.4} (with \

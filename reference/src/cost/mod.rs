@@ -11,6 +11,7 @@
 //! | `functions.rs`, `functions_report.rs` | single functions: nanoseconds against errors and wrong decisions |
 //! | `functions_summary.rs`, `functions_advice.rs` | construction of that report; which formula to pick for each function |
 //! | `idle.rs` | a scene without each of its effects: pixels, rays and times |
+//! | `view.rs`, `effects_document.rs` | the same in counts alone; the page `docs/effects.md` |
 //! | `uncalled.rs` | the cost of an effect in a scene that does not call for it |
 //! | `forms.rs`, `table.rs`, `csv.rs`, `plot.rs`, `page.rs` | reports as text, CSV table, SVG picture and HTML page |
 //! | `figures.rs` | levels, and numbers with a sign, as reports print them |
@@ -23,6 +24,7 @@ mod answers;
 pub mod bench;
 pub mod csv;
 pub mod document;
+pub mod effects_document;
 pub mod error;
 pub mod error_picture;
 pub mod figures;
@@ -44,3 +46,4 @@ pub mod sweep;
 pub mod table;
 pub mod times;
 pub mod uncalled;
+pub mod view;

@@ -83,3 +83,25 @@ fn counting_changes_no_picture_and_no_count() {
         assert!(work.objects > 0, "{}: no ray is tested against an object", case.id);
     });
 }
+
+/// The page of the documentation is what its command writes.
+#[test]
+fn the_page_of_effects_is_current() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let folder = tempfile::tempdir().unwrap();
+    let page = folder.path().join("effects.md");
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_reference"))
+        .current_dir(&root)
+        .args(["effects", "--page"])
+        .arg(&page)
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{output:?}");
+    let written = std::fs::read_to_string(&page).unwrap();
+    let stored = std::fs::read_to_string(root.join("docs/effects.md")).unwrap();
+    assert!(
+        written == stored,
+        "docs/effects.md is stale: cargo run --release -p reference -- effects --page \
+            docs/effects.md"
+    );
+}

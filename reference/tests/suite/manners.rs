@@ -61,6 +61,8 @@ const CALLS: &[(&str, i32, &str)] = &[
         "more than 47 rays, the limit of --max-rays",
     ),
     ("effects scene.toml", 0, "shadows"),
+    ("effects scene.toml --max-rays 1", 0, "not called for: no object's material has kr > 0"),
+    ("effects --page x.md", 2, "no file `docs/showcase.toml`"),
     ("effects scene.toml --measure --rounds 1", 0, "pixels changed"),
     ("effects scene.toml --rounds 1", 2, "--measure"),
     ("effects bad.toml", 2, "bad.toml"),
