@@ -41,16 +41,26 @@ pub struct Scene {
     /// The width and height, such as `160x120`; the scene's own if left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub size: Option<String>,
+    /// The set of formulas, such as `plain`; the reference's own if left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub formulas: Option<String>,
     /// The budget in instructions; 0 if the scene was never counted.
     pub instructions: u64,
 }
 
 impl Scene {
+    /// Returns the name, with the formulas if they are not the reference's own.
+    pub fn title(&self) -> String {
+        self.formulas
+            .as_ref()
+            .map_or_else(|| self.name.clone(), |formulas| format!("{} by {formulas}", self.name))
+    }
+
     /// Returns a complaint if the count `found` is too far from the budget, or if there is no
     /// budget.
     pub fn complaint(&self, found: u64) -> Option<String> {
         let share = found as f64 / self.instructions as f64 - 1.0;
-        let (name, budget) = (&self.name, self.instructions);
+        let (name, budget) = (self.title(), self.instructions);
         if budget == 0 {
             return Some(format!("{name}: {found} instructions, and no budget yet"));
         }
@@ -178,6 +188,9 @@ pub fn count(program: &Path, scene: &Scene, folder: &Path) -> Result<u64, String
     if let Some(size) = &scene.size {
         command.args(["--size", size]);
     }
+    if let Some(formulas) = &scene.formulas {
+        command.args(["--formulas", formulas]);
+    }
     // The environment is copied and searched, and so would change the count.
     command.env_clear().current_dir(workspace());
     run(&mut command).map_err(|why| {
@@ -213,6 +226,7 @@ mod tests {
         let scene = |name: &str, size: Option<&str>| Scene {
             name: name.into(),
             size: size.map(str::to_owned),
+            formulas: None,
             instructions,
         };
         Budget {
@@ -239,6 +253,18 @@ mod tests {
             complaints(&budget(0), &[5, 5], "one")
                 .contains("a/b: 5 instructions, and no budget yet")
         );
+    }
+
+    #[test]
+    fn complaints_name_the_formulas() {
+        let scene = Scene {
+            name: "a/b".into(),
+            size: None,
+            formulas: Some("plain".into()),
+            instructions: 100,
+        };
+        let said = scene.complaint(200).unwrap();
+        assert!(said.starts_with("a/b by plain: 200 instructions"), "{said}");
     }
 
     #[test]

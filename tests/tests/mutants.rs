@@ -1,7 +1,7 @@
 //! Tests of the judge: correct programs that are written differently lose nothing, and programs
 //! with a single bug lose points where the bug is.
 //!
-//! Every ninth of `tests/mutants` by name is tested. `MUTANTS=N` tests every N-th instead, as the
+//! One in 27 of `tests/mutants` by name is tested. `MUTANTS=N` tests every N-th instead, as the
 //! gate does with 3; `cargo run --release -p tests --bin judge` tests all of them.
 
 use std::collections::BTreeSet;
@@ -17,7 +17,7 @@ fn all() -> Vec<Variant> {
     variants::all().unwrap_or_else(|why| panic!("{why}"))
 }
 
-/// Returns every n-th of `variants`, where n is the value of `MUTANTS`, or 9.
+/// Returns every n-th of `variants`, where n is the value of `MUTANTS`, or 27.
 fn sample(variants: Vec<Variant>) -> Vec<Variant> {
     let step = match std::env::var("MUTANTS") {
         Ok(n) => n
@@ -25,7 +25,7 @@ fn sample(variants: Vec<Variant>) -> Vec<Variant> {
             .ok()
             .filter(|n| *n > 0)
             .unwrap_or_else(|| panic!("MUTANTS={n}: the value is a whole number above 0")),
-        Err(_) => 9,
+        Err(_) => 27,
     };
     variants.into_iter().step_by(step).collect()
 }

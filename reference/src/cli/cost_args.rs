@@ -16,14 +16,16 @@ use crate::rules::Robustness;
 #[derive(Debug, Parser)]
 #[command(after_help = "\
 The command answers three questions, each with its own error and price. Rounding: precision and
-formula, against f64 with the robust formulas. Depth: recursion and cut-offs, against the greatest
-depth without cut-offs. Sampling: rays per pixel, against twice the most of --samples per side. It
-also renders the scene without each of its effects, and with all effects. Depth and threshold vary
-only if the scene calls for reflection or refraction. Formulas: `plain` is what most tracers use
-(textbook quadratic, Möller–Trumbore, RAY_EPSILON), `stable` does not cancel, `robust` is the
-reference's own. Each round renders every setting once. No setting counts as faster than another
-where their times overlap, so one round gives figures without advice. Ctrl-C ends the measurement
-after the current picture; the finished rounds are reported.
+formula, in kernels compiled alike, against f64 with the robust formulas. Depth: recursion and
+cut-offs, against the greatest depth without cut-offs. Sampling: rays per pixel, against twice the
+most of --samples per side; `adaptive` casts them only through pixels that differ from a neighbour.
+It also renders the scene without each of its effects, with all effects and, for up to 1000 objects
+and triangles, without trees. Depth and threshold vary only if the scene calls for reflection or
+refraction. Formulas: `plain` is what most tracers use (textbook quadratic, Möller–Trumbore,
+RAY_EPSILON), `stable` does not cancel, `robust` is the reference's own. Each round renders every
+setting once. No setting counts as faster than another where their times overlap, so one round
+gives figures without advice. Ctrl-C ends the measurement after the current picture; the finished
+rounds are reported.
 
 Examples:
   reference cost 04_refraction/crystal_ball
@@ -121,7 +123,7 @@ pub(super) struct CostArgs {
     /// Measure every combination of settings
     #[arg(long, conflicts_with = "functions")]
     pub full: bool,
-    /// Do not measure the cost of effects
+    /// Do not measure the cost of effects and trees
     #[arg(long, conflicts_with = "functions")]
     pub no_effects: bool,
     /// Number of times that each setting is timed

@@ -8,7 +8,7 @@ use crate::expect::variations::Precision;
 use crate::numbers::real::Real;
 use crate::rules::Rules;
 use crate::trace::render::{self, Options, Stats};
-use crate::world::World;
+use crate::world::{Search, World};
 
 /// The worlds of a scene in both precisions, each built at its first use, and the rules by which
 /// the scene is rendered.
@@ -20,8 +20,8 @@ pub struct Bench {
     double: Worlds<f64>,
 }
 
-/// Worlds, each with the effects of [`OF_THE_SCENE`] that it keeps.
-type Worlds<T> = Vec<(Effects, World<T>)>;
+/// Worlds, each with the effects of [`OF_THE_SCENE`] that it keeps, and whether it has trees.
+type Worlds<T> = Vec<((Effects, bool), World<T>)>;
 
 /// The effects that are properties of objects and lights. A picture without one of them shows
 /// another scene, so it needs a world of its own.
@@ -44,10 +44,10 @@ impl Bench {
     pub fn render(&mut self, setting: &Setting) -> (Image, Stats) {
         match setting.precision {
             Precision::F32 => {
-                render(ready(&mut self.single, &self.scene, setting.effects), &self.rules, setting)
+                render(ready(&mut self.single, &self.scene, setting), &self.rules, setting)
             }
             Precision::F64 => {
-                render(ready(&mut self.double, &self.scene, setting.effects), &self.rules, setting)
+                render(ready(&mut self.double, &self.scene, setting), &self.rules, setting)
             }
         }
     }
@@ -58,30 +58,32 @@ impl Bench {
         let n_pixels = self.scene.render.width as usize * self.scene.render.height as usize;
         match setting.precision {
             Precision::F32 => {
-                ready(&mut self.single, &self.scene, setting.effects).bytes()
+                ready(&mut self.single, &self.scene, setting).bytes()
                     + n_pixels * 3 * size_of::<f32>()
             }
             Precision::F64 => {
-                ready(&mut self.double, &self.scene, setting.effects).bytes()
+                ready(&mut self.double, &self.scene, setting).bytes()
                     + n_pixels * 3 * size_of::<f64>()
             }
         }
     }
 }
 
-/// Returns the world of `scene`, built at the first call. Transforms and attenuation that the scene
-/// calls for are left out if `effects` lacks them.
+/// Returns the world of `scene` for a setting, built at the first call. Transforms and attenuation
+/// that the scene calls for are left out if the setting lacks them.
 fn ready<'a, T: Real>(
     worlds: &'a mut Worlds<T>,
     scene: &Scene,
-    effects: Effects,
+    setting: &Setting,
 ) -> &'a mut World<T> {
+    let Setting { effects, trees, .. } = *setting;
     let is_left_out = |effect: &Effect| scene.effects.has(*effect) && !effects.has(*effect);
     let kept: Effects = OF_THE_SCENE.iter().filter(|effect| !is_left_out(effect)).collect();
-    let at = worlds.iter().position(|(of, _)| *of == kept).unwrap_or_else(|| {
+    let at = worlds.iter().position(|(of, _)| *of == (kept, trees)).unwrap_or_else(|| {
         let mut scene = scene.clone();
         effects::simulate_only(&mut scene, kept);
-        worlds.push((kept, World::new(&scene)));
+        let search = if trees { Search::Tree } else { Search::Scan };
+        worlds.push(((kept, trees), World::with_search(&scene, search)));
         worlds.len() - 1
     });
     &mut worlds[at].1

@@ -50,7 +50,7 @@ pub struct Report {
     pub questions: Vec<Question>,
     /// One row for each setting.
     pub rows: Vec<SettingRow>,
-    /// The cost of each effect.
+    /// The cost of each effect, and what trees save.
     pub effects: Vec<EffectRow>,
 }
 
@@ -192,12 +192,12 @@ pub struct QuestionRow {
     pub picture: Option<ErrorPicture>,
 }
 
-/// The cost of one effect, compared with the scene's own setting.
+/// The cost of one effect or of trees, compared with the scene's own setting.
 #[derive(Clone, Debug, Serialize)]
 pub struct EffectRow {
     /// The name of the row, such as `without shadows`.
     pub name: String,
-    /// The effect that is left out; `None` if all are simulated.
+    /// The effect that is left out; `None` if all are simulated, or if trees are left out.
     pub without: Option<Effect>,
     /// Milliseconds a picture.
     pub time_ms: Times,

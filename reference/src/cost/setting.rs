@@ -29,6 +29,9 @@ pub struct Setting {
     /// Whether the kernel is one of those that are compiled alike for all formulas, so that only
     /// the formulas differ. The picture is the same.
     pub alike: bool,
+    /// Whether objects and triangles are searched through trees, not one after another. The picture
+    /// is the same.
+    pub trees: bool,
     /// The effects that are simulated, except for `adaptive_depth`: `threshold` alone decides
     /// whether paths end by their weight.
     #[serde(skip)]
@@ -52,6 +55,7 @@ impl Setting {
             },
             light_cutoff: 0.0,
             alike: false,
+            trees: true,
             effects: scene.effects.without(Effect::AdaptiveDepth),
         }
     }

@@ -118,6 +118,7 @@ fn effects(sweep: &Sweep, measured: &[Measured]) -> Vec<EffectRow> {
             About::Accuracy => return None,
             About::Without(effect) => (format!("without {effect}"), Some(effect)),
             About::Everything => ("with all effects".to_owned(), None),
+            About::WithoutTrees => ("without trees".to_owned(), None),
         };
         let time_ms = one.time_ms();
         let more_ms = time_ms.median - own_ms;

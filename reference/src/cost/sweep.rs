@@ -108,6 +108,17 @@ pub enum About {
     /// Simulates all effects. The effects that the scene does not call for change no pixel, but
     /// cost time.
     Everything,
+    /// Shows what trees save: every object and triangle is tested by every ray.
+    WithoutTrees,
+}
+
+/// The greatest number of objects and triangles for which a picture without trees is measured. With
+/// more, it would take longer than all other pictures together.
+const MOST_PRIMITIVES: usize = 1000;
+
+/// Returns the number of objects and triangles of a scene, each mesh counted once.
+fn n_primitives(scene: &Scene) -> usize {
+    scene.objects.len() + scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum::<usize>()
 }
 
 /// The settings to measure, and the setting that they are compared with.
@@ -176,7 +187,10 @@ impl Sweep {
         add(deepest);
         add(truth);
         let accuracy = settings.into_iter().map(|setting| (setting, About::Accuracy));
-        let effects = if axes.effects { switches(own) } else { Vec::new() };
+        let mut effects = if axes.effects { switches(own) } else { Vec::new() };
+        if axes.effects && n_primitives(scene) <= MOST_PRIMITIVES {
+            effects.push((Setting { trees: false, ..own }, About::WithoutTrees));
+        }
         let subjects = accuracy.chain(effects).collect();
         Self { own, truth, deepest, varies_depth: axes.varies_depth, subjects }
     }

@@ -173,7 +173,7 @@ fn the_sweep_crosses_what_matters_and_takes_the_rest_one_by_one() {
     let effects: Vec<About> =
         sweep.subjects.iter().map(|(_, about)| *about).filter(|a| *a != About::Accuracy).collect();
     let without = [Effect::Shadows, Effect::TintedShadows, Effect::Reflection, Effect::Refraction];
-    assert_eq!(effects, [&without.map(About::Without)[..], &[About::Everything]].concat());
+    assert_eq!(effects, [&without.map(About::Without)[..], &[About::Everything, About::WithoutTrees]].concat());
     let full = Sweep::of(&scene, &Axes { full: true, effects: false, ..axes });
     let one_by_one = 1 + 4 + 4 + 4; // the scene's own, grids, depths, thresholds
     assert_eq!(full.subjects.len(), 2 * 3 * 3 * 5 * 5 + one_by_one + 1, "and the truth");

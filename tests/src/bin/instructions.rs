@@ -39,7 +39,7 @@ fn check(arguments: &Arguments) -> Result<String, String> {
     let mut counts = Vec::new();
     for scene in &budget.scene {
         let count = instructions::count(&program, scene, folder.path())?;
-        println!("{:>15} {}", count, scene.name);
+        println!("{:>15} {}", count, scene.title());
         counts.push(count);
     }
     if !arguments.bless {

@@ -18,6 +18,7 @@ const OWN: Setting = Setting {
     threshold: 0.0,
     light_cutoff: 0.0,
     alike: false,
+    trees: true,
     effects: Effects::NONE,
 };
 
