@@ -224,6 +224,9 @@ impl Square {
 impl<T: Real> Cuboid<T> {
     #[inline(always)]
     fn moved_ends(&self, moved: &MovedRay<'_, T>) -> Option<[(T, u32); 2]> {
+        if self.is_missed(moved) {
+            return None;
+        }
         if self.is_clear(moved) {
             return self.cut(&moved.ray, true);
         }

@@ -21,7 +21,7 @@ use crate::numbers::vec3::Vec3;
 pub use crate::rays::frame::Frame;
 use crate::rays::ray::{HitPoint, Ray};
 use crate::rules::RuleSource;
-use crate::shapes::{ShapeHit, is_exact};
+use crate::shapes::ShapeHit;
 use crate::watch::work::{Tally, Work};
 use clear::{Alone, GlassBall};
 use mesh::Mesh;
@@ -210,17 +210,10 @@ impl<T: Real> World<T> {
         let places_hits = rules.get().places_hits();
         let (place, n_shading) = match &object.shape {
             ObjectShape::Solid(solid) => {
-                let (moved, rounded) = if is_exact(rules) {
-                    let moved = object.moved_ray(ray, tally);
-                    (moved, moved.map(|moved| moved.ray))
-                } else {
-                    (None, object.ray_in_frame(rules, ray, tally))
-                };
-                let ray = rounded.as_ref().unwrap_or(ray);
-                let place = match (places_hits, &moved) {
-                    (true, Some(moved)) => solid.place_moved(rules, moved, &hit),
-                    (true, None) => solid.place(rules, ray, &hit),
-                    (false, _) => {
+                let place = match (frame, places_hits) {
+                    (Some(_), _) => object.place_in_frame(rules, solid, ray, &hit, tally),
+                    (None, true) => solid.place(rules, ray, &hit),
+                    (None, false) => {
                         HitPoint::along(ray, hit.t, solid.normal_at_hit(rules, ray, &hit))
                     }
                 };

@@ -7,7 +7,7 @@ use crate::numbers::real::Real;
 use crate::numbers::vec3::Vec3;
 use crate::rays::frame::Frame;
 use crate::rays::moved::MovedRay;
-use crate::rays::ray::Ray;
+use crate::rays::ray::{HitPoint, Ray};
 use crate::rules::RuleSource;
 use crate::shapes::{Cuboid, Plane, Round, ShapeHit, Solid, Sphere, Square, is_exact};
 use crate::watch::work::{Tally, TriangleVisits, Work};
@@ -144,6 +144,33 @@ impl<T: Real> Object<T> {
             ObjectShape::Mesh(mesh) => {
                 meshes[*mesh].intersect(rules, &moved, &mut TriangleVisits(tally))
             }
+        }
+    }
+
+    /// Returns the hit point, in the object's own space, on its solid. By rules that move no hits
+    /// back onto surfaces, it is the point along the ray.
+    ///
+    /// Never inlined, like [`Self::intersect_in_frame`].
+    #[inline(never)]
+    pub(crate) fn place_in_frame<R: RuleSource>(
+        &self,
+        rules: R,
+        solid: &Solid<T>,
+        ray: &Ray<T>,
+        hit: &ShapeHit<T>,
+        tally: &mut impl Tally,
+    ) -> HitPoint<T> {
+        let places_hits = rules.get().places_hits();
+        if places_hits && is_exact(rules) {
+            if let Some(moved) = self.moved_ray(ray, tally) {
+                return solid.place_moved(rules, &moved, hit);
+            }
+        }
+        let moved = self.ray_in_frame(rules, ray, tally);
+        let ray = moved.as_ref().unwrap_or(ray);
+        match places_hits {
+            true => solid.place(rules, ray, hit),
+            false => HitPoint::along(ray, hit.t, solid.normal_at_hit(rules, ray, hit)),
         }
     }
 
