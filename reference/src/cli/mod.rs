@@ -9,6 +9,7 @@ mod cost_session;
 mod cost_store;
 mod course;
 mod effects;
+mod effects_args;
 mod effects_measured;
 mod expect;
 mod explain;

@@ -1,6 +1,7 @@
 //! The reference's answers to the questions of the unit checks, in either precision.
 //! `docs/protocol.md` explains each question.
 
+use cases::Effect;
 use cases::probe::{Answer, Ask};
 use glam::DVec3;
 
@@ -189,7 +190,9 @@ fn of_scene<T: Real, R: RuleSource>(rules: R, ask: &Ask) -> Answer {
                 return colour(Vec3::<T>::ONE);
             };
             let rules = of_given_point(rules);
-            let kernel = Kernel::new(&world, &rules, scene.effects).without_proofs();
+            // S is wanted even where no surface of the scene would show it.
+            let effects = scene.effects.with(Effect::Shadows).with(Effect::TintedShadows);
+            let kernel = Kernel::new(&world, &rules, effects).without_proofs();
             // The question has no normal, and `to_light` replaces it: a style that moves the origin
             // along the normal moves it along the ray.
             let hit_point = HitPoint { point: v(*point), error: Vec3::ZERO, n_geom: to_light };

@@ -15,9 +15,10 @@
 //!   the surface returns a mean of what its rays return, and no mean exceeds the greatest term.
 //! - Where ρᵢ = 1 and Lᵢ > 0, or ρᵢ > 1, no B satisfies it: light can grow with each level.
 //!
-//! **What rays left out are worth.** Rays that are left out, with weights (the products of kr and kt
-//! along their paths) that add up to w, make a pixel at most w B darker. The weights of all rays of
-//! depth n add up to at most ρⁿ, and rays of depth `max_depth` + 1 are the first that are left out.
+//! **What rays left out are worth.** Rays that are left out, with weights (the products of kr and
+//! kt along their paths) that add up to w, make a pixel at most w B darker. The weights of all rays
+//! of depth n add up to at most ρⁿ, and rays of depth `max_depth` + 1 are the first that are left
+//! out.
 //! For ρ = 1 this bound does not fall with the depth, but it is finite where B is.
 //!
 //! **What the next levels are worth.** Where B is infinite, a deeper picture still has a bound.

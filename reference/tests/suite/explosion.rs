@@ -68,7 +68,7 @@ fn a_tree_without_end_is_given_up() {
 /// The forecast counts what it can. Deeper, it lets the last levels grow on.
 #[test]
 fn a_forecast_is_within_a_factor_of_two() {
-    for (max_depth, is_whole) in [(8, true), (10, true), (15, false)] {
+    for (max_depth, is_whole) in [(8, true), (10, true), (18, false)] {
         let mut scene = glass(max_depth);
         (scene.render.width, scene.render.height) = (160, 112);
         let world = World::<f64>::new(&scene);
