@@ -1,10 +1,10 @@
 // Opens pages in Chromium and checks what a reader sees: on a desktop and on a phone, in light and
 // dark colours.
 //
-//     node check.cjs PAGE.html...
+//     CHROMIUM=/path/to/chromium node check.cjs PAGE.html...
 //
-// The packages of package.json must be in NODE_PATH, and CHROMIUM may name the browser. Before any
-// page is checked, bad.html must fail every check.
+// The packages of package.json must be in NODE_PATH. Before any page is checked, bad.html must fail
+// every check.
 
 "use strict";
 
@@ -34,16 +34,20 @@ function faultsOfLayout() {
   if (hidden.length > 0) {
     faults.push(["columns", `${hidden.length} cells are out of view: ${hidden[0].textContent}`]);
   }
-  // A plot of a question marks the scene and, with advice, the pick; its legend repeats the marks.
+  if (cells.length === 0) faults.push(["columns", "the page has no table"]);
+  // A plot of a question marks the scene and, with advice, the pick, as its table does.
   for (const section of document.querySelectorAll("section:has(figure svg)")) {
-    const rings = [...section.querySelectorAll("svg .ring")].filter(isVisible);
+    const rings = [...section.querySelectorAll("svg .ring:not(.legend *)")].filter(isVisible);
     const labels = [...section.querySelectorAll("svg .marked")].filter(isVisible);
-    if (rings.length < 2 || labels.length < 1) faults.push(["marks", `#${section.id}`]);
+    const n = Math.max(section.querySelectorAll("table .badge").length, 1);
+    if (rings.length < n || labels.length === 0) {
+      faults.push(["marks", `#${section.id} has ${rings.length} of ${n} marks`]);
+    }
     for (const label of labels) {
       label.scrollIntoView({ block: "center" });
       const box = label.getBoundingClientRect();
-      const found = document.elementsFromPoint(box.left + box.width / 2, box.top + box.height / 2);
-      if (!found.includes(label)) faults.push(["marks", `hidden: ${label.textContent}`]);
+      const found = document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
+      if (found !== label) faults.push(["labels", `${label.textContent} is covered`]);
     }
   }
   for (const link of document.querySelectorAll("a[href^='#']")) {
@@ -79,14 +83,16 @@ async function faults(browser, file, width, colours) {
 }
 
 async function main(files) {
+  if (files.length === 0) throw new Error("no page is given");
+  // Chromium refuses to run as root with its sandbox, and containers often run as root.
   const browser = await puppeteer.launch({
-    executablePath: process.env.CHROMIUM || "/usr/bin/chromium",
-    args: ["--no-sandbox"],
+    executablePath: process.env.CHROMIUM,
+    args: ["--no-sandbox", "--disable-dev-shm-usage"],
   });
   let status = 0;
   try {
     const bad = await faults(browser, path.join(__dirname, "bad.html"), 390, "light");
-    for (const check of ["overflow", "columns", "marks", "pictures", "policy", "axe"]) {
+    for (const check of ["overflow", "columns", "marks", "labels", "pictures", "policy", "axe"]) {
       if (!bad.some(([name]) => name === check)) {
         console.error(`bad.html passes the check of ${check}, which therefore checks nothing`);
         status = 1;

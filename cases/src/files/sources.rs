@@ -3,8 +3,8 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Returns the digest of everything that figures of the reference depend on, in the workspace
-/// `root`: 16 hexadecimal digits.
+/// Returns the digest of the code and cases that figures of the reference depend on, in the
+/// workspace `root`: 16 hexadecimal digits. The compiler and the profile are not part of it.
 ///
 /// It covers the names and contents of the sources of `reference` and `cases`, the versions of all
 /// dependencies, the course, the cases and their assets. Stored answers and figures are excluded.

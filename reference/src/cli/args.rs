@@ -192,7 +192,7 @@ pub(super) struct RenderArgs {
     /// reasons, the most by which depth, threshold and light cutoff can darken a pixel, and the
     /// time of each step; to the error stream if the picture goes to the output stream
     #[arg(long, value_name = "FORM", num_args = 0..=1, default_missing_value = "text")]
-    pub stats: Option<ObjectShape>,
+    pub stats: Option<StatsForm>,
     #[command(flatten)]
     pub course: CourseArg,
 }
@@ -356,7 +356,7 @@ pub(super) enum Bits {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum ObjectShape {
+pub(super) enum StatsForm {
     Text,
     Json,
 }

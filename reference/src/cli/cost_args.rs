@@ -69,8 +69,11 @@ pub(super) struct CostArgs {
     #[arg(long, conflicts_with_all = ["scene", "functions", "json", "csv", "svg", "html"])]
     pub store: bool,
     /// Report which of the stored figures in docs and cases/stages were measured on other code or
-    /// cases than those of this workspace
-    #[arg(long, conflicts_with_all = ["scene", "functions", "page", "store"])]
+    /// cases than those of this workspace; stale figures do not change the exit code
+    #[arg(
+        long,
+        conflicts_with_all = ["scene", "functions", "page", "store", "json", "csv", "svg", "html"]
+    )]
     pub check: bool,
     /// Precisions to measure [default: f32,f64]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = precision)]
@@ -120,7 +123,7 @@ pub(super) struct CostArgs {
         value_parser = threshold
     )]
     pub light_cutoffs: Option<Vec<f64>>,
-    /// Measure every combination of settings
+    /// Measure every combination of precision, formulas, samples, depths and thresholds
     #[arg(long, conflicts_with = "functions")]
     pub full: bool,
     /// Do not measure the cost of effects and trees

@@ -20,7 +20,11 @@ const MAX_BYTES: u64 = 64 << 20;
 /// Runs the command in the workspace that is the current folder.
 pub(super) fn run() -> Result<(), Stop> {
     let Some(now) = measured_on(Path::new("."))? else {
-        return Err(Stop::Usage("there are no sources of the reference here".to_owned()));
+        return Err(Stop::Usage(
+            "there are no sources of the reference here\n\
+                help: run this in the folder that contains reference/src"
+                .to_owned(),
+        ));
     };
     let mut out = String::new();
     let fronts = fronts_path(Path::new(STAGES));
@@ -32,7 +36,10 @@ pub(super) fn run() -> Result<(), Stop> {
                     renews it\n",
                 path.display()
             ),
-            None => format!("{}: STALE, since it has no digest\n", path.display()),
+            None => format!(
+                "{}: STALE, since it is missing or has no digest; `.ci/measure` renews it\n",
+                path.display()
+            ),
         };
     }
     print_text(&out)

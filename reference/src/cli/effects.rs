@@ -68,7 +68,9 @@ fn write_page(path: &Path, args: &EffectsArgs, most_rays: u64, talk: Talk) -> Re
     let subject = |named| {
         let view = view(named, args, most_rays)?;
         if view.rays.is_none() {
-            return Err(Stop::Usage(format!("{named} takes more than {most_rays} rays")));
+            return Err(Stop::Usage(format!(
+                "{named} takes more than {most_rays} rays\nhelp: --max-rays N allows more"
+            )));
         }
         Ok(Subject { named, view })
     };

@@ -30,7 +30,7 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
         .as_ref()
         .or(args.out.as_ref())
         .ok_or_else(|| Stop::Usage("OUT is missing".to_owned()))?;
-    let form = ObjectShape::of(out, args.bits)?;
+    let form = Format::of(out, args.bits)?;
     files::check(out)?;
     let mut clock = Clock(Instant::now());
     let Found { mut scene, allowed, course } = find::found(&args.scene, &args.course)?;
@@ -165,8 +165,10 @@ fn warn<T: Real>(world: &World<T>, rules: &Rules, options: &Options) {
     let Some(expected) = forecast(world, rules, options) else { return };
     if expected.per_eye_ray > MANY_RAYS {
         say::err(&format!(
-            "warning: the picture is expected to take {} rays, {} for each eye ray\n\
-                help: --max-depth or --threshold limits them, --max-rays gives the picture up",
+            "warning: the picture is expected to take {}{} rays, {} for each eye ray\n\
+                help: --max-depth or --threshold limits them, and --max-rays N ends the render \
+                beyond N rays",
+            if options.adaptive { "up to " } else { "" },
             figure(expected.rays),
             figure(expected.per_eye_ray),
         ));
@@ -217,12 +219,12 @@ impl Clock {
 
 /// The file format of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum ObjectShape {
+enum Format {
     Film(film::Kind),
     Exr,
 }
 
-impl ObjectShape {
+impl Format {
     /// Returns the format by the extension of the name. A stream has no extension, and gets a PNG.
     fn of(out: &Path, bits: Bits) -> Result<Self, Stop> {
         let deep = |kind| {

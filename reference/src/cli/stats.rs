@@ -9,7 +9,7 @@ use cases::{Effects, Scene};
 use pages::figures::figure;
 use serde::Serialize;
 
-use super::args::ObjectShape;
+use super::args::StatsForm;
 use super::output::print;
 use super::stop::Stop;
 use crate::cost::figures::levels;
@@ -135,14 +135,14 @@ impl Row {
 impl Report {
     /// Prints the report to the output stream, or to the error stream if the picture went to the
     /// output stream.
-    pub(super) fn say(&self, form: ObjectShape, to_errors: bool) -> Result<(), Stop> {
+    pub(super) fn say(&self, form: StatsForm, to_errors: bool) -> Result<(), Stop> {
         let text = match form {
-            ObjectShape::Json => {
+            StatsForm::Json => {
                 serde_json::to_string_pretty(self)
                     .map_err(Stop::machine("cannot encode the report"))?
                     + "\n"
             }
-            ObjectShape::Text => self.text(),
+            StatsForm::Text => self.text(),
         };
         if to_errors {
             pages::say::err(&text);

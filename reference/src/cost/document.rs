@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::bench::Bench;
 use super::error::Error;
 use super::functions_report::FunctionsReport;
-use super::report::{Choice, Report};
+use super::report::{Choice, Report, SettingRow};
 use super::scaled::scaled;
 use super::setting::{Formula, Setting};
 use crate::expect::variations::Precision;
@@ -116,6 +116,15 @@ pub fn markdown(document: &Document, stem: &str) -> String {
         Choice::ALL.into_iter().map(|about| (about.word(), about.title())).collect();
     let safe_sizes: Vec<String> = document.starts.iter().map(StartRow::safe_sizes).collect();
     let sizes = SIZES.to_vec();
-    let values = context! { page, pictures, titles, safe_sizes, sizes, sized => SIZED };
+    let exact = Setting::by_exact_numbers;
+    let is_bounded = |row: &&SettingRow| {
+        let has_bound = row.left_out_at_most.is_some_and(|most| most < 1.0);
+        has_bound && row.depth.is_some() && row.setting == exact(&row.setting)
+    };
+    let scene = document.scenes.first();
+    let bounded: Vec<&SettingRow> =
+        scene.map_or_else(Vec::new, |scene| scene.rows.iter().filter(is_bounded).collect());
+    let bounded = Value::from(Serde(&bounded));
+    let values = context! { page, pictures, titles, safe_sizes, sizes, sized => SIZED, bounded };
     text(include_str!("accuracy.md.in"), &values)
 }

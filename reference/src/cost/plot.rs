@@ -296,8 +296,8 @@ fn legend(plot: &Plot) -> String {
         }
         let _ = writeln!(
             out,
-            "<g transform=\"translate({left:.1} {top})\">{symbol}<text class=\"tick\" x=\"17\" \
-                y=\"4\">{}</text></g>",
+            "<g class=\"legend\" transform=\"translate({left:.1} {top})\">{symbol}\
+                <text class=\"tick\" x=\"17\" y=\"4\">{}</text></g>",
             quoted(text)
         );
         left += width;

@@ -164,7 +164,9 @@ impl Sweep {
         // The exact setting comes before the settings that are compared with it.
         numbers.sort_by_key(|one| *one != (Precision::F64, Formula::Robust));
         let alike = Setting { alike: true, ..own };
-        if numbers.iter().any(|one| *one != (Precision::F64, Formula::Robust)) {
+        if !axes.full && numbers == [(Precision::F64, Formula::Robust)] {
+            numbers.clear(); // nothing to compare
+        } else {
             add(alike);
         }
         for samples in &grids {

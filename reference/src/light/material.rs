@@ -64,7 +64,7 @@ impl<T: Real> Material<T> {
 
 /// The greatest exponent of a highlight for which (N·H)₊^ns is certainly less than 2, although
 /// rounding may make N·H a little greater than 1.
-const MOST_NS: f64 = 1e6;
+const MOST_NS: f64 = 1e5;
 
 impl<T: Real> Material<T> {
     /// Returns whether the material reflects at most kd + ks of a light, except for a factor of 2

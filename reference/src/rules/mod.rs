@@ -197,7 +197,8 @@ impl Rules {
         style: Style::REFERENCE,
     };
 
-    /// Returns the formulas of these rules if they are the lecture's in all else that changes light.
+    /// Returns the formulas of these rules, if they are the lecture's in all else that changes
+    /// light.
     ///
     /// The quantiser is ignored, because light is converted to bytes after it is computed.
     pub fn lecture_by(&self) -> Option<Formula> {

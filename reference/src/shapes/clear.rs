@@ -45,8 +45,9 @@ impl<T: Real> Sphere<T> {
         let (a, b, ff, rr) = (d.dot(d), -f.dot(d), f.dot(f), self.radius * self.radius);
         let (c, size, blur) = (ff - rr, ff + rr, moved.way.most());
         let lengths = a * (size + self.center.dot(self.center));
-        let c_blur =
-            f.abs().dot(moved.way.blur(ray.origin)) * T::of(2.2) + size * (T::of(3.0) * T::ULP);
+        let off = moved.way.blur(ray.origin);
+        let of_origin = (f.abs() * T::of(2.2) + off * T::of(1.2)).dot(off);
+        let c_blur = of_origin + size * (T::of(3.0) * T::ULP);
         let is_steep = b * b > lengths * (blur * blur * T::of(16.0));
         let is_left = (b < T::ZERO) & (c > c_blur) & is_steep & ray.is_before(T::ZERO);
         let is_deep = b * b - a * c > lengths * blur * T::of(12.0) * T::MOVED_MARGIN;

@@ -56,8 +56,8 @@ impl<T: Real> Sphere<T> {
     /// q takes γ(3) for the square of its length, half of that and one u for the root, one each for
     /// the quotient, q itself and r: γ(6) of r q. The last sum takes u of its result.
     ///
-    /// That bound grows with r. Where it would exceed 2⁻¹⁷ of the point's coordinates, shadows would
-    /// be lost, and the point along the ray is moved onto the sphere instead.
+    /// That bound grows with r. Where it would exceed 2⁻¹⁷ of the point's coordinates, shadows
+    /// would be lost, and the point along the ray is moved onto the sphere instead.
     #[inline(always)]
     fn place<R: RuleSource>(&self, rules: R, ray: &Ray<T>, t: T) -> HitPoint<T> {
         let out = self.outwards(ray, t);

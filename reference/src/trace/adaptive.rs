@@ -30,8 +30,8 @@ const CHUNK: usize = 64;
 /// every pixel that differs from one of its four neighbours by more than [`CONTRAST`].
 ///
 /// A pixel with a grid has the colour that it has in a picture with grids everywhere. The result
-/// does not depend on the number of threads. `book` is that of `coarse`, and the result includes it;
-/// `fresh` is an empty book.
+/// does not depend on the number of threads. `book` is that of `coarse`, and the result includes
+/// it; `fresh` is an empty book. Once the book allows no more rays, the colours are of no use.
 pub(super) fn refined<T: Real, R: RuleSource, E: EffectSource, B: Book>(
     kernel: &Kernel<'_, T, R, E>,
     options: &Options,
@@ -46,7 +46,7 @@ pub(super) fn refined<T: Real, R: RuleSource, E: EffectSource, B: Book>(
         let uneven: Vec<usize> = (0..pixels.len())
             .filter(|n| !has_grid[*n] && is_uneven(&pixels, width as usize, *n))
             .collect();
-        if uneven.is_empty() {
+        if uneven.is_empty() || !book.allows(0) {
             let picture = Image::from_fn(width, height, |i, j| pixels[(j * width + i) as usize]);
             return (picture, book);
         }

@@ -2,7 +2,7 @@
 //!
 //! A surface that reflects and transmits spawns two rays. In a scene of such surfaces each level of
 //! depth may have 1.7 times as many rays as the level before, which are 40,000 per eye ray at depth
-//! 20. The forecast counts the rays of one pixel in 256, to the full depth where that is cheap.
+//! 20. The forecast counts the rays of at most 512 pixels, to the full depth where that is cheap.
 //! Elsewhere it counts them to the greatest depth that is cheap, and lets the last levels grow on
 //! as they did.
 
@@ -11,7 +11,7 @@ use super::options::Options;
 use super::simulated::EffectSource;
 use crate::numbers::real::Real;
 use crate::numbers::vec3::Vec3;
-use crate::rules::{Formula, Lecture, RuleSource, Rules};
+use crate::rules::{Depth, Formula, Lecture, RuleSource, Rules};
 use crate::watch::Ledger;
 use crate::watch::metered::{Metered, RayBudget};
 use crate::world::World;
@@ -19,8 +19,11 @@ use cases::Effect;
 
 /// The least depth for which rays are forecast.
 pub const LEAST_DEPTH: u32 = 8;
-/// The distance between the sampled pixels in both directions.
-const STEP: u32 = 16;
+/// The least distance between the sampled pixels in both directions.
+const LEAST_STEP: u32 = 16;
+/// The greatest number of sampled pixels, about. With more, even a few levels would be too many
+/// rays.
+const MOST_PIXELS: f64 = 512.0;
 /// The greatest number of rays that a forecast traces, give or take a batch.
 const MOST_RAYS: u64 = 200_000;
 /// The number of levels over which growth is measured.
@@ -63,10 +66,14 @@ fn sampled<T: Real, R: RuleSource, E: EffectSource>(
     options: &Options,
 ) -> Forecast {
     let (render, budget) = (kernel.world.render, MOST_RAYS / 2);
-    let pixels = places(render.height).flat_map(|j| places(render.width).map(move |i| (i, j)));
+    let step = step(render.width, render.height);
+    let columns = places(render.width, step);
+    let pixels = places(render.height, step).flat_map(|j| columns.clone().map(move |i| (i, j)));
     let n_sampled = pixels.clone().count() as f64;
     let count = |deepest, most| count(kernel, pixels.clone(), deepest, most);
-    let n_rays = match count(render.max_depth, budget) {
+    let is_deeper = kernel.rules.get().depth == Depth::OneMore;
+    let deepest = render.max_depth.saturating_add(u32::from(is_deeper));
+    let n_rays = match count(deepest, budget) {
         Some(n_rays) => n_rays as f64,
         None => {
             let (mut totals, mut left) = (Vec::new(), budget);
@@ -74,20 +81,25 @@ fn sampled<T: Real, R: RuleSource, E: EffectSource>(
                 totals.push(n_rays);
                 left = left.saturating_sub(n_rays);
             }
-            grown(&totals, render.max_depth).max(budget as f64)
+            grown(&totals, deepest).max(budget as f64)
         }
     };
     let per_eye_ray = n_rays / n_sampled;
     let n_eye_rays = f64::from(render.width) * f64::from(render.height);
-    let per_pixel = f64::from(options.samples) * f64::from(options.samples);
+    let per_pixel = f64::from(options.samples) * f64::from(options.samples); // at most
     Forecast { rays: per_eye_ray * n_eye_rays * per_pixel, per_eye_ray }
 }
 
-/// Returns the sampled columns or rows of `size`: the middles of all parts of [`STEP`], at least
-/// one.
-fn places(size: u32) -> impl Iterator<Item = u32> + Clone {
-    let first = if size < STEP { size / 2 } else { STEP / 2 };
-    (0..(size / STEP).max(1)).map(move |n| n * STEP + first)
+/// Returns the distance between the sampled pixels of a picture of this size.
+fn step(width: u32, height: u32) -> u32 {
+    let share = f64::from(width) * f64::from(height) / MOST_PIXELS;
+    LEAST_STEP.max(share.sqrt().ceil() as u32)
+}
+
+/// Returns the sampled columns or rows of `size`: the middles of all parts of `step`, at least one.
+fn places(size: u32, step: u32) -> impl Iterator<Item = u32> + Clone {
+    let first = if size < step { size / 2 } else { step / 2 };
+    (0..(size / step).max(1)).map(move |n| n * step + first)
 }
 
 /// Returns the number of rays behind `pixels` to the depth `deepest`, or `None` if there are more
@@ -123,12 +135,13 @@ fn grown(totals: &[u64], deepest: u32) -> f64 {
         }
         _ => 1.0,
     };
-    let (mut sum, mut level) = (*total as f64, *last);
-    for _ in totals.len() as u32..=deepest {
-        level *= growth;
-        sum += level;
-    }
-    sum
+    let n_missing = (f64::from(deepest) + 1.0 - totals.len() as f64).max(0.0);
+    let steps = if growth == 1.0 {
+        n_missing
+    } else {
+        growth * (cases::maths::pow(growth, n_missing) - 1.0) / (growth - 1.0)
+    };
+    *total as f64 + last * steps
 }
 
 #[cfg(test)]
@@ -143,14 +156,18 @@ mod tests {
         assert_eq!(grown(&[3, 6, 9, 12], 9), 30.0);
         // Where rays die out, nothing is added.
         assert_eq!(grown(&[5, 9, 9], 50), 9.0);
+        assert_eq!(grown(&[1, 3, 7], u32::MAX), f64::INFINITY);
+        assert_eq!(grown(&[1, 2, 3], u32::MAX), 2f64.powi(32));
     }
 
     #[test]
     fn less_than_one_pixel_in_a_hundred_is_sampled_of_a_picture_that_has_so_many() {
-        for size in [1, 7, 16, 17, 160, 641] {
-            let places: Vec<u32> = places(size).collect();
+        for size in [1, 7, 16, 17, 160, 641, 8192] {
+            let step = step(size, size);
+            let places: Vec<u32> = places(size, step).collect();
             assert!(!places.is_empty() && places.iter().all(|place| *place < size), "{places:?}");
-            assert!(places.windows(2).all(|pair| pair[1] == pair[0] + STEP), "{places:?}");
+            assert!(places.windows(2).all(|pair| pair[1] == pair[0] + step), "{places:?}");
+            assert!(places.len() * places.len() <= 512, "{size}: {} places", places.len());
             let share = (places.len() * places.len()) as f64 / f64::from(size * size);
             assert!(size < 16 || share < 0.01, "{size}: {share}");
         }

@@ -22,7 +22,8 @@ const BLOCK: u32 = 4;
 const _: () = assert!((BLOCK * BLOCK) as usize == packet::MOST && TILE.is_multiple_of(BLOCK));
 
 /// Returns the picture with a grid of rays through every pixel, and the book of its rays. Each tile
-/// has its own copy of `fresh`, an empty book.
+/// has its own copy of `fresh`, an empty book. Once the book allows no more rays, the colours are
+/// of no use.
 pub(super) fn render_grid<T: Real, R: RuleSource, E: EffectSource, B: Book>(
     kernel: &Kernel<'_, T, R, E>,
     options: &Options,
@@ -62,9 +63,6 @@ fn render_tile<T: Real, R: RuleSource, E: EffectSource, B: Book>(
     rows: Range<u32>,
     mut book: B,
 ) -> (Vec<Vec3<T>>, B) {
-    if !book.allows(0) {
-        return (vec![Vec3::ZERO; columns.len() * rows.len()], book);
-    }
     if options.packets && kernel.gains_by_packets() {
         return (render_in_blocks(kernel, options.samples, columns, rows, &mut book), book);
     }
@@ -109,7 +107,7 @@ fn render_block<T: Real, R: RuleSource, E: EffectSource>(
     let mut points =
         pixels.clone().flat_map(|pixel| grid(samples).map(move |at| (pixel, at))).peekable();
     let (mut done, mut sum, mut n_rays) = (pixels, Vec3::ZERO, 0);
-    while points.peek().is_some() {
+    while points.peek().is_some() && book.allows(0) {
         kernel.eyes(points.by_ref().take(packet::MOST), book, |book, colour| {
             sum += colour;
             n_rays += 1;
@@ -149,6 +147,9 @@ fn render_grid_of_pixel<T: Real, R: RuleSource, E: EffectSource>(
 ) -> Vec3<T> {
     let mut sum = Vec3::ZERO;
     for at in grid(samples) {
+        if !book.allows(0) {
+            break;
+        }
         sum += kernel.eye(pixel, at, book);
     }
     end_pixel(samples, sum, book)

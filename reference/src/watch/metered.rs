@@ -126,7 +126,9 @@ impl<W: Watch> Watch for Metered<'_, W> {
 
     #[inline(always)]
     fn allows(&self, depth: u32) -> bool {
-        depth <= self.deepest && !self.budget.is_some_and(RayBudget::is_exceeded)
+        depth <= self.deepest
+            && !self.budget.is_some_and(RayBudget::is_exceeded)
+            && self.watch.allows(depth)
     }
 
     #[inline(always)]

@@ -68,7 +68,7 @@ impl<T: Real> GlassBall<T> {
         let (way, d) = (self.centre - ray.origin, ray.direction);
         let (d_squared, along) = (d.dot(d), way.dot(d).greatest(T::ZERO));
         let beside = way.dot(way) * self.kept * d_squared - along * along;
-        !(beside > self.radius_squared * d_squared)
+        !(beside.is_finite() && beside > self.radius_squared * d_squared)
     }
 }
 
@@ -84,9 +84,14 @@ pub(crate) enum Alone {
 }
 
 impl Alone {
-    /// Returns what a ray can hit that leaves one of `objects`. A mesh counts as not convex.
+    /// Returns what a ray can hit that leaves one of `objects`. A mesh counts as not convex, and so
+    /// does a transformed object that is not a sphere.
     pub(crate) fn of<T: Real>(objects: &[Object<T>]) -> Self {
         let [only] = objects else { return Self::No };
+        // Under a matrix, the side of a flat face is known only as exactly as its normal.
+        if only.frame.is_some() && !matches!(only.shape, ObjectShape::Solid(Solid::Sphere(_))) {
+            return Self::No;
+        }
         match &only.shape {
             ObjectShape::Solid(Solid::Plane(_) | Solid::Square(_)) => Self::Flat,
             ObjectShape::Solid(Solid::Sphere(_) | Solid::Cuboid(_)) => Self::Convex,

@@ -35,10 +35,9 @@ fn a_greater_depth_calls_for_what_the_file_does_not_within_the_stage() {
     let folder = folder();
     // Two objects: from a lone square, a reflected ray could only miss, and would not be cast.
     let other = "[[scene.objects]]\nsphere = { center = [0, 0, 9] }\nmaterial = \"m\"\n";
-    let mirror = SCENE
-        .replace("max_depth = 1", "max_depth = 0")
-        .replace("m = {", "m = { kr = [1, 1, 1],")
-        + other;
+    let mirror =
+        SCENE.replace("max_depth = 1", "max_depth = 0").replace("m = {", "m = { kr = [1, 1, 1],")
+            + other;
     std::fs::write(folder.path().join("mirror.toml"), &mirror).unwrap();
     let head = "title = \"t\"\nabout = \"a\"\nrules = [3]\npoints = 2\n";
     std::fs::write(folder.path().join("stages/01_one/mirror.toml"), format!("{head}{mirror}"))

@@ -166,14 +166,17 @@ fn the_sweep_crosses_what_matters_and_takes_the_rest_one_by_one() {
     }
     assert_eq!(sweep.truth, Setting { samples: 8, ..own }, "the scene keeps its depth");
     assert_eq!(sweep.deepest, Setting { max_depth: 4, ..own });
-    // 6 are crossed in kernels compiled alike, the scene's own is first, 4 have other grids, 4 other
-    // depths, 4 other thresholds, and the truth has 8 rays a side. No light weakens with distance,
-    // so that there is no light cut-off.
+    // 6 are crossed in kernels compiled alike, the scene's own is first, 4 have other grids, 4
+    // other depths, 4 other thresholds, and the truth has 8 rays a side. No light weakens with
+    // distance, so that there is no light cut-off.
     assert_eq!(accuracy.len(), 6 + 1 + 4 + 4 + 4 + 1);
     let effects: Vec<About> =
         sweep.subjects.iter().map(|(_, about)| *about).filter(|a| *a != About::Accuracy).collect();
     let without = [Effect::Shadows, Effect::TintedShadows, Effect::Reflection, Effect::Refraction];
-    assert_eq!(effects, [&without.map(About::Without)[..], &[About::Everything, About::WithoutTrees]].concat());
+    assert_eq!(
+        effects,
+        [&without.map(About::Without)[..], &[About::Everything, About::WithoutTrees]].concat()
+    );
     let full = Sweep::of(&scene, &Axes { full: true, effects: false, ..axes });
     let one_by_one = 1 + 4 + 4 + 4; // the scene's own, grids, depths, thresholds
     assert_eq!(full.subjects.len(), 2 * 3 * 3 * 5 * 5 + one_by_one + 1, "and the truth");

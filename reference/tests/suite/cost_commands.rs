@@ -205,7 +205,7 @@ fn fronts_are_stored_beside_the_stages() {
     let checked = |said: &str| check(folder.path(), &["--check"], 0, said);
     checked("cases/stages/fronts.json: up to date");
     checked("docs/accuracy.md: up to date");
-    checked("docs/performance.md: STALE, since it has no digest");
+    checked("docs/performance.md: STALE, since it is missing or has no digest");
     write("reference/src/lib.rs", "new");
     checked(&format!("docs/accuracy.md: STALE, measured on {digest}, but the code and cases are "));
     checked("cases/stages/fronts.json: STALE, measured on ");

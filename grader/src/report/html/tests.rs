@@ -57,12 +57,12 @@ fn a_picture_stands_among_the_settings_of_the_reference() {
     has(&page, "<title>f32 &lt;plain&gt;: 2 ms, 0.50 levels off (RMSE)</title>");
     has(&page, "without error; the reference at best (f64) 4 ms, without error.");
     has(&page, "measured on two &lt;cores&gt;, rendering alone");
-    assert_eq!(page.matches("with an older version of the reference").count(), 4);
+    assert_eq!(page.matches("with another version of the reference").count(), 4);
     let mut graded = sample::graded(HOSTILE);
     for pictures in graded.pictures.values_mut() {
         pictures.front.iter_mut().for_each(|front| front.is_old = false);
     }
-    assert!(!render(&graded).contains("with an older version"), "the points are of this version");
+    assert!(!render(&graded).contains("with another version"), "the points are of this version");
     // There are three settings for each case. The slow one is dominated, so two of three lie on the
     // front. A case without a picture has no plot.
     let (all, on_front) =

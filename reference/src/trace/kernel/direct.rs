@@ -53,6 +53,7 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
         let may_vanish = self.world.may_vanish
             && self.is_proven
             && self.effects.has(Effect::Shadows)
+            && self.effects.light_cutoff() == 0.0
             && shade::is_bounded(self.rules);
         if may_vanish && let Some(sum) = self.sum_with_vanishing_lights(at, weight, watch) {
             return sum;
@@ -128,7 +129,8 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
             if self.is_faint_light(most, weight, watch) {
                 continue;
             }
-            if MAY_VANISH && weakened < T::HALF * T::ULP {
+            let is_candidate = MAY_VANISH && weakened < T::HALF * T::ULP;
+            if is_candidate && most().max_element() < T::ULP {
                 let so_far = vanished.unwrap_or(Vanished { greatest: colour, n_lights: 0 });
                 vanished = Some(so_far.and(weakened, most()));
                 continue;
