@@ -7,8 +7,8 @@ use cases::scene;
 
 const HEAD: &str = "[scene]\ncamera = { eye = [0, 0, 4], look_at = [0, 0, 0], up = [0, 1, 0], \
     fov_y_deg = 40 }\n\
-    materials = { chalk = { kd = [1, 1, 1] }, glass = { kt = [0, 1, 0], index = 1.5 }, tin = { kr \
-    = [0, 0, 0.1] } }\n";
+    materials = { chalk = { kd = [1, 1, 1] }, glass = { kt = [0, 1, 0], index = 1.5 }, \
+    opal = { kd = [1, 1, 1], kt = [0, 1, 0] }, tin = { kr = [0, 0, 0.1] } }\n";
 const LAMP: &str = "lights = [{ point = { position = [0, 3, 0], colour = [1, 1, 1] } }]";
 const BALL: &str = "objects = [{ sphere = {}, material = \"chalk\" }]";
 
@@ -59,11 +59,18 @@ fn every_effect_is_called_for_with_its_reason() {
         (
             Shadows,
             "",
-            &lone("plane = { normal = [0, 1, 0], k = 0 }", "glass"),
+            &lone("plane = { normal = [0, 1, 0], k = 0 }", "opal"),
             false,
             "objects[0] is alone and cannot shadow itself",
         ),
-        (Shadows, "", &lone("sphere = {}", "glass"), true, "objects[0] can shadow itself"),
+        (
+            Shadows,
+            "",
+            &lone("sphere = {}", "glass"),
+            false,
+            "no object has kd or ks in a colour in which a light shines",
+        ),
+        (Shadows, "", &lone("sphere = {}", "opal"), true, "objects[0] can shadow itself"),
         (Shadows, "", &around_eye, true, "objects[0] can shadow itself"),
         (Shadows, "", &lone("cylinder = {}", "chalk"), true, "objects[0] can shadow itself"),
         (Shadows, "", &flat, true, "objects[0] can shadow itself"),

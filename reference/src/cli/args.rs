@@ -124,7 +124,7 @@ Examples:
   reference render - -o out.png < scene.toml               a scene on standard input
 
 Where some material both reflects and transmits, each level of depth may have many times as many
-rays as the one before. From depth 8 on, such a scene is first rendered at one pixel in 256, and a
+rays as the one before. From depth 8 on, such a scene is first rendered at up to 512 pixels, and a
 warning states the expected number of rays if it is more than 100 for each eye ray. --quiet
 suppresses it.
 
