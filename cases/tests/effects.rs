@@ -8,7 +8,7 @@ use cases::scene;
 const HEAD: &str = "[scene]\ncamera = { eye = [0, 0, 4], look_at = [0, 0, 0], up = [0, 1, 0], \
     fov_y_deg = 40 }\n\
     materials = { chalk = { kd = [1, 1, 1] }, glass = { kt = [0, 1, 0], index = 1.5 }, \
-    opal = { kd = [1, 1, 1], kt = [0, 1, 0] }, tin = { kr = [0, 0, 0.1] } }\n";
+    opal = { kd = [1, 1, 1], kt = [0, 1, 0], index = 1.5 }, tin = { kr = [0, 0, 0.1] } }\n";
 const LAMP: &str = "lights = [{ point = { position = [0, 3, 0], colour = [1, 1, 1] } }]";
 const BALL: &str = "objects = [{ sphere = {}, material = \"chalk\" }]";
 

@@ -9,6 +9,9 @@ use cases::scene::Attenuation;
 use cases::{Light, Scene, Shape, stage};
 use glam::DVec3;
 use rayon::prelude::*;
+use reference::rules::{Formula, Rules};
+use reference::trace::render::{Options, render_by};
+use reference::world::World;
 
 /// Returns the ids and the scenes of the public cases, in a small size.
 fn cases() -> Vec<(String, Scene)> {
@@ -153,5 +156,41 @@ fn a_hall_of_mirrors_is_a_geometric_series() {
                 series(0)
             );
         }
+    }
+}
+
+/// Returns two balls on a ground of this radius.
+fn on_a_ball(radius: f64) -> Scene {
+    let mut scene = scene(&format!(
+        "[scene]\nmaterials = {{ chalk = {{ kd = [0.7, 0.6, 0.5] }} }}\n\
+        lights = [{{ point = {{ position = [3, 6, 4], colour = [1, 1, 1] }} }}]\nobjects = [\n\
+        {{ sphere = {{ center = [-1.2, 0.9, -4], radius = 0.8 }}, material = \"chalk\" }},\n\
+        {{ sphere = {{ center = [1.2, 0.9, -3], radius = 0.8 }}, material = \"chalk\" }},\n\
+        {{ sphere = {{ center = [0, {0}, 0], radius = {radius} }}, material = \"chalk\" }}]\n",
+        -radius - 1.0
+    ));
+    (scene.render.width, scene.render.height) = (160, 120);
+    scene
+}
+
+#[test]
+fn single_precision_is_right_on_a_large_ball_where_plain_formulas_are_not() {
+    for radius in [1e2, 1e4, 1e6] {
+        let scene = on_a_ball(radius);
+        let (single, double) = (World::<f32>::new(&scene), World::<f64>::new(&scene));
+        let rules = Rules::LECTURE;
+        let truth = render_by(&double, &rules, &Options::of(&double), |_| {}).0;
+        let n_off = |rules: &Rules| {
+            let picture = render_by(&single, rules, &Options::of(&single), |_| {}).0;
+            let levels = |light: &DVec3| light.to_array().map(level);
+            let is_off = |(one, other): (&DVec3, &DVec3)| {
+                levels(one).iter().zip(levels(other)).any(|(a, b)| (a - b).abs() > 1.0)
+            };
+            picture.pixels().iter().zip(truth.pixels()).filter(|pair| is_off(*pair)).count()
+        };
+        let (robust, plain) = (n_off(&rules), n_off(&Formula::Plain.rules(&rules)));
+        println!("radius {radius:e}: {robust} pixels are off, {plain} by plain formulas");
+        assert_eq!(robust, 0, "radius {radius:e}");
+        assert!(radius < 1e6 || plain > 20, "radius {radius:e}: the plain formulas are right");
     }
 }
