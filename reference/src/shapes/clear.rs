@@ -203,7 +203,8 @@ impl<T: Real> Round<T> {
     pub(super) fn is_blurred(&self, moved: &MovedRay<'_, T>, t: T) -> bool {
         let (o, at) = (moved.ray.origin, moved.ray.at(t));
         let rr = at.x * at.x + at.y * at.y;
-        self.is_far(&moved.ray, t) || !(o.dot(o) < rr * reach(moved))
+        let is_near = o.dot(o) < rr * reach(moved); // false for NaN
+        self.is_far(&moved.ray, t) || !is_near
     }
 
     /// Returns whether the rounded ray is decided as the exact one.
@@ -263,7 +264,8 @@ impl<T: Real> Round<T> {
         if !self.is_capped || (d.z == T::ZERO && d_blur.z == T::ZERO) {
             return true;
         }
-        if !(d.z.abs() > d_blur.z * T::MOVED_MARGIN) {
+        let is_steep = d.z.abs() > d_blur.z * T::MOVED_MARGIN; // false for NaN
+        if !is_steep {
             return false;
         }
         [(self.z_min, self.bottom_radius), (self.z_max, self.top_radius)].iter().all(|(z, r)| {

@@ -195,6 +195,7 @@ impl<T: Real> Sphere<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numbers::real::scaled;
     use crate::rules::Lecture;
 
     /// Checks a ray against the unit sphere around (0, 0, -5).
@@ -237,13 +238,13 @@ mod tests {
             sphere.intersect(Lecture, &ray).map(|hit| hit.t)
         };
         // Straight down, t is the height.
-        for height in [4096.0, 1.5, 2f64.powi(-20), 2f64.powi(-52)] {
+        for height in [4096.0, 1.5, scaled(1.0, -20), scaled(1.0, -52)] {
             assert_eq!(hit(height, 1.0), Some(height));
             assert_eq!(hit(height, -1.0), None);
         }
-        for height in [0.0, 2f64.powi(-200)] {
+        for height in [0.0, scaled(1.0, -200)] {
             assert_eq!(hit(height, 1.0), Some(2e6)); // from the surface, the far root
         }
-        assert_eq!(hit(-2f64.powi(-30), 1.0), Some(2e6 - 2f64.powi(-30))); // from within
+        assert_eq!(hit(-scaled(1.0, -30), 1.0), Some(2e6 - scaled(1.0, -30))); // from within
     }
 }

@@ -52,7 +52,7 @@ impl Limits {
         let surfaces = || used().map(|one| (own_light(scene, rules, one), sent_on(one, effects)));
         let own = surfaces().map(|(own, _)| own).fold(scene.background, DVec3::max);
         let most_sent_on = surfaces().map(|(_, sent_on)| sent_on).fold(DVec3::ZERO, DVec3::max);
-        let light = surfaces().map(|one| kept(one)).fold(scene.background, DVec3::max);
+        let light = surfaces().map(kept).fold(scene.background, DVec3::max);
         let amplifies =
             used().fold(DVec3::ZERO, |most, material| most.max(material.kt)).cmpgt(DVec3::ONE);
         let unless_amplified = |bound| DVec3::select(amplifies, DVec3::INFINITY, bound);

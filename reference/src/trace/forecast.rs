@@ -157,7 +157,7 @@ mod tests {
         // Where rays die out, nothing is added.
         assert_eq!(grown(&[5, 9, 9], 50), 9.0);
         assert_eq!(grown(&[1, 3, 7], u32::MAX), f64::INFINITY);
-        assert_eq!(grown(&[1, 2, 3], u32::MAX), 2f64.powi(32));
+        assert_eq!(grown(&[1, 2, 3], u32::MAX), 4_294_967_296.0);
     }
 
     #[test]

@@ -161,10 +161,11 @@ impl<T: Real> Object<T> {
         tally: &mut impl Tally,
     ) -> HitPoint<T> {
         let places_hits = rules.get().places_hits();
-        if places_hits && is_exact(rules) {
-            if let Some(moved) = self.moved_ray(ray, tally) {
-                return solid.place_moved(rules, &moved, hit);
-            }
+        if places_hits
+            && is_exact(rules)
+            && let Some(moved) = self.moved_ray(ray, tally)
+        {
+            return solid.place_moved(rules, &moved, hit);
         }
         let moved = self.ray_in_frame(rules, ray, tally);
         let ray = moved.as_ref().unwrap_or(ray);
@@ -185,10 +186,10 @@ impl<T: Real> Object<T> {
         tally: &mut Y,
         mut found: impl FnMut(&mut Y, T),
     ) {
-        if let (ObjectShape::Solid(solid), true, true) = (&self.shape, FRAMES, is_exact(rules)) {
-            if let Some(moved) = self.moved_ray(ray, tally) {
-                return solid.moved_crossings(rules, &moved, |t| found(tally, t));
-            }
+        if let (ObjectShape::Solid(solid), true, true) = (&self.shape, FRAMES, is_exact(rules))
+            && let Some(moved) = self.moved_ray(ray, tally)
+        {
+            return solid.moved_crossings(rules, &moved, |t| found(tally, t));
         }
         let moved = if FRAMES { self.ray_in_frame(rules, ray, tally) } else { None };
         let there = moved.as_ref().unwrap_or(ray);
