@@ -6,11 +6,13 @@
 mod place;
 mod read;
 mod set;
+#[cfg(feature = "authoring")]
 mod sources;
 mod write;
 
 pub use place::{Place, is_standard, is_stdout, is_stream};
 pub use read::{ReadError, read, read_text};
 pub use set::write_all;
+#[cfg(feature = "authoring")]
 pub use sources::sources_digest;
 pub use write::{WriteError, check, is_usage, write};

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{PlaneFormula, Quadratic, Robustness, Rules, Snell, Start, Style, TriangleFormula};
+use super::style::{PlaneFormula, Quadratic, Robustness, Snell, Start, Style, TriangleFormula};
 
 /// A set of formulas. The sets are ordered from the fastest to the most reliable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -45,10 +45,5 @@ impl Formula {
             Self::Stable => stable,
             Self::Robust => Style::REFERENCE,
         }
-    }
-
-    /// Returns the rules `base` with these formulas.
-    pub const fn rules(self, base: &Rules) -> Rules {
-        Rules { style: self.style(), ..*base }
     }
 }

@@ -50,6 +50,13 @@ impl RuleSource for Lecture {
     }
 }
 
+impl Formula {
+    /// Returns the rules `base` with these formulas.
+    pub const fn rules(self, base: &Rules) -> Rules {
+        Rules { style: self.style(), ..*base }
+    }
+}
+
 /// The rules of [`Lecture`], computed by [`Formula::Plain`], known at compile time.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LecturePlain;
