@@ -111,7 +111,20 @@ fn every_effect_is_called_for_with_its_reason() {
         (Attenuation, "", &black, false, "no light that shines weakens with distance"),
         (Attenuation, "", &weak, true, "lights[0] weakens with distance"),
         (AdaptiveDepth, "", LAMP, false, "render.threshold is 0"),
-        (AdaptiveDepth, ", threshold = 0.25", LAMP, true, "render.threshold is 0.25"),
+        (
+            AdaptiveDepth,
+            ", threshold = 0.25",
+            LAMP,
+            false,
+            "render.threshold is 0.25, but no object spawns rays",
+        ),
+        (
+            AdaptiveDepth,
+            ", max_depth = 1, threshold = 0.25",
+            &lone("sphere = {}", "tin"),
+            true,
+            "render.threshold is 0.25",
+        ),
     ];
     for (effect, render, body, called_for, because) in table {
         check(*effect, render, body, *called_for, because);

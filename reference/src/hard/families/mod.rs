@@ -52,7 +52,7 @@ families! {
         "far": spheres::far, [1e-14, 1e-14], [1e-6, 1e-6];
         "tangent": spheres::tangent, [1e-9, 1e-11], [1e-2, 1e-4];
         "near its surface": spheres::near_surface, [1e-10, 1e-12], [1e-3, 1e-4];
-        "as a ground": spheres::ground, [1e-9, 1e-12], [1e-3, 1e-5];
+        "as a ground": spheres::ground, [1e-13, 1e-14], [1e-5, 1e-5];
         "mixed coordinates": spheres::coordinates, [1e-12, 1e-11], [1e-4, 1e-4];
         "offset by 1e6": spheres::offset, [1e-12, 1e-11], [1e-4, 1e-3];
         "at any scale": spheres::scale, [1e-12, 1e-11], [1e-3, 1e-4];
