@@ -80,13 +80,13 @@ impl<T: Real> Sphere<T> {
     /// Returns X − h q, and the bound of its error, for the point X along the ray, its height h
     /// above the sphere, and the unit vector q towards X from the centre.
     ///
-    /// h = p / (√(p + r²) + r), where p is the power of X with respect to the sphere. It takes 4u
-    /// of itself, q takes 6u, and the product and the sum one u each of their results.
+    /// h = p / (‖X − C‖ + r), where p is the power of X with respect to the sphere. It takes 6u of
+    /// itself, q takes 6u, and the product and the sum one u each of their results.
     #[cold]
     #[inline(never)]
     fn moved_onto(&self, at: Vec3<T>, out: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
-        let (power, r) = (settle::power(&self.center, &self.radius, &at), self.radius);
-        let height = power / ((power + r * r).sqrt() + r);
+        let power = settle::power(&self.center, &self.radius, &at);
+        let height = power / ((at - self.center).length() + self.radius);
         let point = at - out * height;
         (point, (point.abs() + Vec3::ONE * (height.abs() * T::of(16.0))) * T::ULP)
     }

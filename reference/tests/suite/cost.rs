@@ -191,8 +191,7 @@ fn nothing_that_the_scene_does_not_call_for_is_swept() {
         sweep.subjects.iter().all(|(s, _)| s.max_depth == 2 && s.threshold == 0.0),
         "depth and threshold vary, but no ray is spawned"
     );
-    // 6 for precision and formulas, the scene's own, 4 grids, the truth; without shadows, with
-    // everything, and without trees
+    // precision and formulas, own, grids, truth; without shadows, with everything, without trees
     assert_eq!(sweep.subjects.len(), 6 + 1 + 4 + 1 + 3);
 }
 
