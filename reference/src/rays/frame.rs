@@ -121,7 +121,7 @@ impl<T: Real> Frame<T> {
         let back = &self.object_from_world;
         let origin = back.vector(ray.origin - self.world_from_object.translation);
         let direction = back.vector(ray.direction);
-        MovedRay { ray: Ray { origin, direction, ..*ray }, cast: ray, way: &self.way }
+        MovedRay { ray: Ray { origin, direction, ..*ray }, in_world: ray, way: &self.way }
     }
 
     /// Returns A⁻ᵀ N′, normalised: the normal in world space. [rule 20]

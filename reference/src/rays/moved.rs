@@ -34,24 +34,22 @@ pub struct MovedRay<'a, T> {
     /// The ray in object space, rounded, with the interval of the search.
     pub ray: Ray<T>,
     /// The ray in world space.
-    pub cast: &'a Ray<T>,
+    pub in_world: &'a Ray<T>,
     /// The matrix that moved it.
     pub way: &'a WayToObject<T>,
 }
 
 impl<T: Real> ExactRay for MovedRay<'_, T> {
     fn exact(&self) -> [(Two3, i32); 2] {
-        self.way.exact(self.cast)
+        self.way.exact(self.in_world)
     }
 }
 
 /// A⁻¹ in two words, and a bound of the error of rays that the rounded matrix moves.
 #[derive(Clone, Copy, Debug)]
 pub struct WayToObject<T> {
-    /// The rows of A⁻¹ 2^e.
-    rows: [Two3; 3],
-    /// e.
-    exponent: i32,
+    /// A⁻¹.
+    inverse: Inverse,
     /// t.
     translation: Vec3<f64>,
     /// The matrix G: the rounded origin o is off by at most G |o|, and so is the direction.
@@ -76,12 +74,16 @@ impl<T: Real> WayToObject<T> {
         let nothing = [Vec3::ONE * T::INFINITY; 3];
         let (blur, most) = if is_useful { (blur, most) } else { (nothing, T::INFINITY) };
         let rows = forth.rows.map(|row| Vec3::of(row.f64()));
-        let (rows, exponent) = inverse(rows);
-        Self { rows, exponent, translation: Vec3::of(forth.translation.f64()), blur, most }
+        Self {
+            inverse: Inverse::of(rows),
+            translation: Vec3::of(forth.translation.f64()),
+            blur,
+            most,
+        }
     }
 
     /// Returns the greatest distances along the axes between a rounded point or direction of object
-    /// space and the exact one. NaN where the matrix is too nearly singular for a bound.
+    /// space and the exact one. Not finite where the matrix is too nearly singular for a bound.
     #[inline(always)]
     pub fn blur(&self, v: Vec3<T>) -> Vec3<T> {
         let v = v.abs();
@@ -90,7 +92,7 @@ impl<T: Real> WayToObject<T> {
 
     /// Returns the greatest length of `blur(v)` for a unit vector v.
     #[inline(always)]
-    pub fn most(&self) -> T {
+    pub fn norm(&self) -> T {
         self.most
     }
 
@@ -103,24 +105,66 @@ impl<T: Real> WayToObject<T> {
         let (of_o, of_d) = (greatest(o).max(greatest(self.translation)), greatest(d));
         let from = Two3::difference(times(o, -of_o), times(self.translation, -of_o));
         let along = Two3::of(times(d, -of_d));
-        [(self.apply(from), of_o - self.exponent), (self.apply(along), of_d - self.exponent)]
-    }
-
-    fn apply(&self, v: Two3) -> Two3 {
-        let [x, y, z] = self.rows.map(|row| row.dot(v));
-        Two3 { x, y, z }
+        let [origin, direction] = [from, along].map(|v| self.inverse.times(v));
+        [(origin, of_o + self.inverse.exponent), (direction, of_d + self.inverse.exponent)]
     }
 }
 
-/// Returns the rows of A⁻¹ 2^e, and e.
-fn inverse(rows: [Vec3<f64>; 3]) -> ([Two3; 3], i32) {
-    let most = exponent(rows.iter().map(|row| row.abs().max_element()).fold(0.0, f64::max));
-    let [a, b, c] = rows.map(|row| Two3::of(row.map(|x| scaled(x, -most))));
-    let columns = [b.cross(c), c.cross(a), a.cross(b)];
-    let det = a.dot(columns[0]);
-    let [x, y, z] = columns.map(|column| column * (Two::of(1.0) / det));
-    let row = |n: usize| Two3 { x: x.along(n), y: y.along(n), z: z.along(n) };
-    ([row(0), row(1), row(2)], most)
+/// The inverse of a matrix A in two words: A⁻¹ = 2^e C B⁻¹ R, with diagonal matrices C and R of
+/// powers of two.
+///
+/// The axes of an object may have scales of very different sizes, whose products leave the range of
+/// floats. So the columns of A are scaled to a greatest number of some 1 first, and then its rows.
+/// B is what is left.
+#[derive(Clone, Copy, Debug)]
+struct Inverse {
+    /// The rows of B⁻¹. They are not finite if A is singular.
+    rows: [Two3; 3],
+    /// The exponents in R and in C, at most 0.
+    before: [i32; 3],
+    after: [i32; 3],
+    /// e.
+    exponent: i32,
+}
+
+impl Inverse {
+    fn of(rows: [Vec3<f64>; 3]) -> Self {
+        let column = |n: usize| rows.iter().map(|row| row[n].abs()).fold(0.0, f64::max);
+        let of_columns = [column(0), column(1), column(2)].map(exponent);
+        let rows = rows.map(|row| powers(row, of_columns.map(|e| -e)));
+        let of_rows = rows.map(|row| exponent(row.abs().max_element()));
+        let row = |n: usize| Two3::of(rows[n].map(|x| scaled(x, -of_rows[n])));
+        let [a, b, c] = [row(0), row(1), row(2)];
+        let columns = [b.cross(c), c.cross(a), a.cross(b)];
+        let det = a.dot(columns[0]);
+        let [x, y, z] = columns.map(|column| column * (Two::of(1.0) / det));
+        let row = |n: usize| Two3 { x: x.along(n), y: y.along(n), z: z.along(n) };
+        let least = |all: [i32; 3]| all[0].min(all[1]).min(all[2]);
+        let (row_least, column_least) = (least(of_rows), least(of_columns));
+        Self {
+            rows: [row(0), row(1), row(2)],
+            before: of_rows.map(|e| row_least - e),
+            after: of_columns.map(|e| column_least - e),
+            exponent: -row_least - column_least,
+        }
+    }
+
+    /// Returns C B⁻¹ R v.
+    fn times(&self, v: Two3) -> Two3 {
+        let shifted = |v: Two3, e: [i32; 3]| Two3 {
+            x: v.x.scaled(e[0]),
+            y: v.y.scaled(e[1]),
+            z: v.z.scaled(e[2]),
+        };
+        let v = shifted(v, self.before);
+        let [x, y, z] = self.rows.map(|row| row.dot(v));
+        shifted(Two3 { x, y, z }, self.after)
+    }
+}
+
+/// Returns the components of v, each times 2 to the power of its own exponent.
+fn powers(v: Vec3<f64>, e: [i32; 3]) -> Vec3<f64> {
+    Vec3::new(scaled(v.x, e[0]), scaled(v.y, e[1]), scaled(v.z, e[2]))
 }
 
 #[cfg(test)]
@@ -140,5 +184,20 @@ mod tests {
         assert_eq!(origin.scaled(of_origin).f64(), Vec3::new(-2.0, 0.0, 2.0));
         let third = direction.scaled(of_direction).x;
         assert!((third * Two::of(3.0) - Two::of(1.0)).abs().f64() < 1e-30, "{third:?}");
+    }
+
+    #[test]
+    fn axes_of_any_scales_have_an_inverse() {
+        for [x, y, z] in [[1.0, 1e-170, 1e-170], [1e200, 1.0, 1e-90], [1e-300, 1e-300, 1e-300]] {
+            let diagonal = [Vec3::axis(0) * x, Vec3::axis(1) * y, Vec3::axis(2) * z];
+            // y and z change places, so that scales stand in other rows than columns.
+            let forth =
+                Affine { rows: [diagonal[0], diagonal[2], diagonal[1]], translation: Vec3::ZERO };
+            let way = WayToObject::of(&forth, &forth, &[Vec3::ZERO; 3]);
+            let ray = Ray::all_of(Vec3::new(x, z, y) * 3.0, Vec3::axis(0));
+            let [(origin, of_origin), _] = way.exact(&ray);
+            let off = origin.scaled(of_origin).f64() - Vec3::new(3.0, 3.0, 3.0);
+            assert!(off.length() < 1e-14, "{x:e} {y:e} {z:e}: {off:?}");
+        }
     }
 }

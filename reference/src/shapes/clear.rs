@@ -28,7 +28,7 @@ impl<T: Real> Sphere<T> {
         let (a, b) = (d.dot(d), -f.dot(d));
         let (ff, rr) = (f.dot(f), self.radius * self.radius);
         let (c, size) = (ff - rr, ff + rr);
-        let blur = (size + self.center.dot(self.center)) * moved.way.most();
+        let blur = (size + self.center.dot(self.center)) * moved.way.norm();
         let (c_blur, m_blur) = (blur * T::of(4.0), a * blur * T::of(12.0));
         let (m, leaves) = (a * c - b * b, b < T::ZERO);
         let is_left = leaves & (c > c_blur) & ray.is_before(T::ZERO);
@@ -43,7 +43,7 @@ impl<T: Real> Sphere<T> {
         let (ray, d) = (&moved.ray, moved.ray.direction);
         let f = ray.origin - self.center;
         let (a, b, ff, rr) = (d.dot(d), -f.dot(d), f.dot(f), self.radius * self.radius);
-        let (c, size, blur) = (ff - rr, ff + rr, moved.way.most());
+        let (c, size, blur) = (ff - rr, ff + rr, moved.way.norm());
         let lengths = a * (size + self.center.dot(self.center));
         let off = moved.way.blur(ray.origin);
         let of_origin = (f.abs() * T::of(2.2) + off * T::of(1.2)).dot(off);
@@ -68,7 +68,7 @@ impl<T: Real> Sphere<T> {
 /// the rounded ray has too few digits. It is at most that of an exact ray.
 #[inline(always)]
 fn reach<T: Real>(moved: &MovedRay<'_, T>) -> T {
-    let blur = moved.way.most() * (T::ONE / (T::of(FAR) * T::ULP));
+    let blur = moved.way.norm() * (T::ONE / (T::of(FAR) * T::ULP));
     (T::ONE / (blur * blur)).least(T::of(4096.0))
 }
 
@@ -129,7 +129,7 @@ impl<T: Real> Cuboid<T> {
         let (c, h) = (o - (self.min + self.max) * T::HALF, (self.max - self.min) * T::HALF);
         let corners = (length(self.min) + length(self.max)) * (T::of(4.0) * T::ULP);
         let (o_blur, d_blur) =
-            (moved.way.most() * length(o) + corners, moved.way.most() * length(d));
+            (moved.way.norm() * length(o) + corners, moved.way.norm() * length(d));
         let blur = (o_blur * length(d) + d_blur * (length(c) + length(h))) * T::of(3.0);
         let (across, along) = (c.cross(d), d.abs());
         let passes = |n: usize, y: usize, z: usize| {

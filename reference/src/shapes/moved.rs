@@ -90,13 +90,13 @@ impl<T: Real> Solid<T> {
         match self {
             Self::Sphere(sphere) => {
                 if let Some(roots) = sphere.moved_roots(rules, moved) {
-                    moved.cast.cross(rules, |rest| sphere.first(rules, rest, roots), found);
+                    moved.in_world.cross(rules, |rest| sphere.first(rules, rest, roots), found);
                 }
             }
             Self::Cuboid(cuboid) => {
                 if let Some(ends) = cuboid.moved_ends(moved) {
                     let first = |rest: &Ray<T>| cuboid.first(rules, rest, ends).map(|hit| hit.t);
-                    moved.cast.cross(rules, first, found);
+                    moved.in_world.cross(rules, first, found);
                 }
             }
             Self::Plane(_) | Self::Square(_) => {
@@ -109,7 +109,7 @@ impl<T: Real> Solid<T> {
                     let rest = MovedRay { ray: rest.along(&moved.ray), ..*moved };
                     round.intersect_moved(rules, &rest).map(|hit| hit.t)
                 };
-                moved.cast.cross(rules, first, found);
+                moved.in_world.cross(rules, first, found);
             }
         }
     }
