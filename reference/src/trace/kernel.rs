@@ -72,6 +72,15 @@ pub struct ShadingPoint<T> {
     pub material: usize,
 }
 
+/// How a ray leaves a surface.
+#[derive(Clone, Copy, Debug)]
+struct Leaves<T> {
+    /// Whether it goes to the outside of the object.
+    outside: bool,
+    /// The product of its direction and the surface's normal.
+    along: T,
+}
+
 /// Returns whether a ray of this depth and weight spawns further rays. A threshold of 0 switches
 /// the test of the weight off. [rule 13]
 #[inline(always)]
@@ -238,7 +247,8 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
             if !is_black {
                 let ray = Ray::spawned(self.rules, &hit_point, r);
                 let kind = RayKind::Reflected;
-                colour += kr * self.spawn(kind, &ray, path, kr, !is_inside, watch);
+                let leaves = Leaves { outside: !is_inside, along: r.dot(n_geom) };
+                colour += kr * self.spawn(kind, &ray, path, kr, leaves, watch);
             }
         }
         if self.effects.has(Effect::Refraction)
@@ -247,7 +257,8 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         {
             let kt = self.transmit_weight(material);
             let ray = Ray::spawned(self.rules, &hit_point, t);
-            colour += kt * self.spawn(RayKind::Refracted, &ray, path, kt, is_inside, watch);
+            let leaves = Leaves { outside: is_inside, along: t.dot(n_geom) };
+            colour += kt * self.spawn(RayKind::Refracted, &ray, path, kt, leaves, watch);
         }
         colour
     }
@@ -318,8 +329,7 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         }
     }
 
-    /// Traces a ray that is spawned with `weight`, to the outside of the object if `goes_outside`,
-    /// and returns its light. A ray that contributes nothing to the pixel is not cast and returns
+    /// Traces a ray that is spawned with `weight` and `leaves` a surface, and returns its light. A ray that contributes nothing to the pixel is not cast and returns
     /// 0. Neither is a ray cast that can only miss: it returns the background.
     fn spawn<W: Watch>(
         &self,
@@ -327,7 +337,7 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         ray: &Ray<T>,
         parent: Path<T>,
         weight: Vec3<T>,
-        goes_outside: bool,
+        leaves: Leaves<T>,
         watch: &mut W,
     ) -> Vec3<T> {
         let weight = if self.rules.get().cutoff == Cutoff::LastOnly {
@@ -343,7 +353,7 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
             watch.left_out(|| weight);
             return Vec3::ZERO;
         }
-        if self.world.alone.is_clear(goes_outside) && self.is_proven && !W::SEES_ALL {
+        if self.misses_surely::<W>(leaves) {
             watch.did(Work::SureMiss);
             return self.world.background;
         }
@@ -352,5 +362,12 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         }
         let path = Path { kind, depth: parent.depth + 1, weight };
         self.trace(ray, path, watch)
+    }
+
+    /// Returns whether a ray that leaves a surface can only miss.
+    #[inline(always)]
+    fn misses_surely<W: Watch>(&self, leaves: Leaves<T>) -> bool {
+        let is_clear = self.world.alone.is_clear(leaves.outside, leaves.along);
+        is_clear && self.is_proven && !W::SEES_ALL
     }
 }

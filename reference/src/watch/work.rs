@@ -34,7 +34,7 @@ pub enum Work {
     VanishingLight,
     /// A shadow ray ends at the first hit, since no transparent object can lie on it.
     UntintedRay,
-    /// A spawned ray is not cast because it can only miss.
+    /// A shadow ray or a spawned ray is not cast because it can only miss.
     SureMiss,
 }
 
@@ -145,7 +145,7 @@ impl Work {
             Self::FaintLight => "lights too weak to be followed",
             Self::VanishingLight => "lights that vanish in the sum of the others",
             Self::UntintedRay => "shadow rays away from all transparent objects",
-            Self::SureMiss => "spawned rays not cast because they can only miss",
+            Self::SureMiss => "rays not cast because they can only miss",
         }
     }
 }

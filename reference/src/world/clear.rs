@@ -83,10 +83,14 @@ pub(crate) enum Alone {
     Flat,
 }
 
+/// The sine of the angle between a ray and a surface, in units of `ULP`, up to which rounding may
+/// hide to which side the ray goes. Normals are right to a few hundred units.
+const GRAZING: f64 = 4096.0;
+
 impl Alone {
-    /// Returns what a ray can hit that leaves one of `objects`. A mesh counts as not convex, and so
-    /// does a transformed object that is not a sphere.
-    pub(crate) fn of<T: Real>(objects: &[Object<T>]) -> Self {
+    /// Returns what a ray can hit that leaves one of `objects`. A mesh of several triangles counts
+    /// as not convex, and so does a transformed object that is not a sphere.
+    pub(crate) fn of<T: Real>(objects: &[Object<T>], meshes: &[Mesh<T>]) -> Self {
         let [only] = objects else { return Self::No };
         // Under a matrix, the side of a flat face is known only as exactly as its normal.
         if only.frame.is_some() && !matches!(only.shape, ObjectShape::Solid(Solid::Sphere(_))) {
@@ -96,18 +100,21 @@ impl Alone {
             ObjectShape::Solid(Solid::Plane(_) | Solid::Square(_)) => Self::Flat,
             ObjectShape::Solid(Solid::Sphere(_) | Solid::Cuboid(_)) => Self::Convex,
             ObjectShape::Solid(Solid::Round(round)) if round.is_capped => Self::Convex,
+            ObjectShape::Mesh(mesh) if meshes[*mesh].n_triangles() == 1 => Self::Flat,
             ObjectShape::Solid(Solid::Round(_)) | ObjectShape::Mesh(_) => Self::No,
         }
     }
 
     /// Returns whether a ray that leaves the object can only miss. It is certain of a ray that
-    /// starts off the surface by the bound of its error, on the side to which it goes.
+    /// starts off the surface by the bound of its error, on the side to which it goes. `along` is
+    /// the product of its unit direction and the normal.
     #[inline(always)]
-    pub(crate) fn is_clear(self, goes_outside: bool) -> bool {
+    pub(crate) fn is_clear<T: Real>(self, goes_outside: bool, along: T) -> bool {
+        let is_apart = along.abs() > T::of(GRAZING) * T::ULP; // false for NaN
         match self {
             Self::No => false,
-            Self::Convex => goes_outside,
-            Self::Flat => true,
+            Self::Convex => goes_outside && is_apart,
+            Self::Flat => is_apart,
         }
     }
 }

@@ -135,6 +135,11 @@ impl<T: Real> Mesh<T> {
         Some(corners[hit.part as usize].map(|i| list[i as usize]))
     }
 
+    /// Returns the number of triangles with an area.
+    pub(crate) fn n_triangles(&self) -> usize {
+        self.numbers.len()
+    }
+
     /// Returns the bytes that the mesh takes, its tree included.
     pub fn bytes(&self) -> usize {
         let of =

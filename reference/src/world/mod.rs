@@ -1,7 +1,7 @@
 //! The scene prepared for ray tracing: numbers in one precision, trees, and searches for hits.
 //! [rule 2]
 
-mod clear;
+pub(crate) mod clear;
 pub mod mesh;
 pub mod object;
 pub mod packet;
@@ -134,7 +134,7 @@ impl<T: Real> World<T> {
                 && materials.iter().all(Material::only_weakens)
                 && lights.iter().all(|light| light.colour.min_element() >= T::ZERO),
             glass: GlassBall::of(transparent, &meshes, loss(&objects)),
-            alone: Alone::of(&objects),
+            alone: Alone::of(&objects, &meshes),
             lights,
             materials,
             objects,

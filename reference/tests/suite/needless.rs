@@ -8,7 +8,7 @@ use cases::{Light, Scene, Shape};
 use glam::DVec3;
 use rayon::prelude::*;
 use reference::numbers::real::Real;
-use reference::rules::{Rules, Weights};
+use reference::rules::{Rules, SquareSize, Weights};
 use reference::trace::render::{Options, count_by};
 use reference::watch::Counts;
 use reference::watch::work::Amounts;
@@ -95,6 +95,47 @@ fn work_that_is_left_out_changes_no_bit_in_double_precision() {
 #[test]
 fn work_that_is_left_out_changes_no_bit_in_single_precision() {
     pictures_keep_their_bits::<f32>();
+}
+
+/// Returns a scene with a triangle alone, which mirrors, has random normals at its corners, and is
+/// seen between two lamps.
+fn lone_triangle(random: &mut Random) -> Scene {
+    let mut corner = |z: f64| random.unit() * 2.0 + DVec3::Z * z;
+    let corners = [corner(0.0), corner(1.0), corner(-1.0)];
+    let normals = [random.unit(), random.unit(), random.unit()];
+    let list = |all: &[DVec3]| {
+        let one = |v: &DVec3| format!("[{}, {}, {}]", v.x, v.y, v.z);
+        all.iter().map(one).collect::<Vec<_>>().join(", ")
+    };
+    let lamp = |at: DVec3| {
+        format!("[[scene.lights]]\npoint = {{ position = {}, colour = [1, 1, 1] }}\n", list(&[at]))
+    };
+    let lamps = lamp(random.unit() * 5.0) + &lamp(random.unit() * 5.0);
+    let (corners, normals) = (list(&corners), list(&normals));
+    scene(&format!(
+        "[scene.materials]\nsteel = {{ kd = [0.4, 0.4, 0.4], kr = [0.5, 0.5, 0.5] }}\n{lamps}\
+         [[scene.objects]]\nmesh = {{ vertices = [{corners}], triangles = [[0, 1, 2]], \
+         normals = [{normals}] }}\nmaterial = \"steel\"\n"
+    ))
+}
+
+/// No ray that leaves the only triangle of a scene hits anything. The size of squares does not
+/// matter to it, but no proof holds for rules with another one.
+#[test]
+fn a_lone_triangle_is_left_by_no_ray() {
+    let rules = Rules { square: SquareSize::One, ..Rules::LECTURE };
+    let mut n_rays = [0; 2];
+    for seed in 1..=200u64 {
+        let scene = lone_triangle(&mut Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15)));
+        let (image, rays, work) = counted::<f64>(&scene, &Rules::LECTURE);
+        let (whole, all_rays, _) = counted::<f64>(&scene, &rules);
+        assert!(image == whole, "seed {seed}");
+        assert_eq!(rays.shadow + rays.reflected, 0, "seed {seed}");
+        assert_eq!(work.sure_misses, all_rays.shadow + all_rays.reflected, "seed {seed}");
+        n_rays[0] += all_rays.shadow;
+        n_rays[1] += all_rays.reflected;
+    }
+    assert!(n_rays.iter().all(|n| *n > 1000), "the test is vacuous: {n_rays:?}");
 }
 
 /// A lamp of 1e-18 beside one of 1/2: no shadow ray goes to the faint one. Alone it is all there is

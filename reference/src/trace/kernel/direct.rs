@@ -3,7 +3,7 @@
 
 use cases::Effect;
 
-use super::{Kernel, ShadingPoint};
+use super::{Kernel, Leaves, ShadingPoint};
 use crate::light::lights::Light;
 use crate::light::shade;
 use crate::numbers::real::Real;
@@ -13,6 +13,7 @@ use crate::rules::{Ambient, LightOrder, RuleSource, ShadowReach, Tint};
 use crate::trace::simulated::EffectSource;
 use crate::watch::Watch;
 use crate::watch::work::{Tally, Work};
+use crate::world::clear::Alone;
 use crate::world::search::Crossings;
 
 /// The lights at a point whose terms may vanish in the sum.
@@ -135,7 +136,7 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
                 vanished = Some(so_far.and(weakened, most()));
                 continue;
             }
-            let reaching = self.shadow(&at.hit_point, to_light, r, watch) * weakened;
+            let reaching = self.reaching(at, to_light, r, watch) * weakened;
             if reaching == Vec3::ZERO && shade::is_bounded(self.rules) {
                 continue;
             }
@@ -166,8 +167,8 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
         let Some((to_light, r)) = light.direction_from(self.rules, at.hit_point.point) else {
             return [Vec3::ZERO; 2];
         };
-        let reaching = self.shadow(&at.hit_point, to_light, r, watch)
-            * light.attenuation(self.rules, r, watch);
+        let reaching =
+            self.reaching(at, to_light, r, watch) * light.attenuation(self.rules, r, watch);
         let arriving = reaching * light.colour;
         let direct = shade::light_term(
             self.rules,
@@ -197,6 +198,27 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
             return true;
         }
         false
+    }
+
+    /// Returns S_j at a hit, for a light in the direction `to_light` at the distance `r`. It is 1
+    /// without a shadow ray where the ray could only miss.
+    #[inline(always)]
+    fn reaching<W: Watch>(
+        &self,
+        at: &ShadingPoint<T>,
+        to_light: Vec3<T>,
+        r: T,
+        watch: &mut W,
+    ) -> Vec3<T> {
+        if self.effects.has(Effect::Shadows) && self.world.alone != Alone::No {
+            let along = to_light.dot(at.hit_point.n_geom);
+            let leaves = Leaves { outside: (along > T::ZERO) != at.is_inside, along };
+            if self.misses_surely::<W>(leaves) {
+                watch.did(Work::SureMiss);
+                return Vec3::ONE;
+            }
+        }
+        self.shadow(&at.hit_point, to_light, r, watch)
     }
 
     /// Returns S_j at a point of a surface, for a light in the direction `to_light` at the distance
