@@ -46,8 +46,7 @@ fn measured_on(path: &str) -> String {
     let digest = if path.ends_with(".json") {
         cases::front::fronts_from_str(&text).expect("fronts").measured_on
     } else {
-        let rest = text.split_once("Code and cases: `").map(|(_, rest)| rest);
-        rest.and_then(|rest| rest.split_once('`')).map(|(digest, _)| digest.to_owned())
+        cases::files::digest_in(&text).map(str::to_owned)
     };
     let digest = digest.unwrap_or_else(|| panic!("{path} has no digest; `.ci/measure` renews it"));
     let is_digit = |byte: u8| byte.is_ascii_digit() || (b'a'..=b'f').contains(&byte);

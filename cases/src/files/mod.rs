@@ -14,5 +14,5 @@ pub use place::{Place, is_standard, is_stdout, is_stream};
 pub use read::{ReadError, read, read_text};
 pub use set::write_all;
 #[cfg(feature = "authoring")]
-pub use sources::sources_digest;
+pub use sources::{digest_in, sources_digest};
 pub use write::{WriteError, check, is_usage, write};

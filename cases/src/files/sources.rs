@@ -37,6 +37,13 @@ pub fn sources_digest(root: &Path) -> io::Result<Option<String>> {
     Ok(Some(hasher.finalize().to_hex()[..16].to_owned()))
 }
 
+/// Returns the digest in a page with measured figures, which follows the words "Code and cases:".
+/// `None` if there is none.
+pub fn digest_in(page: &str) -> Option<&str> {
+    let (_, rest) = page.split_once("Code and cases: `")?;
+    rest.split_once('`').map(|(digest, _)| digest)
+}
+
 /// Adds the files at and below `path` that `is_wanted` accepts. A missing path has none.
 fn collect(
     path: &Path,

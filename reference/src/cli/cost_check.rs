@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cases::files::{ReadError, read_text};
+use cases::files::{ReadError, digest_in, read_text};
 use cases::front::{fronts_from_str, fronts_path};
 
 use super::cost_session::measured_on;
@@ -12,8 +12,6 @@ use super::values::STAGES;
 
 /// The pages with measured figures, relative to the workspace.
 const PAGES: [&str; 2] = ["docs/accuracy.md", "docs/performance.md"];
-/// The words before the digest on a page.
-const BEFORE: &str = "Code and cases: `";
 /// Largest size in bytes of a file with figures.
 const MAX_BYTES: u64 = 64 << 20;
 
@@ -57,6 +55,5 @@ fn digest_of(path: &Path) -> Result<Option<String>, Stop> {
     if path.extension().is_some_and(|extension| extension == "json") {
         return Ok(fronts_from_str(&text).map_err(|why| unusable(why.to_string()))?.measured_on);
     }
-    let digest = text.split_once(BEFORE).and_then(|(_, rest)| rest.split_once('`'));
-    Ok(digest.map(|(digest, _)| digest.to_owned()))
+    Ok(digest_in(&text).map(str::to_owned))
 }

@@ -9,8 +9,11 @@ use super::cost_session::{Session, measured_on, of_functions, of_scene, put};
 use super::find::{self, Found};
 use super::output::Talk;
 use super::stop::Stop;
-use crate::cost::document::{self, Document, SCENES, SIZED};
+use crate::cost::document::{self, Document, EPSILONS, SCENES, SIZED};
 use crate::cost::plot::{self, Place};
+use crate::cost::setting::Setting;
+use crate::cost::starts;
+use crate::expect::variations::Precision;
 use crate::rules::Rules;
 
 /// Measures what the page shows, and writes it. An interrupt leaves the old page: half a page would
@@ -27,9 +30,13 @@ pub(super) fn run(args: &CostArgs, path: &Path, session: &Session) -> Result<(),
         scenes.push(report);
     }
     let Found { scene, course, .. } = find::found(SIZED, &args.course)?;
-    let starts = document::starts(&scene, &Rules::of(&course));
+    let (rules, n_rounds) = (Rules::of(&course), usize::from(args.rounds));
+    let precisions = [Precision::F64, Precision::F32];
+    let ways = starts::ways(&rules, &Setting::of(&scene), &precisions, &EPSILONS);
+    let starts = session.starts(&scene, &ways, n_rounds)?;
+    let threads = session.threads(&scene, &rules, n_rounds)?;
     let measured_on = measured_on(Path::new("."))?;
-    let page = Document { measured_on, functions, scenes, starts };
+    let page = Document { measured_on, functions, scenes, starts, threads };
     let beside = |name: String| path.with_file_name(name);
     for scene in &page.scenes {
         let picture = plot::stack(&crate::cost::page::plots(scene), Place::File);

@@ -14,12 +14,16 @@ use super::output::Talk;
 use super::progress::Bar;
 use super::stop::Stop;
 use crate::cost::bench::Bench;
-use crate::cost::functions;
 use crate::cost::functions_report::FunctionsReport;
 use crate::cost::measure::{self, Measured, Outside};
 use crate::cost::report::{Machine, Report};
+use crate::cost::setting::Setting;
+use crate::cost::starts::{self, StartRow, Way};
 use crate::cost::sweep::{Axes, Sweep};
-use crate::rules::Rules;
+use crate::cost::threads::{self, ThreadRow};
+use crate::cost::{facts, functions};
+use crate::expect::variations::Precision;
+use crate::rules::{RuleSource, Rules};
 
 /// Measures the scene that `named` names.
 pub(super) fn of_scene(named: &str, args: &CostArgs, session: &Session) -> Result<Report, Stop> {
@@ -29,16 +33,18 @@ pub(super) fn of_scene(named: &str, args: &CostArgs, session: &Session) -> Resul
         (scene.render.width, scene.render.height) = (width, height);
     }
     let sweep = Sweep::of(&scene, &args.narrowed(Axes::of(&scene)));
-    let measured = session.sweep(&scene, &rules, &sweep, usize::from(args.rounds))?;
-    Ok(Report::new(
-        named,
-        &scene,
-        &rules,
-        session.machine(),
-        &sweep,
-        &measured,
-        usize::from(args.rounds),
-    ))
+    let n_rounds = usize::from(args.rounds);
+    let measured = session.sweep(&scene, &rules, &sweep, n_rounds)?;
+    let machine = session.machine();
+    let mut report = Report::new(named, &scene, &rules, machine, &sweep, &measured, n_rounds);
+    if !args.no_effects && n_rounds > 1 && !report.is_cut_short {
+        let epsilon = [(&rules).epsilon::<f64>()];
+        let ways = starts::ways(&rules, &report.own, &[Precision::F64], &epsilon);
+        let starts = session.starts(&scene, &ways, n_rounds)?;
+        let threads = session.threads(&scene, &rules, n_rounds)?;
+        report.facts = facts::of(&report, &starts, &threads);
+    }
+    Ok(report)
 }
 
 /// Measures one function at a time.
@@ -117,7 +123,7 @@ impl Session {
     }
 
     fn run(&self, bar: Bar) -> Run<'_> {
-        Run { session: self, bar }
+        Run { clock: self.clock, interrupt: &self.interrupt, bar }
     }
 
     /// Measures a sweep.
@@ -135,6 +141,40 @@ impl Session {
         let mut bench = Bench::new(scene, rules);
         self.pool
             .install(|| measure::measure(&mut bench, sweep, n_rounds, &mut run))
+            .ok_or_else(nothing)
+    }
+
+    /// Measures ways in which new rays leave surfaces.
+    pub(super) fn starts(
+        &self,
+        scene: &Scene,
+        ways: &[Way],
+        n_rounds: usize,
+    ) -> Result<Vec<StartRow>, Stop> {
+        let bar = Bar::pictures(starts::work(ways.len(), n_rounds), self.talk);
+        let mut run = self.run(bar);
+        self.pool.install(|| starts::measure(scene, ways, n_rounds, &mut run)).ok_or_else(nothing)
+    }
+
+    /// Measures a scene on one thread and on several, by the wall clock.
+    pub(super) fn threads(
+        &self,
+        scene: &Scene,
+        rules: &Rules,
+        n_rounds: usize,
+    ) -> Result<Vec<ThreadRow>, Stop> {
+        let available = std::thread::available_parallelism().map_or(1, usize::from);
+        let pool = |threads: usize| rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        let pools: Vec<_> = threads::numbers(available)
+            .into_iter()
+            .map(pool)
+            .collect::<Result<_, _>>()
+            .map_err(Stop::machine("cannot start threads"))?;
+        let bar = Bar::pictures((pools.len() * n_rounds) as u64, self.talk);
+        let clock = Clock::Wall(Instant::now());
+        let mut run = Run { clock, interrupt: &self.interrupt, bar };
+        let mut bench = Bench::new(scene, rules);
+        threads::measure(&mut bench, &Setting::of(scene), &pools, n_rounds, &mut run)
             .ok_or_else(nothing)
     }
 
@@ -162,17 +202,18 @@ impl Session {
 
 /// A measurement while it runs.
 struct Run<'s> {
-    session: &'s Session,
+    clock: Clock,
+    interrupt: &'s Interrupt,
     bar: Bar,
 }
 
 impl Outside for Run<'_> {
     fn now_s(&mut self) -> f64 {
-        self.session.clock.now_s()
+        self.clock.now_s()
     }
 
     fn goes_on(&mut self) -> bool {
-        !self.session.interrupt.is_set()
+        !self.interrupt.is_set()
     }
 
     fn done(&mut self, work: u64) {

@@ -12,7 +12,8 @@ use super::find::{self, Found};
 use super::output::{Talk, print_json, print_text};
 use super::stop::Stop;
 use crate::cost::effects_document::{SCENES, Subject, markdown};
-use crate::cost::view::{Done, EffectInView, Need, View};
+use crate::cost::need::Need;
+use crate::cost::view::{Done, EffectInView, View};
 use crate::rules::Rules;
 
 /// The number of rays beyond which a picture is not examined unless `--max-rays` allows it.

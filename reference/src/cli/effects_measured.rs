@@ -52,10 +52,9 @@ fn text(costs: &EffectCosts) -> String {
 }
 
 fn line(costs: &EffectCosts, row: &EffectCost) -> String {
-    let EffectCost { called_for, because, without, .. } = row;
-    let effect = row.effect.name();
+    let EffectCost { because, without, .. } = row;
+    let (effect, verdict) = (row.effect.name(), row.need().says());
     let Some(Without { n_changed, time_ms, rays }) = without else {
-        let verdict = if *called_for { "called for, but left out here" } else { "not called for" };
         return format!("{effect:<15} {verdict}: {because}");
     };
     let share = percent(*n_changed as f64 / costs.n_pixels.max(1) as f64);
@@ -65,12 +64,6 @@ fn line(costs: &EffectCosts, row: &EffectCost) -> String {
         && (time_ms.least > costs.time_ms.greatest || time_ms.greatest < costs.time_ms.least);
     let more_ms =
         if is_clear { signed(time_ms.median - costs.time_ms.median) } else { "~0".to_owned() };
-    let verdict = match (called_for, *n_changed > 0) {
-        (true, true) => "called for",
-        (true, false) => "called for, but idle",
-        (false, false) => "not called for",
-        (false, true) => "not called for, but it shows",
-    };
     format!(
         "{effect:<15} {:>16}  {more_rays:>+12}  {more_ms:>10}  {verdict}: {because}",
         format!("{n_changed} ({share})"),

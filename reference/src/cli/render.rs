@@ -76,6 +76,7 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
         height: image.height(),
         precision: if matches!(args.precision, Precision::F32) { "f32" } else { "f64" },
         samples,
+        adaptive: args.adaptive,
         threads: pool.current_num_threads(),
         effects: scene.effects,
         rays: stats.rays,

@@ -27,6 +27,8 @@ pub(super) struct Report {
     pub(super) height: u32,
     pub(super) precision: &'static str,
     pub(super) samples: u32,
+    /// Whether only pixels that differ from a neighbour have N × N rays.
+    pub(super) adaptive: bool,
     pub(super) threads: usize,
     pub(super) effects: Effects,
     pub(super) rays: Counts,
@@ -54,13 +56,12 @@ pub(super) struct LeftOut {
 impl LeftOut {
     /// Returns the bounds for a picture with these figures.
     pub(super) fn of(scene: &Scene, rules: &Rules, stats: &Stats) -> Self {
-        let (limits, weight) =
-            (Limits::of(scene, rules, scene.effects), DVec3::from(stats.left_out));
-        let finite = |bound: DVec3| Some(bound.max_element()).filter(|most| most.is_finite());
+        let limits = Limits::of(scene, rules, scene.effects);
+        let level = limits.of_levels(stats.left_out.into(), 1).max_element();
         let grows = limits.sent_on.cmpgt(DVec3::ONE).any();
         Self {
-            left_out_at_most: finite(limits.of_weight(weight) + DVec3::from(stats.faint_light)),
-            left_out_per_level_at_most: finite(limits.of_levels(weight, 1)).filter(|_| !grows),
+            left_out_at_most: limits.of_picture(stats),
+            left_out_per_level_at_most: Some(level).filter(|most| most.is_finite() && !grows),
         }
     }
 
@@ -160,11 +161,12 @@ impl Report {
             if all.is_empty() { "nothing".to_owned() } else { all.join(", ") }
         };
         let mut text = format!(
-            "picture    {}x{}, {} per pixel, {}, {} threads\n\
+            "picture    {}x{}, {}{} per pixel, {}, {} threads\n\
                 rays       {eye} eye, {shadow} shadow, {reflected} reflected, {refracted} \
                 refracted\n",
             self.width,
             self.height,
+            if self.adaptive { "1 or " } else { "" },
             self.samples * self.samples,
             self.precision,
             self.threads,

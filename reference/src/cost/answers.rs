@@ -98,12 +98,9 @@ fn rounding(question: &Question, own: &QuestionRow, pick: &QuestionRow) -> Strin
 
 /// Returns the risk of a cheaper precision or formula, as a clause.
 fn risk(setting: &Setting) -> &'static str {
-    match (setting.formula, setting.precision) {
-        (Formula::Robust, Precision::F64) => "it has the same guarantees",
-        (Formula::Robust, Precision::F32) => {
-            "another view, or objects far away, may show its coarser rounding"
-        }
-        _ => {
+    match setting.formula {
+        Formula::Robust => "another view, or objects far away, may show its coarser rounding",
+        Formula::Plain | Formula::Stable => {
             "at another scale its fixed RAY_EPSILON may let surfaces shadow themselves or skip hits"
         }
     }

@@ -53,6 +53,14 @@ pub(super) fn levels_off(a: DVec3, b: DVec3) -> DVec3 {
     difference(a, b, level, 255.0)
 }
 
+impl Error {
+    /// Returns the number of pixels with a different 8-bit colour, of `n_pixels` that were compared.
+    pub fn n_changed(&self, n_pixels: usize) -> u64 {
+        // The share is a whole number of pixels over their number.
+        (self.changed * n_pixels as f64).round() as u64
+    }
+}
+
 /// Returns the absolute difference of each channel after `scale`, or `all` where `b` or the
 /// difference is not finite.
 fn difference(a: DVec3, b: DVec3, scale: impl Fn(f64) -> f64, all: f64) -> DVec3 {

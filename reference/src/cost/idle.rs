@@ -5,6 +5,7 @@ use cases::{Effect, Scene};
 use serde::Serialize;
 
 use super::measure::Measured;
+use super::need::Need;
 use super::sweep::About;
 use super::times::Times;
 use crate::watch::Counts;
@@ -50,9 +51,10 @@ pub struct Without {
 }
 
 impl EffectCost {
-    /// Returns whether the effect is called for and simulated, and changes no pixel.
-    pub fn is_idle(&self) -> bool {
-        self.called_for && self.without.is_some_and(|without| without.n_changed == 0)
+    /// Returns how the effect is needed.
+    pub fn need(&self) -> Need {
+        let n_changed = self.without.map(|without| without.n_changed);
+        Need::of(self.called_for, n_changed.is_some(), n_changed)
     }
 }
 
@@ -65,8 +67,7 @@ impl EffectCosts {
         let n_pixels = u64::from(scene.render.width) * u64::from(scene.render.height);
         let without = |effect| {
             let row = measured.iter().find(|row| row.about == About::Without(effect))?;
-            // The share is a whole number of pixels over their number.
-            let n_changed = (row.error.changed * n_pixels as f64).round() as u64;
+            let n_changed = row.error.n_changed(n_pixels as usize);
             Some(Without { n_changed, time_ms: row.time_ms(), rays: row.stats.rays })
         };
         let row = |Reason { effect, called_for, because }| EffectCost {

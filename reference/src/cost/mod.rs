@@ -7,7 +7,7 @@
 //! | `error.rs`, `error_picture.rs` | the error of a picture against a better one, as figures and as a picture |
 //! | `times.rs` | the median and the spread of several times |
 //! | `report.rs`, `summary.rs` | the report of a sweep: its data, and its construction |
-//! | `advice.rs`, `answers.rs` | which setting to pick, and the sentences of a report |
+//! | `advice.rs`, `answers.rs`, `facts.rs` | which setting to pick, and the sentences of a report |
 //! | `functions.rs`, `functions_report.rs` | single functions: nanoseconds against errors and wrong decisions |
 //! | `functions_summary.rs`, `functions_advice.rs` | construction of that report; which formula to pick for each function |
 //! | `idle.rs` | a scene without each of its effects: pixels, rays and times |
@@ -15,7 +15,9 @@
 //! | `uncalled.rs` | the cost of an effect in a scene that does not call for it |
 //! | `forms.rs`, `table.rs`, `csv.rs`, `plot.rs`, `page.rs` | reports as text, CSV table, SVG picture and HTML page |
 //! | `figures.rs` | levels, and numbers with a sign, as reports print them |
-//! | `scaled.rs`, `document.rs` | a scene in another size; the page `docs/accuracy.md` |
+//! | `scaled.rs`, `starts.rs` | a scene in another size; how new rays leave surfaces in every size |
+//! | `threads.rs` | the time on one thread and on several |
+//! | `document.rs` | the page `docs/accuracy.md` |
 //!
 //! Nothing here reads a clock. The caller passes a [`measure::Outside`].
 
@@ -27,6 +29,7 @@ pub mod document;
 pub mod effects_document;
 pub mod error;
 pub mod error_picture;
+pub mod facts;
 pub mod figures;
 pub mod forms;
 pub mod functions;
@@ -36,14 +39,17 @@ mod functions_summary;
 pub mod idle;
 mod labels;
 pub mod measure;
+pub mod need;
 pub mod page;
 pub mod plot;
 pub mod report;
 pub mod scaled;
 pub mod setting;
+pub mod starts;
 mod summary;
 pub mod sweep;
 pub mod table;
+pub mod threads;
 pub mod times;
 pub mod uncalled;
 pub mod view;

@@ -52,6 +52,9 @@ pub struct Report {
     pub rows: Vec<SettingRow>,
     /// The cost of each effect, and what trees save.
     pub effects: Vec<EffectRow>,
+    /// Sentences on what belongs to no question: trees, the start of new rays, threads. None
+    /// without advice.
+    pub facts: Vec<String>,
 }
 
 /// One setting.
@@ -199,6 +202,8 @@ pub struct EffectRow {
     pub name: String,
     /// The effect that is left out; `None` if all are simulated, or if trees are left out.
     pub without: Option<Effect>,
+    /// Whether trees are left out.
+    pub is_without_trees: bool,
     /// Milliseconds a picture.
     pub time_ms: Times,
     /// The median, minus the median of the scene's own setting.

@@ -121,10 +121,12 @@ pub fn fraction(value: f64) -> String {
     }
 }
 
-/// Writes text such as `f64 robust, 2×2, depth 5, threshold 1/256`. Cut-offs of 0 are left out.
+/// Writes text such as `f64 robust, 2×2, depth 5, threshold 1/256`. Cut-offs of 0 are left out. A
+/// setting whose kernel is compiled like those of other formulas ends with `kernels alike`.
 impl fmt::Display for Setting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}, {}, {}", self.numbers_name(), self.sampling_name(), self.depth_name())
+        write!(f, "{}, {}, {}", self.numbers_name(), self.sampling_name(), self.depth_name())?;
+        if self.alike { write!(f, ", kernels alike") } else { Ok(()) }
     }
 }
 

@@ -43,6 +43,7 @@ impl Report {
             questions: questions.filter(|question| question.rows.len() > 1).collect(),
             rows: accuracy.iter().map(|one| row(one, &limits)).collect(),
             effects: effects(sweep, measured),
+            facts: Vec::new(),
         };
         advice::advise(&mut report, sweep.varies_depth);
         report
@@ -94,15 +95,13 @@ fn question(about: Choice, sweep: &Sweep, accuracy: &[&Measured]) -> Question {
 }
 
 fn row(one: &Measured, limits: &Limits) -> SettingRow {
-    let left_out = limits.of_weight(one.stats.left_out.into());
-    let most = (left_out + cases::glam::DVec3::from(one.stats.faint_light)).max_element();
     SettingRow {
         name: one.setting.to_string(),
         setting: one.setting,
         time_ms: one.time_ms(),
         rays: one.stats.rays,
         bytes: one.bytes,
-        left_out_at_most: Some(most).filter(|most| most.is_finite()),
+        left_out_at_most: limits.of_picture(&one.stats),
         rounding: one.rounding.as_ref().map(|compared| compared.error),
         depth: one.depth.as_ref().map(|compared| compared.error),
         sampling: one.sampling.as_ref().map(|compared| compared.error),
@@ -122,7 +121,9 @@ fn effects(sweep: &Sweep, measured: &[Measured]) -> Vec<EffectRow> {
         };
         let time_ms = one.time_ms();
         let more_ms = time_ms.median - own_ms;
-        Some(EffectRow { name, without, time_ms, more_ms, rays: one.stats.rays, error: one.error })
+        let is_without_trees = one.about == About::WithoutTrees;
+        let (rays, error) = (one.stats.rays, one.error);
+        Some(EffectRow { name, without, is_without_trees, time_ms, more_ms, rays, error })
     };
     measured.iter().filter_map(row).collect()
 }

@@ -28,6 +28,9 @@ pub fn text(report: &Report) -> String {
     if !report.effects.is_empty() {
         out += &effects(report);
     }
+    for fact in &report.facts {
+        let _ = writeln!(out, "{fact}");
+    }
     if report.is_cut_short {
         let _ = writeln!(
             out,

@@ -6,6 +6,7 @@ use cases::{Effect, Effects, Scene};
 use serde::Serialize;
 
 use super::error::Error;
+use super::need::Need;
 use crate::rules::Rules;
 use crate::trace::render::{Options, Stats, count_within};
 use crate::watch::work::Amounts;
@@ -49,45 +50,10 @@ pub struct Done {
     pub n_changed: u64,
 }
 
-/// How a scene and its picture need an effect.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Need {
-    /// The scene calls for the effect. If the picture was examined, some pixel shows it.
-    CalledFor,
-    /// The scene calls for the effect, but nothing in view needs it: no pixel shows it.
-    Idle,
-    /// The scene calls for the effect, but it is not simulated.
-    LeftOut,
-    /// The scene does not call for the effect.
-    NotCalledFor,
-    /// The scene does not call for the effect, but it is simulated.
-    Needless,
-}
-
-impl Need {
-    /// Returns the need in words.
-    pub fn says(self) -> &'static str {
-        match self {
-            Self::CalledFor => "called for",
-            Self::Idle => "called for, but idle",
-            Self::LeftOut => "called for, but left out here",
-            Self::NotCalledFor => "not called for",
-            Self::Needless => "not called for, but simulated here",
-        }
-    }
-}
-
 impl EffectInView {
     /// Returns how the effect is needed.
     pub fn need(&self) -> Need {
-        match (self.called_for, self.simulated) {
-            (true, true) if self.done.is_some_and(|done| done.n_changed == 0) => Need::Idle,
-            (true, true) => Need::CalledFor,
-            (true, false) => Need::LeftOut,
-            (false, false) => Need::NotCalledFor,
-            (false, true) => Need::Needless,
-        }
+        Need::of(self.called_for, self.simulated, self.done.map(|done| done.n_changed))
     }
 }
 
@@ -104,9 +70,7 @@ impl View {
             let (image, ..) = picture(&without(scene, effect), rules, most_rays)?;
             let error = Error::of(truth, &image, rules.quantiser);
             let (made, of) = made_by(effect, &stats.rays, work);
-            // The share is a whole number of pixels over their number.
-            let n_changed = (error.changed * truth.pixels().len() as f64).round() as u64;
-            Some(Done { made, of, n_changed })
+            Some(Done { made, of, n_changed: error.n_changed(truth.pixels().len()) })
         };
         let row = |Reason { effect, called_for, because }| EffectInView {
             effect,

@@ -32,23 +32,26 @@ const CHUNK: usize = 64;
 /// A pixel with a grid has the colour that it has in a picture with grids everywhere. The result
 /// does not depend on the number of threads. `book` is that of `coarse`, and the result includes
 /// it; `fresh` is an empty book. Once the book allows no more rays, the colours are of no use.
+/// `progress` is called with all pixels in the first round; the later ones have few.
 pub(super) fn refined<T: Real, R: RuleSource, E: EffectSource, B: Book>(
     kernel: &Kernel<'_, T, R, E>,
     options: &Options,
     coarse: &Image,
-    fresh: B,
-    mut book: B,
+    (fresh, mut book): (B, B),
+    progress: impl Fn(u64) + Sync,
 ) -> (Image, B) {
     let (width, height) = (coarse.width(), coarse.height());
     let mut pixels = coarse.pixels().to_vec();
     let mut has_grid = vec![false; pixels.len()];
-    loop {
+    for round in 0.. {
         let uneven: Vec<usize> = (0..pixels.len())
             .filter(|n| !has_grid[*n] && is_uneven(&pixels, width as usize, *n))
             .collect();
+        if round == 0 {
+            progress((pixels.len() - uneven.len()) as u64);
+        }
         if uneven.is_empty() || !book.allows(0) {
-            let picture = Image::from_fn(width, height, |i, j| pixels[(j * width + i) as usize]);
-            return (picture, book);
+            break;
         }
         let render = |chunk: &[usize]| {
             let mut book = fresh;
@@ -57,6 +60,9 @@ pub(super) fn refined<T: Real, R: RuleSource, E: EffectSource, B: Book>(
                 render_pixel(kernel, options, pixel, &mut book).f64()
             };
             let colours: Vec<DVec3> = chunk.iter().map(colour).collect();
+            if round == 0 {
+                progress(chunk.len() as u64);
+            }
             (colours, book)
         };
         let chunks: Vec<_> = uneven.par_chunks(CHUNK).map(render).collect();
@@ -67,6 +73,7 @@ pub(super) fn refined<T: Real, R: RuleSource, E: EffectSource, B: Book>(
             book = book.plus(of_chunk);
         }
     }
+    (Image::from_fn(width, height, |i, j| pixels[(j * width + i) as usize]), book)
 }
 
 /// Returns whether pixel `n` differs from the one above, below, or on either side of it by more

@@ -30,6 +30,7 @@ use cases::glam::DVec3;
 use cases::{Effect, Effects, Light, Material, Scene};
 
 use crate::rules::{Attenuation, Rules};
+use crate::trace::render::Stats;
 
 /// The bounds L, ρ and B of a scene, channel by channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,6 +64,13 @@ impl Limits {
     /// weight is the mean over the eye rays of the pixel.
     pub fn of_weight(&self, weight: DVec3) -> DVec3 {
         product(weight, self.light)
+    }
+
+    /// Returns the most by which a pixel of a picture with these figures is darker for rays and
+    /// light that were left out; `None` if there is no bound.
+    pub fn of_picture(&self, stats: &Stats) -> Option<f64> {
+        let most = self.of_weight(stats.left_out.into()) + DVec3::from(stats.faint_light);
+        Some(most.max_element()).filter(|most| most.is_finite())
     }
 
     /// Returns the most by which a pixel gets brighter where rays of this weight, which were left

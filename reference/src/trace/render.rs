@@ -181,6 +181,6 @@ fn render_in<T: Real, R: RuleSource, E: EffectSource, B: Book>(
         return tiles::render_grid(&kernel, options, fresh, progress);
     }
     let one_ray = Options { samples: 1, ..*options };
-    let (coarse, book) = tiles::render_grid(&kernel, &one_ray, fresh, progress);
-    adaptive::refined(&kernel, options, &coarse, fresh, book)
+    let (coarse, book) = tiles::render_grid(&kernel, &one_ray, fresh, |_| {});
+    adaptive::refined(&kernel, options, &coarse, (fresh, book), progress)
 }

@@ -1,12 +1,11 @@
 //! Tests of `cost`: the settings that are measured, the report of the measurements, and its
 //! formats.
 
-use crate::common::cost::{SCENE, well_formed};
-use cases::{Course, Effect, Scene, effects, stage};
+use crate::common::cost::{FakeClock, SCENE, scene, well_formed};
+use cases::Effect;
 use reference::cost::bench::Bench;
 use reference::cost::error::Error;
-use reference::cost::idle::EffectCosts;
-use reference::cost::measure::{Outside, measure, work};
+use reference::cost::measure::{measure, work};
 use reference::cost::plot::{self, Place};
 use reference::cost::report::{Machine, Report};
 use reference::cost::scaled::scaled;
@@ -15,44 +14,6 @@ use reference::cost::sweep::{About, Axes, Sweep};
 use reference::cost::{csv, page, table};
 use reference::expect::variations::Precision;
 use reference::rules::Rules;
-
-fn scene(text: &str) -> Scene {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("scene.toml");
-    std::fs::write(&path, text).unwrap();
-    stage::load_scene(&path, &cases::Course::default()).unwrap()
-}
-
-/// A clock by which every picture takes half a second. It stops the measurement before picture
-/// number `stops_before`.
-struct FakeClock {
-    now_s: f64,
-    n_calls: usize,
-    stops_before: usize,
-    work: u64,
-}
-
-impl FakeClock {
-    fn until(stops_before: usize) -> Self {
-        Self { now_s: 0.0, n_calls: 0, stops_before, work: 0 }
-    }
-}
-
-impl Outside for FakeClock {
-    fn now_s(&mut self) -> f64 {
-        self.now_s += 0.5;
-        self.now_s
-    }
-
-    fn goes_on(&mut self) -> bool {
-        self.n_calls += 1;
-        self.n_calls <= self.stops_before
-    }
-
-    fn done(&mut self, work: u64) {
-        self.work += work;
-    }
-}
 
 fn report_of(name: &str, n_rounds: usize, outside: &mut FakeClock) -> Option<Report> {
     let scene = scene(SCENE);
@@ -67,65 +28,6 @@ fn report_of(name: &str, n_rounds: usize, outside: &mut FakeClock) -> Option<Rep
         is_optimised: true,
     };
     Some(Report::new(name, &scene, &Rules::LECTURE, machine, &sweep, &measured, n_rounds))
-}
-
-/// Measures the scene without each of its effects. A picture takes half a second.
-fn effect_costs(text: &str) -> EffectCosts {
-    let scene = scene(text);
-    let mut bench = Bench::new(&scene, &Rules::LECTURE);
-    let sweep = Sweep::of_effects(&scene);
-    let measured = measure(&mut bench, &sweep, 1, &mut FakeClock::until(usize::MAX)).unwrap();
-    EffectCosts::new(&scene, effects::reasons(&scene, &Course::default()), &measured)
-}
-
-/// A red lamp shines on a ball above a floor, both of red paint.
-const LAMP: &str = r#"
-[render]
-size = [12, 9]
-[scene.camera]
-eye = [0, 1, 4]
-look_at = [0, 0, 0]
-up = [0, 1, 0]
-fov_y_deg = 60
-[scene.materials]
-paint = { kd = [0.5, 0, 0] }
-[[scene.lights]]
-point = { position = [0, 3, 0], colour = [1, 0, 0] }
-[[scene.objects]]
-sphere = { radius = 0.5 }
-material = "paint"
-[[scene.objects]]
-plane = { normal = [0, 1, 0], k = -0.7 }
-material = "paint"
-"#;
-
-#[test]
-fn an_effect_that_is_called_for_and_changes_no_pixel_is_idle() {
-    let shadows = |text: &str| {
-        let costs = effect_costs(text);
-        assert_eq!((costs.n_pixels, costs.rounds, costs.time_ms.median), (108, 1, 500.0));
-        let row = costs.effects.iter().find(|row| row.effect == Effect::Shadows).unwrap().clone();
-        assert!(row.called_for, "{row:?}");
-        let without = row.without.unwrap();
-        // The eye rays are left.
-        assert_eq!((without.rays.total(), costs.rays.eye), (108, 108), "{costs:?}");
-        (row, costs.rays.shadow)
-    };
-    let (red, n_rays) = shadows(LAMP);
-    assert!(!red.is_idle() && red.without.unwrap().n_changed > 0 && n_rays > 0, "{red:?}");
-    // The shadow of the ball lies behind the eye.
-    let beside = LAMP.replace("sphere = { radius", "sphere = { center = [0, 0, 50], radius");
-    let (unseen, n_rays) = shadows(&beside);
-    assert!(unseen.is_idle() && n_rays > 0, "{unseen:?}");
-}
-
-#[test]
-fn an_effect_that_is_not_simulated_is_not_measured() {
-    let costs = effect_costs(LAMP);
-    assert_eq!(costs.effects.len(), Effect::ALL.len());
-    for row in costs.effects.iter().filter(|row| row.effect != Effect::Shadows) {
-        assert!(row.without.is_none() && !row.called_for && !row.is_idle(), "{row:?}");
-    }
 }
 
 #[test]

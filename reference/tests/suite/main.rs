@@ -20,6 +20,7 @@ mod expect_commands;
 mod explosion;
 mod families;
 mod formulas;
+mod idle;
 mod leaving;
 mod manners;
 mod misconceptions;

@@ -78,6 +78,7 @@ fn advised(questions: Vec<Question>, rounds: usize, varies_depth: bool, bound: f
         questions,
         rows: vec![own],
         effects: Vec::new(),
+        facts: Vec::new(),
     };
     advise(&mut report, varies_depth);
     report

@@ -1,5 +1,8 @@
 //! Shared by the tests of the cost of accuracy.
 
+use cases::{Scene, stage};
+use reference::cost::measure::Outside;
+
 /// A ball of glass above a reflective floor, with a lamp.
 pub(crate) const SCENE: &str = r#"
 [render]
@@ -41,4 +44,43 @@ pub(crate) fn well_formed(svg: &str) {
             .iter()
             .any(|e| rest.starts_with(e)))
     );
+}
+
+/// Loads a scene from text.
+pub(crate) fn scene(text: &str) -> Scene {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    std::fs::write(&path, text).unwrap();
+    stage::load_scene(&path, &cases::Course::default()).unwrap()
+}
+
+/// A clock by which every picture takes half a second. It stops the measurement before picture
+/// number `stops_before`.
+pub(crate) struct FakeClock {
+    now_s: f64,
+    pub(crate) n_calls: usize,
+    stops_before: usize,
+    pub(crate) work: u64,
+}
+
+impl FakeClock {
+    pub(crate) fn until(stops_before: usize) -> Self {
+        Self { now_s: 0.0, n_calls: 0, stops_before, work: 0 }
+    }
+}
+
+impl Outside for FakeClock {
+    fn now_s(&mut self) -> f64 {
+        self.now_s += 0.5;
+        self.now_s
+    }
+
+    fn goes_on(&mut self) -> bool {
+        self.n_calls += 1;
+        self.n_calls <= self.stops_before
+    }
+
+    fn done(&mut self, work: u64) {
+        self.work += work;
+    }
 }
