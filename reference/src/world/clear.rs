@@ -100,7 +100,7 @@ impl Alone {
             ObjectShape::Solid(Solid::Plane(_) | Solid::Square(_)) => Self::Flat,
             ObjectShape::Solid(Solid::Sphere(_) | Solid::Cuboid(_)) => Self::Convex,
             ObjectShape::Solid(Solid::Round(round)) if round.is_capped => Self::Convex,
-            ObjectShape::Mesh(mesh) if meshes[*mesh].n_triangles() == 1 => Self::Flat,
+            ObjectShape::Mesh(mesh) if meshes[*mesh].is_single() => Self::Flat,
             ObjectShape::Solid(Solid::Round(_)) | ObjectShape::Mesh(_) => Self::No,
         }
     }

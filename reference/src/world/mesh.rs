@@ -135,9 +135,9 @@ impl<T: Real> Mesh<T> {
         Some(corners[hit.part as usize].map(|i| list[i as usize]))
     }
 
-    /// Returns the number of triangles with an area.
-    pub(crate) fn n_triangles(&self) -> usize {
-        self.numbers.len()
+    /// Returns whether a single triangle has an area.
+    pub(crate) fn is_single(&self) -> bool {
+        self.numbers.first().is_some_and(|first| self.numbers.iter().all(|n| n == first))
     }
 
     /// Returns the bytes that the mesh takes, its tree included.

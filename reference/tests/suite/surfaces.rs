@@ -18,9 +18,13 @@ use reference::watch::{Counts, Recorder};
 use reference::world::World;
 use reference::world::search::Crossings;
 
-/// Returns a scene of a single convex object with lights that graze it from many sides.
+/// Returns a scene of a convex object with lights that graze it from many sides. A second object,
+/// which no ray hits, keeps the proof from applying that nothing is left to hit.
 fn grazed(shape: Shape, meshes: Vec<cases::Mesh>, scale: f64) -> Scene {
     let mut scene = lone(shape, meshes, DAffine3::IDENTITY);
+    let mut aside = scene.objects[0].clone();
+    aside.shape = Shape::Sphere { center: DVec3::Z * 1e3 * scale, radius: 0.01 * scale };
+    scene.objects.push(aside);
     scene.camera.eye *= scale;
     (scene.render.width, scene.render.height) = (64, 48);
     for direction in
