@@ -8,7 +8,6 @@ use std::path::Path;
 use cases::answer::{
     Wrong, check_answers_path, expected_png_path, image_answer_path, load, mistakes_path,
 };
-use cases::probe::Answer;
 use cases::stage::{Base, Case};
 use cases::{Course, effects};
 
@@ -146,27 +145,7 @@ fn checks(questions: &Questions, problems: &mut Vec<String>) {
         if !right.allowed.is_finite() || right.allowed < 0.0 {
             problems.push(format!("{}: the allowed error is {}", check.id, right.allowed));
         }
-        if right.either && !is_decision(&right.answer) {
-            problems.push(format!(
-                "{}: two answers are right, but one is stored: choose a question that rounding \
-                 does not decide",
-                check.id
-            ));
-        }
     }
-}
-
-/// Returns whether the judge can recognise the other decision of an answer, such as a miss for a
-/// hit, without a second stored answer.
-fn is_decision(answer: &Answer) -> bool {
-    matches!(
-        answer,
-        Answer::Hit { .. }
-            | Answer::Found { .. }
-            | Answer::Miss(_)
-            | Answer::GoesOn(_)
-            | Answer::Facing { .. }
-    ) || matches!(answer, Answer::Vector(_))
 }
 
 /// Reports answers and pictures that belong to no case.

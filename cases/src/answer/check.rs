@@ -21,9 +21,9 @@ pub struct CheckAnswer {
     pub answer: Answer,
     /// Greatest absolute error of each number of the answer, from the conditioning of the question.
     pub allowed: f64,
-    /// Whether the decision (hit or miss, yes or no) flips within the rounding of the inputs, so
-    /// that both decisions are correct.
-    pub either: bool,
+    /// The correct answers that decide otherwise (a miss, another object), where the decision flips
+    /// within the rounding of the inputs. The same error is allowed of their numbers.
+    pub also: Vec<Answer>,
     /// Answers of programs that make a known mistake, by the id of the mistake. Mistakes that leave
     /// the answer correct are missing.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
@@ -57,17 +57,17 @@ mod tests {
     fn check_answers_come_back_infinities_included() {
         let to_light = Answer::ToLight { direction: DVec3::Y, t: f64::INFINITY };
         let wrong = BTreeMap::from([("light_reversed".to_owned(), Answer::Miss(true))]);
-        let answer = |id: &str, answer, wrong| CheckAnswer {
+        let answer = |id: &str, answer, also, wrong| CheckAnswer {
             id: id.to_owned(),
             made_from: Digest::of_mistakes(&Course::default()),
             answer,
             allowed: 1.9e-6,
-            either: false,
+            also,
             wrong,
         };
         let answers = vec![
-            answer("a/b/c", to_light, wrong),
-            answer("a/b/d", Answer::Miss(true), BTreeMap::default()),
+            answer("a/b/c", to_light.clone(), vec![], wrong),
+            answer("a/b/d", Answer::Miss(true), vec![to_light], BTreeMap::default()),
         ];
         let text = check_answers_to_string(&answers).unwrap();
         assert_eq!(check_answers_from_str(&text).unwrap(), answers);

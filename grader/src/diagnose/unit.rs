@@ -32,7 +32,7 @@ mod tests {
             made_from: Digest::default(),
             answer: Answer::Value(1.0),
             allowed: 1e-6,
-            either: false,
+            also: vec![],
             wrong,
         };
         let table = [

@@ -96,8 +96,8 @@ pub fn of_check(check: &Check, course: &Course) -> Result<CheckAnswer, CheckErro
     let (answer, allowance) = right_answer(check, rules)?;
     let made_from = Digest::of_check(course, check);
     let wrong = wrong(rules, &check.ask, &answer, &allowance);
-    let Allowance { allowed, either } = allowance;
-    Ok(CheckAnswer { id: check.id.clone(), made_from, answer, allowed, either, wrong })
+    let Allowance { allowed, also } = allowance;
+    Ok(CheckAnswer { id: check.id.clone(), made_from, answer, allowed, also, wrong })
 }
 
 /// Returns the correct answer to one check by these rules, and its allowed error. It is the
@@ -119,7 +119,7 @@ pub fn right_answer(check: &Check, rules: &Rules) -> Result<(Answer, Allowance),
             .fold(1.0, |most, n| n.abs().max(most));
         // The allowed roundings, of 2⁻⁵³ instead of 2⁻²⁴, with a margin.
         let double = allowance.allowed * f64::from(f32::EPSILON);
-        let rounding = Allowance { allowed: PAPER * scale + double, either: false };
+        let rounding = Allowance { allowed: PAPER * scale + double, also: Vec::new() };
         if !rounding.takes(&ours, paper) {
             let (id, paper, ours) = (check.id.clone(), json(paper), json(&ours));
             return Err(CheckError::Paper { id, paper, ours });

@@ -5,6 +5,7 @@ mod checks;
 mod envelope;
 mod expected;
 mod mistakes;
+mod nudges;
 mod set;
 pub mod variations;
 mod weight;

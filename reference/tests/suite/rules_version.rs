@@ -44,7 +44,10 @@ fn hash() -> String {
                 .unwrap_or_else(|why| panic!("{}", say::chain(&why)));
             hasher.update(format!(
                 "{:?} {} {} {:?}",
-                answer.answer, answer.allowed, answer.either, answer.wrong
+                answer.answer,
+                answer.allowed,
+                !answer.also.is_empty(),
+                answer.wrong
             ));
         }
     }
