@@ -102,9 +102,12 @@ impl Edit {
     }
 }
 
-/// The file `wrong/FUNCTION.toml`: bugs in one function.
+/// The file `wrong/FUNCTION.toml`: bugs in one function. Or `elsewhere/FILE.toml`: bugs in a file of
+/// another program, outside of these functions.
 #[derive(Deserialize)]
 struct WrongFile {
+    #[serde(default = "solution")]
+    base: String,
     file: String,
     stage: String,
     #[serde(flatten)]
@@ -170,27 +173,36 @@ pub fn all() -> Result<Vec<Variant>, String> {
         })
     });
     let mut variants = right.collect::<Result<Vec<Variant>, String>>()?;
-    for (function, WrongFile { file, stage, bugs }) in tables::<WrongFile>("wrong")? {
-        variants.extend(bugs.into_iter().map(|(name, bug)| {
-            Variant {
-                name: format!("wrong/{function}/{name}"),
-                does: bug.does,
-                nature: Nature::Wrong {
-                    stage: bug.stage.unwrap_or_else(|| stage.clone()),
-                    diagnosis: bug.diagnosis,
-                },
-                base: workspace().join(solution()),
-                edits: std::iter::once(Edit {
-                    file: file.clone(),
-                    search: Some(bug.search),
-                    replace: bug.replace,
-                })
-                .chain(bug.more)
-                .collect(),
-            }
-        }));
+    for kind in ["wrong", "elsewhere"] {
+        for (place, file) in tables::<WrongFile>(kind)? {
+            variants.extend(file.variants(&format!("{kind}/{place}")));
+        }
     }
     Ok(variants)
+}
+
+impl WrongFile {
+    /// Returns the variants of the file `path`, a name without the ending.
+    fn variants(self, path: &str) -> Vec<Variant> {
+        let Self { base, file, stage, bugs } = self;
+        let variant = |(name, bug): (String, Bug)| Variant {
+            name: format!("{path}/{name}"),
+            does: bug.does,
+            nature: Nature::Wrong {
+                stage: bug.stage.unwrap_or_else(|| stage.clone()),
+                diagnosis: bug.diagnosis,
+            },
+            base: workspace().join(&base),
+            edits: std::iter::once(Edit {
+                file: file.clone(),
+                search: Some(bug.search),
+                replace: bug.replace,
+            })
+            .chain(bug.more)
+            .collect(),
+        };
+        bugs.into_iter().map(variant).collect()
+    }
 }
 
 /// Returns the edits of the ways that a correct way builds on, each once, followed by its own

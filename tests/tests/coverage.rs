@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 
 use cases::answer::{self, CheckAnswer, ImageAnswer};
 use cases::film::Image;
-use cases::probe::Ask;
+use cases::probe::{Answer, Ask};
 use cases::stage::{self, Case, Stage};
 use cases::{Course, Effect, Effects, Scene};
 use grader::judge;
@@ -149,6 +149,35 @@ fn check_answers(stage: &Stage) -> Vec<CheckAnswer> {
     let text =
         std::fs::read_to_string(&path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
     answer::check_answers_from_str(&text).unwrap_or_else(|why| panic!("{}: {why}", path.display()))
+}
+
+/// Where rounding decides, each of the correct answers passes. A number of it that is off, or an
+/// answer of another kind, fails.
+#[test]
+fn where_rounding_decides_the_correct_answers_pass_and_no_other() {
+    let checks = STAGES.iter().flat_map(|stage| stage.checks.iter().zip(check_answers(stage)));
+    let undecided: Vec<_> = checks.filter(|(_, right)| !right.also.is_empty()).collect();
+    assert!(undecided.len() >= 5, "{} checks have several correct answers", undecided.len());
+    for (check, right) in undecided {
+        let verdict = |given: &Answer| judge::unit(given, &right, check.ask.function()).verdict;
+        for legal in std::iter::once(&right.answer).chain(&right.also) {
+            assert_eq!(verdict(legal), Verdict::Pass, "{}: {legal:?}", check.id);
+            let wrong = off(legal);
+            assert_eq!(verdict(&wrong), Verdict::Fail, "{}: {wrong:?}", check.id);
+        }
+        let wrong = Answer::Found { t: 1e3, object: 77 };
+        assert_eq!(verdict(&wrong), Verdict::Fail, "{}: {wrong:?}", check.id);
+    }
+}
+
+/// Returns an answer that decides like `legal`, with a number that is off by 1 or without a sense.
+fn off(legal: &Answer) -> Answer {
+    match legal {
+        Answer::Hit { t, normal } => Answer::Hit { t: t + 1.0, normal: *normal },
+        Answer::Found { t, object } => Answer::Found { t: t + 1.0, object: *object },
+        Answer::Vector(v) => Answer::Vector(*v + cases::glam::DVec3::Z),
+        _ => Answer::Value(f64::NAN),
+    }
 }
 
 /// The first stage is skipped, because it adds nothing to another one.

@@ -59,56 +59,60 @@ pub enum AllowanceError {
 /// Returns the allowance of a question and its answer.
 ///
 /// Where a changed number leads to another decision, the answer with that decision is correct as
-/// well. The same error is then allowed of both, the greater of their two.
+/// well. Changed numbers that lead to about the same other answer are counted towards its error.
+/// The greatest of all errors is allowed of every answer.
 ///
 /// # Errors
 /// The answer jumps without a change of decision, such as from one object's colour to another's. No
 /// error bound describes a jump, and the author must choose other numbers.
 pub fn allowance(rules: &Rules, ask: &Ask, exact: &Answer) -> Result<Allowance, AllowanceError> {
-    let (mut allowed, others) = error_and_others(rules, ask, exact)?;
-    let mut also: Vec<Answer> = Vec::new();
-    for (nearby, other) in others {
-        allowed = allowed.max(error_and_others(rules, &nearby, &other)?.0);
-        if !also.iter().any(|known| is_near(known, &other, allowed)) {
-            also.push(other);
-        }
-    }
-    Ok(Allowance { allowed, also })
-}
-
-/// Returns the allowed error of `exact`, and the nearby questions whose answer decides otherwise,
-/// with that answer.
-fn error_and_others(
-    rules: &Rules,
-    ask: &Ask,
-    exact: &Answer,
-) -> Result<(f64, Vec<(Ask, Answer)>), AllowanceError> {
     let nudges = Nudges::of(ask)?;
-    let size =
-        numbers(exact).into_iter().filter(|n| n.is_finite()).fold(0.0, |most, n| n.abs().max(most));
-    let (mut allowed, mut others) = (SINGLE * size, Vec::new());
+    let mut allowed = SINGLE * size(exact);
+    let mut others: Vec<(Answer, f64)> = Vec::new();
     for place in nudges.places() {
+        let moved = |relative: f64| Some(answer(rules, &nudges.nudged(place, relative)?));
         let mut most = 0.0f64;
         for sign in [-1.0, 1.0] {
-            let Some(nearby) = nudges.nudged(place, sign * SINGLE) else { continue };
-            let other = answer(rules, &nearby);
+            let Some(other) = moved(sign * SINGLE) else { continue };
             let Some(distance) = distance(exact, &other) else {
-                others.push((nearby, other));
+                add_other(&mut others, other);
                 continue;
             };
-            let nearer = nudges
-                .nudged(place, sign * SINGLE / 16.0)
-                .and_then(|nearer| self::distance(exact, &answer(rules, &nearer)));
-            if distance > 1e-4 * size.max(1e-3)
-                && nearer.is_some_and(|nearer| nearer > distance / 2.0)
-            {
+            let nearer =
+                moved(sign * SINGLE / 16.0).and_then(|nearer| self::distance(exact, &nearer));
+            if is_jump(distance, exact) && nearer.is_some_and(|nearer| nearer > distance / 2.0) {
                 return Err(AllowanceError::Jump { place: place.join(", ") });
             }
             most = most.max(distance);
         }
         allowed += most;
     }
-    Ok((ROUNDINGS * allowed, others))
+    let allowed = others.iter().map(|(_, error)| *error).fold(allowed, f64::max);
+    let also = others.into_iter().map(|(other, _)| other).collect();
+    Ok(Allowance { allowed: ROUNDINGS * allowed, also })
+}
+
+/// Adds an answer with another decision to those found before, each with its error: as one more, or
+/// to the error of one from which it does not jump.
+fn add_other(others: &mut Vec<(Answer, f64)>, other: Answer) {
+    for (known, error) in others.iter_mut() {
+        if let Some(distance) = distance(known, &other).filter(|far| !is_jump(*far, known)) {
+            *error += distance;
+            return;
+        }
+    }
+    let error = SINGLE * size(&other);
+    others.push((other, error));
+}
+
+/// Returns whether a change of an answer by `distance` is more than rounding explains.
+fn is_jump(distance: f64, answer: &Answer) -> bool {
+    distance > 1e-4 * size(answer).max(1e-3)
+}
+
+/// Returns the size of the greatest finite number of an answer.
+fn size(answer: &Answer) -> f64 {
+    numbers(answer).into_iter().filter(|n| n.is_finite()).fold(0.0, |most, n| n.abs().max(most))
 }
 
 /// Returns whether two answers decide alike, and their numbers are at most `allowed` apart.
@@ -197,6 +201,20 @@ mod tests {
         assert_eq!(touching.also, [Answer::Miss(true)]);
         assert!(touching.allowed > 1e-3, "a double root is badly conditioned: {touching:?}");
         assert_eq!(check(&sphere(0.4)).unwrap().also, []);
+    }
+
+    #[test]
+    fn corners_in_a_line_may_also_be_hit_from_either_side() {
+        let [a, b, c] = [DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0), DVec3::new(2.0, 2.0, 0.0)];
+        let ray = cases::Ray::new(DVec3::ONE, DVec3::NEG_Z);
+        let sliver = check(&Ask::Triangle { ray, a, b, c }).unwrap();
+        assert!(sliver.allowed < 1e-5, "{sliver:?}");
+        for normal in [DVec3::Z, DVec3::NEG_Z] {
+            assert!(sliver.takes(&Answer::Miss(true), &Answer::Hit { t: 1.0, normal }));
+        }
+        for wrong in [Answer::Hit { t: 2.0, normal: DVec3::Z }, Answer::Value(1.0)] {
+            assert!(!sliver.takes(&Answer::Miss(true), &wrong), "{wrong:?}");
+        }
     }
 
     #[test]
