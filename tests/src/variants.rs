@@ -102,8 +102,8 @@ impl Edit {
     }
 }
 
-/// The file `wrong/FUNCTION.toml`: bugs in one function. Or `elsewhere/FILE.toml`: bugs in a file of
-/// another program, outside of these functions.
+/// The file `wrong/FUNCTION.toml`: bugs in one function. In `elsewhere/FILE.toml`, the bugs are in
+/// a file of another program, outside of these functions.
 #[derive(Deserialize)]
 struct WrongFile {
     #[serde(default = "solution")]

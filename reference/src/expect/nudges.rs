@@ -5,10 +5,10 @@ use serde_json::Value;
 
 /// A question, and the places of the numbers in it that rounding may change.
 ///
-/// Left out are integers (pixels, indices, depths) and 0, which are exact. `goes_on` does no
+/// Integers (pixels, indices, depths) and 0 are left out, because they are exact. `goes_on` does no
 /// arithmetic, so only those of its numbers count that single precision cannot store. Copies of an
-/// object in a scene are computed by equal operations, so that rounding changes them together: which
-/// of two copies is hit is for rule 2 to decide.
+/// object in a scene are computed by equal operations, so rounding changes them together. Rule 2
+/// decides which of two copies is hit.
 pub(super) struct Nudges {
     question: Value,
     places: Vec<Vec<String>>,
