@@ -254,7 +254,7 @@ fn no_output_panics_where_its_reader_has_gone() {
         (&["grade", "right", "--cases", exam, "--json", "-"], 0),
         (&["images", "wrong_pictures", "--cases", exam], 1),
         (&["explain", "wrong", "01_flat/red", "0", "0", "--cases", exam], 1),
-        (&["batch", "class", "-o", "out", "--cases", exam], 0),
+        (&["batch", "class", "-o", "out", "--sandbox", "basic", "--cases", exam], 0),
     ];
     for (args, code) in table {
         assert_eq!(without_reader(place.path(), args), Some(code), "{args:?}");

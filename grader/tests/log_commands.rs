@@ -77,8 +77,8 @@ fn no_command_prints_an_attack() {
         calls.push([&["explain", name, "01_flat/red", "0", "0"], &cases[..]].concat());
         calls.push([&["images", name], &cases[..]].concat());
     }
-    calls.push([&["batch", ".", "-o", "../out"], &cases[..]].concat());
-    calls.push([&["batch", ".", "-o", "../::out"], &cases[..]].concat());
+    calls.push([&["batch", ".", "-o", "../out", "--sandbox", "basic"], &cases[..]].concat());
+    calls.push([&["batch", ".", "-o", "../::out", "--sandbox", "basic"], &cases[..]].concat());
     // The last name begins a line of its own in every message that has it.
     for missing in ["::error ::x.png", "##[error]x.png", "x\n::error ::x"] {
         calls.push(vec!["compare", missing, missing]);

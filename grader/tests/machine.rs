@@ -57,7 +57,7 @@ fn run(command: &mut Command) -> (i32, String) {
 /// Adds the batch of the class in `place` to a command that runs it.
 fn batch<'a>(command: &'a mut Command, place: &Path) -> &'a mut Command {
     command.arg(env!("CARGO_BIN_EXE_grader")).arg("batch").arg("in").arg("-o").arg("out");
-    command.args(["--jobs", "1", "--cases"]).arg(exam()).current_dir(place)
+    command.args(["--jobs", "1", "--sandbox", "basic", "--cases"]).arg(exam()).current_dir(place)
 }
 
 /// Checks a batch that `limited` runs with too little room, and then one with enough.

@@ -25,7 +25,7 @@ fn run(home: &Path, words: &[&str]) -> (Option<i32>, String) {
 const JUDGES: [&[&str]; 4] = [
     &["grade", "mine", "--cases", "stages"],
     &["images", "pictures", "--cases", "stages"],
-    &["batch", "in", "-o", "out", "--cases", "stages"],
+    &["batch", "in", "-o", "out", "--sandbox", "basic", "--cases", "stages"],
     &[
         "compare",
         "pictures/01_ray_casting/dark.png",

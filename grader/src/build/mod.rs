@@ -32,6 +32,6 @@ pub fn build(
 ) -> Result<Built, BuildError> {
     match &submission.kind {
         Kind::Rust(rust) => rustc::build(&rust.sources, &submission.digest, workshop, progress),
-        Kind::Own(own) => own::build(own, progress),
+        Kind::Own(own) => own::build(own, workshop.layers, progress),
     }
 }

@@ -7,21 +7,25 @@ use std::time::Duration;
 use super::error::{BuildError, Fault};
 use super::limits::{LIMITS, stopped};
 use super::program::{Built, Program};
-use crate::sandbox::{self, Call, Folder, Outcome, Turn};
+use crate::sandbox::{self, Call, Folder, Layers, Outcome, Turn};
 use crate::submission::Own;
 
 /// Bytes that must be free for a build. Small tools do not report that they lacked room.
 const NEEDED: u64 = 16 << 20;
 
 /// Copies the submission, runs its build command if it has one, and returns its program.
-pub(super) fn build(own: &Own, progress: &dyn Fn(&str)) -> Result<Built, BuildError> {
+pub(super) fn build(
+    own: &Own,
+    layers: Layers,
+    progress: &dyn Fn(&str),
+) -> Result<Built, BuildError> {
     let folder = Folder::new().map_err(Fault::from)?;
     copy(own, &folder).map_err(Fault::Copy)?;
     let search = std::env::var_os("PATH").unwrap_or_else(|| "/usr/bin:/bin".into());
     let mut time = Duration::ZERO;
     if let Some(words) = &own.build {
         progress("building the submission");
-        time = run(words, folder.path(), &search)?;
+        time = run(words, folder.path(), &search, layers)?;
     }
     let (path, args) = command(&own.run, folder.path());
     if path.is_absolute() && !path.is_file() {
@@ -57,7 +61,12 @@ fn command(words: &[String], folder: &Path) -> (PathBuf, Vec<OsString>) {
     )
 }
 
-fn run(words: &[String], folder: &Path, search: &OsString) -> Result<Duration, BuildError> {
+fn run(
+    words: &[String],
+    folder: &Path,
+    search: &OsString,
+    layers: Layers,
+) -> Result<Duration, BuildError> {
     let (program, args) = command(words, folder);
     let environment = [
         ("PATH", search.clone()),
@@ -72,6 +81,8 @@ fn run(words: &[String], folder: &Path, search: &OsString) -> Result<Duration, B
         environment: environment.map(|(name, value)| (name.into(), value)).to_vec(),
         stdin: vec![],
         limits: LIMITS,
+        layers,
+        access: sandbox::interpreters(search),
         needed: NEEDED,
     };
     let finished = sandbox::run(&call, Turn::Shared);

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use super::entry::Entry;
 use super::error::Fault;
-use crate::sandbox::{self, Folder};
+use crate::sandbox::{self, Access, Folder};
 
 /// The name of the program's file in its entry of the store.
 pub(super) const PROGRAM: &str = "program";
@@ -80,6 +80,16 @@ impl Program {
     /// program that it has compiled.
     pub fn is_foreign(&self) -> bool {
         self.folder.is_some() && self.source.is_none()
+    }
+
+    /// Returns what must exist for the program to run, besides the programs and libraries of the
+    /// system: its folder or its file, and interpreters that PATH names.
+    pub fn access(&self) -> Vec<Access> {
+        let own = match &self.folder {
+            Some(folder) => Some(folder.path()),
+            None => Some(self.path.as_path()).filter(|path| path.is_absolute()),
+        };
+        own.map(Access::execute).into_iter().chain(sandbox::interpreters(&self.search)).collect()
     }
 
     /// Returns a private copy of a stored program.

@@ -13,7 +13,7 @@ use super::sdk::Sdk;
 use super::workshop::Workshop;
 use super::{diagnostics, entry};
 use crate::files;
-use crate::sandbox::{self, Call, Finished, Folder, Limits, Outcome, Turn};
+use crate::sandbox::{self, Access, Call, Finished, Folder, Layers, Limits, Outcome, Turn};
 
 /// The flags of the compiler for student code, which are part of the key.
 const FLAGS: [&str; 11] = [
@@ -45,13 +45,15 @@ pub(super) fn build(
     progress: &dyn Fn(&str),
 ) -> Result<Built, BuildError> {
     let sdk = workshop.sdk(progress)?;
-    let key = blake3::hash(format!("{digest} {} {FLAGS:?}", sdk.key).as_bytes()).to_hex();
+    // Without layers, a compiler may have read what it must not.
+    let text = format!("{digest} {} {FLAGS:?} {}", sdk.key, workshop.layers);
+    let key = blake3::hash(text.as_bytes()).to_hex();
     let folder = workshop.store().join("builds").join(&key[..32]);
     if let Some(stored) = Stored::take(&folder).map_err(Fault::from)? {
         return built(stored, Duration::ZERO);
     }
     progress("compiling the submission");
-    let time = compile(&workshop.toolchain()?.rustc(), sources, sdk, &folder)?;
+    let time = compile(workshop, sources, sdk, &folder)?;
     built(Stored::take(&folder).map_err(Fault::from)?.ok_or(Fault::Lost(folder))?, time)
 }
 
@@ -62,7 +64,7 @@ fn built(stored: Stored, time: Duration) -> Result<Built, BuildError> {
 
 /// Compiles in a folder of its own, and stores program and warnings as the entry `stored`.
 fn compile(
-    rustc: &Path,
+    workshop: &Workshop,
     sources: &BTreeMap<String, String>,
     sdk: &Sdk,
     stored: &Path,
@@ -72,7 +74,12 @@ fn compile(
         let path = folder.path().join(name);
         files::write(&path, text.as_bytes()).map_err(|source| Fault::Write { path, source })?;
     }
-    let call = call(rustc, sdk, folder.path());
+    let toolchain = workshop.toolchain()?;
+    let call = Call {
+        layers: workshop.layers,
+        access: vec![Access::execute(&toolchain.sysroot), Access::execute(sdk.folder())],
+        ..call(&toolchain.rustc(), sdk, folder.path())
+    };
     let finished = sandbox::run(&call, Turn::Shared);
     if finished.outcome != Outcome::Exited(0) {
         return Err(failed(sandbox::blame(&call, finished), sdk, &call.limits));
@@ -117,6 +124,8 @@ fn call(rustc: &Path, sdk: &Sdk, folder: &Path) -> Call {
         environment: vec![("PATH".into(), SEARCH.into()), ("TMPDIR".into(), folder.into())],
         stdin: vec![],
         limits: LIMITS.with_time(CPU),
+        layers: Layers::default(),
+        access: vec![],
         needed: NEEDED,
     }
 }

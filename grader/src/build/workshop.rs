@@ -7,6 +7,7 @@ use std::sync::{Arc, OnceLock};
 use super::error::Fault;
 use super::sdk::{Sdk, SdkError};
 use super::toolchain::{Toolchain, ToolchainError};
+use crate::sandbox::{self, Layers};
 use crate::submission::Template;
 
 /// Everything that building needs, found once and shared by all submissions.
@@ -16,6 +17,9 @@ pub struct Workshop {
     pub root: PathBuf,
     /// The assignment as it is handed out.
     pub template: Template,
+    /// The layers of protection around compilers and programs: at first those that this machine
+    /// has.
+    pub layers: Layers,
     toolchain: OnceLock<Result<Toolchain, Arc<ToolchainError>>>,
     sdk: OnceLock<Result<Sdk, Arc<SdkError>>>,
 }
@@ -43,6 +47,7 @@ impl Workshop {
         Ok(Self {
             root,
             template: Template::carried(),
+            layers: sandbox::available().layers,
             toolchain: OnceLock::new(),
             sdk: OnceLock::new(),
         })

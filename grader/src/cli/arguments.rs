@@ -8,6 +8,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use crate::cli::progress::Talk;
 use crate::exercise::Allowance;
 use crate::grade::{GradeError, Options};
+use crate::sandbox::{Layers, Level};
 
 const CODES: &str = "\
 Exit codes:
@@ -145,9 +146,31 @@ pub(crate) struct Limit {
         value_parser = clap::value_parser!(u32).range(16..)
     )]
     memory_limit: u32,
+    /// Protection around compilers and programs [default: basic; of a batch: full]
+    ///
+    /// `full` demands namespaces, Landlock and a filter of system calls, and stops where the
+    /// machine lacks one of them; `basic` takes those that the machine has; `none` leaves only
+    /// limits on time and memory. `grader doctor` lists what this machine has.
+    #[arg(long, value_name = "LEVEL")]
+    sandbox: Option<Level>,
 }
 
 impl Limit {
+    /// Returns the layers of protection: those of `default`, unless the user selects a level.
+    ///
+    /// # Errors
+    /// Fails if this machine lacks a layer that is demanded.
+    pub(crate) fn layers(&self, default: Level) -> Result<Layers, GradeError> {
+        let level = self.sandbox.unwrap_or(default);
+        level.layers().map_err(|missing| {
+            let why = format!(
+                "this machine cannot give programs full protection: {missing}; `--sandbox basic` \
+                 grades with what it has, and every record says so"
+            );
+            GradeError::Protection(why)
+        })
+    }
+
     pub(crate) fn allowance(&self) -> Allowance {
         Allowance::new(
             Duration::from_secs(self.time_limit.into()),

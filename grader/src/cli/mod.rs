@@ -16,6 +16,8 @@ use arguments::{Arguments, Command};
 
 /// Runs the command of the command line. Returns one of the exit codes that `--help` lists.
 pub fn run() -> ExitCode {
+    // While this process is small. If it fails, the first start of a program reports the reason.
+    let _ = sandbox::prepare();
     let arguments: Arguments = match shell::arguments() {
         Ok(arguments) => arguments,
         Err(code) => return code,

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use crate::build::Program;
-use crate::sandbox::Limits;
+use crate::sandbox::{Layers, Limits};
 
 /// The limits for each kind of run of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,4 +70,6 @@ pub struct Candidate<'a> {
     pub program: &'a Program,
     /// The allowance of the program.
     pub allowance: Allowance,
+    /// The layers of protection around the program.
+    pub layers: Layers,
 }

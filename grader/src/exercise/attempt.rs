@@ -144,6 +144,8 @@ fn prepared(candidate: &Candidate, task: &Task) -> Result<(Folder, Call), Shorta
         environment: environment.map(|(name, value)| (name.into(), value)).to_vec(),
         stdin: task.stdin.to_vec(),
         limits: task.limits,
+        layers: candidate.layers,
+        access: program.access(),
         needed: task.needed,
     };
     Ok((folder, call))

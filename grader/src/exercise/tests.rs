@@ -11,7 +11,7 @@ use cases::{Effects, film};
 
 use super::*;
 use crate::build::Program;
-use crate::sandbox::{Clock, Limits, Outcome};
+use crate::sandbox::{Clock, Layers, Limits, Outcome};
 use crate::workers::side_by_side;
 
 /// Returns a shell script as a program, and the folder that holds it.
@@ -24,7 +24,7 @@ fn program(script: &str) -> (Program, tempfile::TempDir) {
 }
 
 fn candidate(program: &Program) -> Candidate<'_> {
-    Candidate { program, allowance: Allowance::default() }
+    Candidate { program, allowance: Allowance::default(), layers: Layers::default() }
 }
 
 fn questions() -> Vec<Question> {
@@ -57,8 +57,10 @@ fn idle_time_is_limited_over_all_questions_of_a_stage() {
     let limits = Limits { idle: Duration::from_millis(500), ..Allowance::default().picture };
     let short = Limits { idle: Duration::from_millis(80), ..limits };
     let probed = |picture| {
-        let candidate =
-            Candidate { program: &program, allowance: Allowance { picture, questions: limits } };
+        let candidate = Candidate {
+            allowance: Allowance { picture, questions: limits },
+            ..candidate(&program)
+        };
         probe(&candidate, &questions(), &mut Start::default())
     };
     assert!(probed(limits).not_run.is_empty());

@@ -80,6 +80,10 @@ pub enum GradeError {
         /// The error of the system.
         source: io::Error,
     },
+    /// The machine lacks a layer of protection that is demanded. The text says which, and what to
+    /// do.
+    #[error("{0}")]
+    Protection(String),
     /// The user has interrupted the command.
     #[error("interrupted while {0}")]
     Interrupted(&'static str),
@@ -107,6 +111,7 @@ impl GradeError {
             | Self::Junit(_)
             | Self::Output(_)
             | Self::Open { .. }
+            | Self::Protection(_)
             | Self::Interrupted(_)
             | Self::Panicked(_) => Blame::Machine,
         }

@@ -63,7 +63,11 @@ impl Bench {
 
     /// Returns the program of `built` with its limits.
     fn candidate<'a>(&self, built: &'a Built) -> Candidate<'a> {
-        Candidate { program: &built.program, allowance: self.allowance }
+        Candidate {
+            program: &built.program,
+            allowance: self.allowance,
+            layers: self.workshop.layers,
+        }
     }
 
     /// Returns a hash of everything except the submission that a score depends on: cases, answers,
@@ -134,7 +138,9 @@ pub fn grade(
         guarded(|| diagnosis::diagnose(&bench.exam, &plan, &mut answers)).unwrap_or_default();
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest };
-    Ok(Graded { record: write_up::record(epoch, submission, build, stages, diagnoses), pictures })
+    let mut record = write_up::record(epoch, submission, build, stages, diagnoses);
+    record.sandbox = bench.workshop.layers.to_string();
+    Ok(Graded { record, pictures })
 }
 
 /// Checks that everything that `options` selects has trusted answers.
@@ -233,8 +239,7 @@ pub fn images(bench: &Bench, folder: &Path, options: &Options) -> Result<Graded,
         ignored: vec![],
         time_s: 0.0,
     };
-    let mut record = write_up::record(bench.epoch()?, submission, build, stages, diagnoses);
-    "nothing was run".clone_into(&mut record.sandbox);
+    let record = write_up::record(bench.epoch()?, submission, build, stages, diagnoses);
     Ok(Graded { record, pictures })
 }
 

@@ -9,7 +9,7 @@ use cases::glam::DVec3;
 
 use super::*;
 use crate::exercise::Candidate;
-use crate::sandbox::Limits;
+use crate::sandbox::{Layers, Limits};
 
 const STAGE: &str =
     "title = \"Flat\"\nabout = \"Flat.\"\nallows = []\nneeds = []\nunit_points = 0\n";
@@ -70,8 +70,8 @@ fn on(
         crate::build::Program::new("/bin/sh", vec![path.into_os_string()], "/usr/bin:/bin");
     let allowance = Allowance { picture: limits, questions: limits };
     let plan = plan::Plan::new(&exam.0, &[], &[]).unwrap();
-    let answers =
-        perform::exercise(&plan, &Candidate { program: &program, allowance }, jobs, &Silent);
+    let candidate = Candidate { program: &program, allowance, layers: Layers::default() };
+    let answers = perform::exercise(&plan, &candidate, jobs, &Silent);
     let (stages, _) = write_up::stages(&plan, answers, &exam.0);
     let checks = stages.into_iter().flat_map(|stage| stage.checks);
     let said = |finding: Option<Finding>| finding.map_or(String::new(), |finding| finding.message);

@@ -14,13 +14,15 @@ use crate::record::{
     Build, CheckKind, CheckRecord, Diagnosis, FindingKind, Record, SCHEMA, Score, StageRecord,
     Submission, Verdict,
 };
-use crate::sandbox::LEVEL;
 use crate::score;
 
 /// The version of the grader.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// Returns the whole record.
+/// The protection of a record for which nothing was run.
+const NOTHING_RUN: &str = "nothing was run";
+
+/// Returns the whole record, as of a submission of which nothing was run.
 pub(super) fn record(
     epoch: String,
     submission: Submission,
@@ -35,7 +37,7 @@ pub(super) fn record(
         epoch,
         interrupted: is_interrupted(&build, &stages),
         submission,
-        sandbox: LEVEL.to_owned(),
+        sandbox: NOTHING_RUN.to_owned(),
         build,
         score: score::total(stages.iter().map(of)),
         diagnoses,

@@ -3,6 +3,8 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
+use super::access::Access;
+use super::layers::Layers;
 use super::limits::Limits;
 
 /// A program to run, with its input and its limits.
@@ -20,6 +22,11 @@ pub struct Call {
     pub stdin: Vec<u8>,
     /// The limits of the program.
     pub limits: Limits,
+    /// The layers of protection.
+    pub layers: Layers,
+    /// What exists for the program, besides its folder and the programs and libraries of the
+    /// system. It matters where `layers` has namespaces or Landlock.
+    pub access: Vec<Access>,
     /// Bytes that a correct program may have to write to its folder.
     pub needed: u64,
 }

@@ -1,6 +1,5 @@
 //! Combines what the kernel, the streams and the watch report into the result of a run.
 
-use std::io;
 use std::time::Duration;
 
 use super::call::Call;
@@ -14,17 +13,13 @@ use super::watch::Watch;
 /// Returns the result of `call` from what the kernel, the streams and the watch report.
 pub(super) fn finish(
     call: &Call,
-    reaped: io::Result<Reaped>,
+    reaped: Reaped,
     stopped: Option<Outcome>,
     pump: Pump,
     watch: &Watch,
     wall: Duration,
     left_behind: u32,
 ) -> Finished {
-    let reaped = match reaped {
-        Ok(reaped) => reaped,
-        Err(why) => return Finished::not_started(&why),
-    };
     let peak_bytes = if watch.peak == 0 { reaped.max_resident } else { watch.peak };
     let cpu = reaped.cpu.max(watch.cpu);
     let outcome = match stopped.unwrap_or_else(|| classify(call, &reaped, &pump.stderr)) {

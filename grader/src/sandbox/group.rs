@@ -1,7 +1,7 @@
 //! Inspects the processes of a program through /proc. Without /proc, no process is seen.
 //!
-//! The processes are the program itself, those of its process group, and the descendants of both. A
-//! process that leaves the group is still seen as long as its parent lives.
+//! The processes are the descendants of the program's init. The init adopts every process whose own
+//! parent has ended, so that none of them leaves, whatever its group or session.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -24,11 +24,16 @@ pub(super) struct Seen {
     pub(super) is_delayed: Option<bool>,
 }
 
-/// Inspects the processes of the program that leads `group`.
-pub(super) fn look(group: u32) -> Seen {
+/// Inspects the processes below `init`. Its own CPU time counts, which includes that of processes
+/// that have ended.
+pub(super) fn look(init: u32) -> Seen {
     let mut seen = Seen::default();
     let (mut run, mut wait, mut n_schedules) = (0, 0, 0);
-    for process in members(group) {
+    for process in members(init) {
+        if process.pid == init {
+            seen.cpu += process.cpu;
+            continue;
+        }
         seen.n_processes += usize::from(process.is_alive);
         seen.resident += process.resident;
         seen.cpu += process.cpu;
@@ -43,9 +48,10 @@ pub(super) fn look(group: u32) -> Seen {
     seen
 }
 
-/// Returns the number of processes besides the leader that still run.
-pub(super) fn others(group: u32) -> u32 {
-    members(group).iter().filter(|member| member.is_alive && member.pid != group).count() as u32
+/// Returns the numbers of the processes below `init` that still run.
+pub(super) fn below(init: u32) -> Vec<u32> {
+    let all = members(init);
+    all.iter().filter(|one| one.is_alive && one.pid != init).map(|one| one.pid).collect()
 }
 
 /// Returns the largest resident size that a process has had, in bytes, or 0 if that cannot be read.
@@ -62,7 +68,6 @@ pub(super) fn high_water(pid: u32) -> u64 {
 struct Stat {
     pid: u32,
     parent: u32,
-    group: u32,
     is_alive: bool,
     is_active: bool,
     /// CPU time of the process, and of the children that it has waited for.
@@ -71,17 +76,17 @@ struct Stat {
     resident: u64,
 }
 
-fn members(group: u32) -> Vec<Stat> {
+fn members(init: u32) -> Vec<Stat> {
     let entries = std::fs::read_dir("/proc").into_iter().flatten().flatten();
     let processes =
         entries.filter(|entry| entry.file_name().as_encoded_bytes().iter().all(u8::is_ascii_digit));
-    family(processes.filter_map(|entry| stat(&entry.path())).collect(), group)
+    family(processes.filter_map(|entry| stat(&entry.path())).collect(), init)
 }
 
-/// Returns the processes of `all` that are in the group, lead it, or descend from one of these.
-fn family(all: Vec<Stat>, group: u32) -> Vec<Stat> {
+/// Returns `init` and the processes of `all` that descend from it.
+fn family(all: Vec<Stat>, init: u32) -> Vec<Stat> {
     let (mut members, mut others): (Vec<Stat>, Vec<Stat>) =
-        all.into_iter().partition(|process| process.group == group || process.pid == group);
+        all.into_iter().partition(|process| process.pid == init);
     loop {
         let is_child = |process: &Stat| members.iter().any(|member| member.pid == process.parent);
         let (children, rest): (Vec<Stat>, Vec<Stat>) = others.into_iter().partition(is_child);
@@ -121,7 +126,6 @@ fn parse(line: &str) -> Option<Stat> {
     Some(Stat {
         pid: pid.parse().ok()?,
         parent: fields.get(1)?.parse().ok()?,
-        group: fields.get(2)?.parse().ok()?,
         is_alive,
         is_active: matches!(state, "R" | "D"),
         cpu: Duration::from_millis(ticks * 1000 / sys::ticks_per_second()),
@@ -150,7 +154,7 @@ mod tests {
             )
         };
         let stat = parse(&line("S")).unwrap();
-        assert_eq!((stat.pid, stat.parent, stat.group, stat.n_threads), (42, 1, 40, 3));
+        assert_eq!((stat.pid, stat.parent, stat.n_threads), (42, 1, 3));
         assert_eq!(stat.cpu, Duration::from_millis(200 * 1000 / sys::ticks_per_second()));
         assert_eq!(stat.resident, 2 * sys::page_bytes());
         for (state, is_alive, is_active) in
@@ -163,20 +167,14 @@ mod tests {
     }
 
     #[test]
-    fn a_process_that_leaves_the_group_is_still_seen() {
-        let line = |pid: u32, parent: u32, group: u32| {
-            parse(&format!(
-                "{pid} (x) S {parent} {group} 1 0 -1 0 0 0 0 0 0 0 0 0 20 0 1 0 99 8192 2 0"
-            ))
-            .unwrap()
+    fn descendants_are_seen_and_no_one_else() {
+        let line = |pid: u32, parent: u32| {
+            parse(&format!("{pid} (x) S {parent} 7 1 0 -1 0 0 0 0 0 0 0 0 0 20 0 1 0 99 8192 2 0"))
+                .unwrap()
         };
-        // 40 leads group 40 and has moved to group 7; 41 is in group 40; 42 has left it; 43 is a
-        // child of 42; 50 is unrelated.
-        let all = [(43, 42, 42), (40, 7, 7), (41, 1, 40), (42, 40, 42), (50, 7, 7), (7, 1, 7)];
-        let found = family(
-            all.iter().map(|(pid, parent, group)| line(*pid, *parent, *group)).collect(),
-            40,
-        );
+        // 42 is a child of the init 40, and 43 of 42; 41 has been adopted; 50 is unrelated.
+        let all = [(43, 42), (40, 7), (41, 40), (42, 40), (50, 7), (7, 1)];
+        let found = family(all.iter().map(|(pid, parent)| line(*pid, *parent)).collect(), 40);
         let mut pids: Vec<u32> = found.iter().map(|member| member.pid).collect();
         pids.sort();
         assert_eq!(pids, [40, 41, 42, 43]);
@@ -185,8 +183,9 @@ mod tests {
     #[test]
     fn this_process_is_seen_at_work() {
         let me = stat(Path::new("/proc/self")).unwrap();
-        let seen = look(me.group);
+        let seen = look(me.parent);
         assert!(seen.n_processes >= 1 && seen.resident > 0 && seen.is_active, "{seen:?}");
+        assert!(below(me.parent).contains(&me.pid));
         assert!(high_water(me.pid) > 0);
         assert_eq!(look(u32::MAX), Seen::default());
     }

@@ -1,15 +1,18 @@
 //! Runs one program under limits and reports how it ended. The sandbox knows nothing of cases,
 //! images or scores.
 //!
-//! [`LEVEL`] names the protection that is in force: time and resource limits, a process group of
-//! its own that is killed at any end, an environment built from nothing, a work folder of its own,
-//! bounded streams. A program that may write files can still read those of the user who grades:
-//! keep answers elsewhere, or grade as another user.
+//! A program runs in processes of its own ([`launcher`]), under limits on time and resources, in an
+//! environment built from nothing and a work folder of its own, with bounded streams. The
+//! [`Layers`] of protection keep every other file, process and machine out of its reach, where the
+//! kernel allows. A layer that cannot be set up is never left out: the run fails instead.
 
+mod access;
 mod call;
 mod finish;
 mod folder;
 mod group;
+mod launcher;
+mod layers;
 mod limits;
 mod machine;
 mod outcome;
@@ -21,8 +24,11 @@ mod sys;
 mod turns;
 mod watch;
 
+pub use access::{Access, Rights, interpreters};
 pub use call::Call;
 pub use folder::{Folder, FolderError, clear_leftovers};
+pub use launcher::prepare;
+pub use layers::{Available, Layers, Level, available};
 pub use limits::{Granted, Limits, Resource};
 pub use machine::{blame, memory_left};
 pub use outcome::{Clock, Finished, Outcome, Stream};
@@ -32,48 +38,43 @@ pub use shortage::Shortage;
 pub use sys::{catch_signals, interrupted};
 pub use turns::Turn;
 
-use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+use launcher::{News, Running};
 use pump::Pump;
+use sys::Reaped;
 use turns::Taken;
 use watch::Watch;
 
-/// The layers of protection that are in force, for the record.
-pub const LEVEL: &str = "timeouts+rlimits+own process group";
-
-/// Runs `call` until it ends or is stopped. Afterwards no process of its group is left.
+/// Runs `call` until it ends or is stopped. Afterwards no process of it is left.
 ///
 /// A failure counts only after [`blame`] has looked at the machine.
 pub fn run(call: &Call, turn: Turn) -> Finished {
     let turn = Taken::wait(turn);
     let start = Instant::now();
-    let mut command = Command::new(&call.program);
-    command
-        .args(&call.args)
-        .current_dir(&call.folder)
-        .env_clear()
-        .envs(call.environment.iter().cloned());
-    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    sys::limit(&mut command, &call.limits.granted());
-    let child = match place::spawn(&mut command) {
-        Ok(child) => child,
-        Err(why) => return Finished::not_started(&why),
+    let mut running = match place::start(call) {
+        Ok(running) => running,
+        Err(failure) => return Finished::not_started(&failure.error()),
     };
-    let group = child.id();
-    let mut pump = match Pump::new(child, &call.stdin, call.limits.output) {
+    let mut pump = match Pump::new(&mut running, &call.stdin, call.limits.output) {
         Ok(pump) => pump,
         Err(why) => {
-            sys::kill_group(group);
-            let _ = sys::reap(group);
+            running.end();
             return Finished::not_started(&why);
         }
     };
-    let mut watch = Watch::new(group, call, &turn);
-    let stopped = attend(&mut pump, &mut watch, group, start + call.limits.wall);
-    let left_behind = group::others(group);
-    sys::kill_group(group);
-    let reaped = sys::reap(group);
+    let mut watch = Watch::new(&running, call, &turn);
+    let stopped = attend(&mut pump, &mut watch, &running, start + call.limits.wall);
+    let left = running.end();
+    let (reaped, stopped) = match stopped {
+        Ok(reaped) => (reaped, None),
+        Err(outcome) => {
+            let end = Err(libc::SIGKILL);
+            (Reaped { end, cpu: watch.cpu, max_resident: watch.peak }, Some(outcome))
+        }
+    };
+    // The program itself is among them if it was stopped.
+    let left_behind = left.saturating_sub(u32::from(stopped.is_some()));
     pump.drain();
     finish::finish(call, reaped, stopped, pump, &watch, start.elapsed(), left_behind)
 }
@@ -83,21 +84,29 @@ pub fn sees_processes() -> bool {
     group::high_water(std::process::id()) > 0
 }
 
-/// Feeds and watches the group until its leader ends, or returns an outcome if a limit is exceeded.
-fn attend(pump: &mut Pump, watch: &mut Watch, group: u32, deadline: Instant) -> Option<Outcome> {
+/// Feeds and watches the program until it ends. Returns an outcome if a limit is exceeded.
+fn attend(
+    pump: &mut Pump,
+    watch: &mut Watch,
+    running: &Running,
+    deadline: Instant,
+) -> Result<Reaped, Outcome> {
     let mut pause = Duration::from_millis(1);
     loop {
-        if sys::has_ended(group) {
-            return None;
+        match running.news() {
+            News::None => {}
+            News::Ended(ended) => return Ok(ended.into()),
+            // Something outside the grader has killed it.
+            News::Lost => return Err(Outcome::Signalled(libc::SIGKILL)),
         }
         if sys::interrupted() {
-            return Some(Outcome::Interrupted);
+            return Err(Outcome::Interrupted);
         }
         if Instant::now() >= deadline {
-            return Some(Outcome::TimedOut(Clock::Wall));
+            return Err(Outcome::TimedOut(Clock::Wall));
         }
-        if let Some(outcome) = watch.look().or_else(|| pump.turn(pause)) {
-            return Some(outcome);
+        if let Some(outcome) = watch.look().or_else(|| pump.turn(pause, running)) {
+            return Err(outcome);
         }
         pause = (pause * 2).min(Duration::from_millis(20));
     }

@@ -8,9 +8,11 @@ use std::fs::File;
 use std::io::{self, Write};
 use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
-use std::process::{Child, Command};
 use std::sync::{PoisonError, RwLock};
 
+use super::call::Call;
+use super::launcher::wire::Failure;
+use super::launcher::{self, Running};
 use crate::leftovers;
 
 static STARTING: RwLock<()> = RwLock::new(());
@@ -31,14 +33,16 @@ pub fn place_program(path: &Path, bytes: &[u8]) -> io::Result<()> {
 }
 
 /// Starts a program.
-pub(super) fn spawn(command: &mut Command) -> io::Result<Child> {
+pub(super) fn start(call: &Call) -> Result<Running, Failure> {
     let _none_is_written = STARTING.read().unwrap_or_else(PoisonError::into_inner);
-    command.spawn()
+    launcher::start(call)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sandbox::tests::{SMALL, line};
+    use crate::sandbox::{Outcome, Turn, run};
 
     #[test]
     fn programs_start_while_others_are_written() {
@@ -48,7 +52,8 @@ mod tests {
             for turn in 0..20 {
                 let path = home.path().join(format!("{n}-{turn}"));
                 place_program(&path, &bytes).unwrap();
-                assert!(spawn(&mut Command::new(&path)).unwrap().wait().unwrap().success());
+                let call = Call { program: path, args: vec![], ..line("", home.path(), SMALL) };
+                assert_eq!(run(&call, Turn::Shared).outcome, Outcome::Exited(0));
             }
         };
         std::thread::scope(|scope| {

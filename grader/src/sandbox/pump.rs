@@ -1,18 +1,19 @@
 //! The three streams of a running program: fed and read in turn without blocking, and bounded.
 
+use std::fs::File;
 use std::io::{ErrorKind, Read, Write};
 use std::os::fd::AsFd;
-use std::process::{Child, ChildStderr, ChildStdin, ChildStdout};
 use std::time::Duration;
 
+use super::launcher::Running;
 use super::{Outcome, Stream, sys};
 
 /// The streams, and the data that went through them.
 pub(super) struct Pump {
-    stdin: Option<ChildStdin>,
+    stdin: Option<File>,
     unsent: std::io::Cursor<Vec<u8>>,
-    out: Option<ChildStdout>,
-    err: Option<ChildStderr>,
+    out: Option<File>,
+    err: Option<File>,
     limit: u64,
     /// All of standard output, up to the limit.
     pub(super) stdout: Vec<u8>,
@@ -21,8 +22,8 @@ pub(super) struct Pump {
 }
 
 impl Pump {
-    pub(super) fn new(mut child: Child, stdin: &[u8], limit: u64) -> std::io::Result<Self> {
-        let (input, out, err) = (child.stdin.take(), child.stdout.take(), child.stderr.take());
+    pub(super) fn new(running: &mut Running, stdin: &[u8], limit: u64) -> std::io::Result<Self> {
+        let (input, [out, err]) = (running.stdin.take(), std::mem::take(&mut running.outputs));
         input.iter().try_for_each(sys::set_nonblocking)?;
         out.iter().try_for_each(sys::set_nonblocking)?;
         err.iter().try_for_each(sys::set_nonblocking)?;
@@ -30,11 +31,11 @@ impl Pump {
         Ok(Self { stdin: input, unsent, out, err, limit, stdout: vec![], stderr: vec![] })
     }
 
-    /// Waits at most `pause` until a stream is ready, then writes and reads all of them. Returns an
-    /// outcome if the program wrote too much.
-    pub(super) fn turn(&mut self, pause: Duration) -> Option<Outcome> {
-        let readers: Vec<_> =
-            self.out.iter().map(AsFd::as_fd).chain(self.err.iter().map(AsFd::as_fd)).collect();
+    /// Waits at most `pause` until a stream is ready or there is news, then writes and reads all of
+    /// them. Returns an outcome if the program wrote too much.
+    pub(super) fn turn(&mut self, pause: Duration, running: &Running) -> Option<Outcome> {
+        let streams = self.out.iter().chain(&self.err).map(AsFd::as_fd);
+        let readers: Vec<_> = streams.chain([running.status()]).collect();
         sys::wait_for(&readers, self.stdin.as_ref().map(AsFd::as_fd), pause);
         self.feed();
         self.read()

@@ -2,11 +2,11 @@
 #![allow(unsafe_code)]
 
 use std::io;
-use std::os::fd::{AsRawFd, BorrowedFd};
-use std::os::unix::process::CommandExt;
-use std::process::Command;
+use std::os::fd::{AsFd, AsRawFd, BorrowedFd, OwnedFd};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
+
+use rustix::process::{Pid, PidfdFlags, Signal};
 
 use super::{Granted, Resource};
 
@@ -17,44 +17,88 @@ pub(super) struct Reaped {
     pub(super) end: Result<i32, i32>,
     /// User and system time of the process and of the children that it waited for.
     pub(super) cpu: Duration,
-    /// Largest resident bytes; at least those of the grader when it forked.
+    /// Largest resident bytes; at least those of the launcher when it was forked.
     pub(super) max_resident: u64,
 }
 
-/// Makes the child lead a process group of its own, die with the grader, and run under resource
-/// limits.
-pub(super) fn limit(command: &mut Command, granted: &[Granted]) {
-    let mut all = vec![(libc::RLIMIT_CORE, 0, 0)];
-    all.extend(
-        granted.iter().map(|granted| (number(granted.resource), granted.allowed, granted.hard)),
-    );
-    command.process_group(0);
-    // SAFETY: the closure runs between fork and exec and makes system calls only: it neither
-    // allocates nor locks.
-    unsafe {
-        command.pre_exec(move || {
-            #[cfg(target_os = "linux")]
-            if libc::prctl(libc::PR_SET_PDEATHSIG, libc::SIGKILL) != 0 {
-                return Err(io::Error::last_os_error());
-            }
-            for (resource, soft, hard) in &all {
-                let limit = libc::rlimit { rlim_cur: *soft, rlim_max: *hard };
-                if libc::setrlimit(*resource, &limit) != 0 {
-                    return Err(io::Error::last_os_error());
-                }
-            }
-            Ok(())
-        });
+/// Forks this process. Returns the number of the child, or `None` in the child.
+///
+/// The child has this thread alone. If others held locks, they stay locked: code that runs in a
+/// child of a process with several threads must not take one.
+pub(super) fn fork() -> io::Result<Option<u32>> {
+    // SAFETY: the C library readies its heap for use in the child. The callers keep to the above.
+    match unsafe { libc::fork() } {
+        0 => Ok(None),
+        pid if pid > 0 => Ok(Some(pid.cast_unsigned())),
+        _ => Err(io::Error::last_os_error()),
     }
 }
 
-#[cfg(all(target_os = "linux", target_env = "gnu"))]
-type LimitNumber = libc::__rlimit_resource_t;
-#[cfg(not(all(target_os = "linux", target_env = "gnu")))]
-type LimitNumber = libc::c_int;
+/// Ends this process at once, without running destructors.
+pub(super) fn exit(code: i32) -> ! {
+    // SAFETY: ends the process.
+    unsafe { libc::_exit(code) }
+}
+
+/// Lets the system forget children that end.
+pub(super) fn forget_children() {
+    // SAFETY: sets a disposition of the system.
+    unsafe { libc::signal(libc::SIGCHLD, libc::SIG_IGN) };
+}
+
+/// Keeps children that end until they are reaped.
+pub(super) fn await_children() {
+    // SAFETY: sets a disposition of the system.
+    unsafe { libc::signal(libc::SIGCHLD, libc::SIG_DFL) };
+}
+
+/// Closes all descriptors from 3 on, except for `kept`, which are in ascending order. The caller
+/// must not use any of them again, nor let one be closed by its owner.
+pub(super) fn close_all_but(kept: &[i32]) {
+    let mut first = 3;
+    for last in kept.iter().map(|fd| fd.cast_unsigned()).chain([u32::MAX]) {
+        let until = if last == u32::MAX { last } else { last.saturating_sub(1) };
+        if first <= until {
+            // SAFETY: closes descriptors that nothing uses after this, as the caller has promised.
+            unsafe { libc::syscall(libc::SYS_close_range, first, until, 0) };
+        }
+        first = last.saturating_add(1);
+    }
+}
+
+/// Enters new namespaces of every kind.
+pub(super) fn unshare() -> io::Result<()> {
+    let all = libc::CLONE_NEWUSER
+        | libc::CLONE_NEWPID
+        | libc::CLONE_NEWNS
+        | libc::CLONE_NEWNET
+        | libc::CLONE_NEWIPC
+        | libc::CLONE_NEWUTS;
+    // SAFETY: changes the namespaces of a process with one thread; no memory or descriptor is
+    // unshared.
+    if unsafe { libc::unshare(all) } == 0 { Ok(()) } else { Err(io::Error::last_os_error()) }
+}
+
+/// Returns the system's numbers of limits, each with its soft and its hard value.
+pub(super) fn numbers(granted: &[Granted]) -> Vec<(u32, u64, u64)> {
+    let of = |granted: &Granted| (number(granted.resource), granted.allowed, granted.hard);
+    std::iter::once((libc::RLIMIT_CORE, 0, 0)).chain(granted.iter().map(of)).collect()
+}
+
+/// Limits this process.
+pub(super) fn limit(numbers: &[(u32, u64, u64)]) -> io::Result<()> {
+    for (resource, soft, hard) in numbers {
+        let limit = libc::rlimit { rlim_cur: *soft, rlim_max: *hard };
+        // SAFETY: `limit` lives through the call.
+        if unsafe { libc::setrlimit(*resource, &limit) } != 0 {
+            return Err(io::Error::last_os_error());
+        }
+    }
+    Ok(())
+}
 
 /// Returns the system's number of the limit on a resource.
-fn number(resource: Resource) -> LimitNumber {
+fn number(resource: Resource) -> u32 {
     match resource {
         Resource::AddressSpace => libc::RLIMIT_AS,
         Resource::Cpu => libc::RLIMIT_CPU,
@@ -63,41 +107,39 @@ fn number(resource: Resource) -> LimitNumber {
     }
 }
 
-/// Returns whether the process has ended. It stays a zombie, so that its number and that of its
-/// group are not reused.
-pub(super) fn has_ended(pid: u32) -> bool {
-    // SAFETY: siginfo_t is plain data, for which zeros are valid.
-    let mut info: libc::siginfo_t = unsafe { std::mem::zeroed() };
-    let flags = libc::WEXITED | libc::WNOHANG | libc::WNOWAIT;
-    // SAFETY: `info` lives through the call.
-    let answer = unsafe { libc::waitid(libc::P_PID, pid, &mut info, flags) };
-    // SAFETY: waitid filled `info`, or it still holds zeros.
-    answer != 0 || unsafe { info.si_pid() } != 0
+/// Waits for the end of a child.
+pub(super) fn reap(pid: u32) -> io::Result<Reaped> {
+    wait(pid.cast_signed()).map(|(_, reaped)| reaped)
 }
 
-/// Waits for the process, whose group has been killed, and releases its number.
-pub(super) fn reap(pid: u32) -> io::Result<Reaped> {
+/// Waits for the end of any child, and returns its number.
+pub(super) fn reap_any() -> io::Result<(u32, Reaped)> {
+    wait(-1)
+}
+
+fn wait(pid: libc::pid_t) -> io::Result<(u32, Reaped)> {
     let mut status = 0;
     // SAFETY: rusage is plain data, for which zeros are valid.
     let mut usage: libc::rusage = unsafe { std::mem::zeroed() };
-    loop {
+    let pid = loop {
         // SAFETY: both places live through the call.
-        if unsafe { libc::wait4(pid.cast_signed(), &mut status, 0, &mut usage) } >= 0 {
-            break;
+        let pid = unsafe { libc::wait4(pid, &mut status, 0, &mut usage) };
+        if pid >= 0 {
+            break pid.cast_unsigned();
         }
         let why = io::Error::last_os_error();
         if why.kind() != io::ErrorKind::Interrupted {
             return Err(why);
         }
-    }
+    };
     let end = if libc::WIFEXITED(status) {
         Ok(libc::WEXITSTATUS(status))
     } else {
         Err(libc::WTERMSIG(status))
     };
-    let unit = if cfg!(target_os = "macos") { 1 } else { 1024 };
-    let max_resident = u64::try_from(usage.ru_maxrss).unwrap_or(0) * unit;
-    Ok(Reaped { end, cpu: duration(usage.ru_utime) + duration(usage.ru_stime), max_resident })
+    let max_resident = u64::try_from(usage.ru_maxrss).unwrap_or(0) * 1024;
+    let cpu = duration(usage.ru_utime) + duration(usage.ru_stime);
+    Ok((pid, Reaped { end, cpu, max_resident }))
 }
 
 fn duration(time: libc::timeval) -> Duration {
@@ -105,15 +147,29 @@ fn duration(time: libc::timeval) -> Duration {
     seconds + Duration::from_micros(u64::try_from(time.tv_usec).unwrap_or(0))
 }
 
-/// Kills every process of the group, and its leader, which may have moved to another group, such as
-/// that of the grader.
-pub(super) fn kill_group(group: u32) {
-    let leader = group.cast_signed();
-    // SAFETY: signals to a child that is not reaped yet, so that its number is still its own, and
-    // to the group that bears it.
-    unsafe {
-        libc::kill(leader, libc::SIGKILL);
-        libc::kill(-leader, libc::SIGKILL);
+/// Kills a process.
+pub(super) fn kill(pid: u32) {
+    // SAFETY: sends a signal. The caller knows that the number is still that of the process.
+    unsafe { libc::kill(pid.cast_signed(), libc::SIGKILL) };
+}
+
+/// A process that is not a child of this one. Its number may be that of another process once it has
+/// ended; this is not.
+#[derive(Debug)]
+pub(super) struct ProcessHandle(Option<OwnedFd>);
+
+impl ProcessHandle {
+    /// Returns the process that has this number now. It is empty if there is none.
+    pub(super) fn of(pid: u32) -> Self {
+        let pid = Pid::from_raw(pid.cast_signed());
+        Self(pid.and_then(|pid| rustix::process::pidfd_open(pid, PidfdFlags::empty()).ok()))
+    }
+
+    /// Kills the process, and waits until it and its namespace are gone.
+    pub(super) fn kill(&self) {
+        let Some(fd) = &self.0 else { return };
+        let _ = rustix::process::pidfd_send_signal(fd, Signal::KILL);
+        is_readable(fd.as_fd(), Duration::from_secs(10));
     }
 }
 
@@ -130,6 +186,22 @@ pub(super) fn ticks_per_second() -> u64 {
         .ok()
         .filter(|ticks| *ticks > 0)
         .unwrap_or(100)
+}
+
+/// Waits at most `timeout` until something can be read, or the other side is gone. Returns whether
+/// that is so.
+pub(super) fn is_readable(fd: BorrowedFd<'_>, timeout: Duration) -> bool {
+    let mut entry = libc::pollfd { fd: fd.as_raw_fd(), events: libc::POLLIN, revents: 0 };
+    let end = Instant::now() + timeout;
+    loop {
+        let left = end.saturating_duration_since(Instant::now());
+        let milliseconds = i32::try_from(left.as_millis()).unwrap_or(i32::MAX);
+        // SAFETY: `entry` lives through the call; the descriptor is borrowed, so it is open.
+        let n = unsafe { libc::poll(&mut entry, 1, milliseconds) };
+        if n > 0 || (n == 0 && Instant::now() >= end) {
+            return n > 0;
+        }
+    }
 }
 
 /// Makes reads and writes return at once.

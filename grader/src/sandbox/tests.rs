@@ -24,22 +24,31 @@ pub(super) fn line(script: &str, folder: &Path, limits: Limits) -> Call {
         environment: vec![("PATH".into(), "/usr/bin:/bin".into())],
         stdin: vec![],
         limits,
+        layers: Layers::default(),
+        access: vec![],
         needed: 1 << 16,
     }
 }
 
-/// Runs a line of shell in a fresh folder.
-fn shell(script: &str, stdin: &[u8], limits: Limits) -> (Finished, Folder) {
+/// Runs a line of shell in a fresh folder, under these layers.
+fn under(layers: Layers, script: &str, stdin: &[u8], limits: Limits) -> (Finished, Folder) {
     let folder = Folder::new().unwrap();
-    let finished =
-        run(&Call { stdin: stdin.to_vec(), ..line(script, folder.path(), limits) }, Turn::Shared);
-    (finished, folder)
+    let call = Call { layers, stdin: stdin.to_vec(), ..line(script, folder.path(), limits) };
+    (run(&call, Turn::Shared), folder)
 }
 
-/// Checks how the script ends.
+/// Runs a line of shell in a fresh folder.
+fn shell(script: &str, stdin: &[u8], limits: Limits) -> (Finished, Folder) {
+    under(available().layers, script, stdin, limits)
+}
+
+/// Checks how the script ends, without layers and with all that there are.
 fn check(script: &str, limits: Limits, expected: &Outcome) {
-    let (finished, _folder) = shell(script, b"", limits);
-    assert_eq!(&finished.outcome, expected, "{script}\n{:?}", finished.stderr_text());
+    for layers in [Layers::default(), available().layers] {
+        let (finished, _folder) = under(layers, script, b"", limits);
+        let said = finished.stderr_text();
+        assert_eq!(&finished.outcome, expected, "{layers}: {script}\n{said:?}");
+    }
 }
 
 #[test]
@@ -136,6 +145,33 @@ fn children_left_behind_are_killed_and_counted() {
     std::fs::remove_file(&alive).unwrap();
     std::thread::sleep(Duration::from_millis(200));
     assert!(!alive.exists(), "a child went on writing");
+}
+
+/// A process that leaves its group and session, and whose parent has ended, is still one of the
+/// program.
+#[test]
+fn no_process_escapes_into_a_session_of_its_own() {
+    let script = "setsid sh -c 'while :; do date > alive; sleep 0.01; done' & \
+        until [ -e alive ]; do sleep 0.01; done; exit 3";
+    for layers in [Layers::default(), available().layers] {
+        let (finished, folder) = under(layers, script, b"", SMALL);
+        assert_eq!(finished.outcome, Outcome::Exited(3), "{layers}: {:?}", finished.stderr_text());
+        assert!(finished.left_behind >= 1, "{layers}");
+        let alive = folder.path().join("alive");
+        std::fs::remove_file(&alive).unwrap();
+        std::thread::sleep(Duration::from_millis(200));
+        assert!(!alive.exists(), "{layers}: a process went on writing");
+    }
+}
+
+/// A launcher that cannot set up a layer starts nothing.
+#[test]
+fn a_layer_that_cannot_be_set_up_is_not_left_out() {
+    let folder = Folder::new().unwrap();
+    let gone = folder.path().join("gone");
+    let call = line("echo ran > /dev/null", &gone, SMALL);
+    let finished = run(&Call { layers: available().layers, ..call }, Turn::Shared);
+    assert!(!matches!(finished.outcome, Outcome::Exited(_)), "{:?}", finished.outcome);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use std::time::{Duration, Instant};
 
+use super::launcher::Running;
 use super::room::{self, Room};
 use super::turns::Taken;
 use super::{Call, Clock, Outcome, Stream, group, machine};
@@ -13,7 +14,10 @@ const GROUP_EVERY: Duration = Duration::from_millis(100);
 
 /// Observations of a program and its processes.
 pub(super) struct Watch<'a> {
-    group: u32,
+    /// The init of the program.
+    init: u32,
+    /// The program itself.
+    program: u32,
     call: &'a Call,
     turn: &'a Taken,
     next: Instant,
@@ -36,11 +40,12 @@ pub(super) struct Watch<'a> {
 }
 
 impl<'a> Watch<'a> {
-    pub(super) fn new(group: u32, call: &'a Call, turn: &'a Taken) -> Self {
+    pub(super) fn new(running: &Running, call: &'a Call, turn: &'a Taken) -> Self {
         let now = Instant::now();
         let room = room::left(&call.folder);
         Self {
-            group,
+            init: running.init,
+            program: running.program,
             call,
             turn,
             next: now,
@@ -64,7 +69,7 @@ impl<'a> Watch<'a> {
             return None;
         }
         self.next = now + EVERY;
-        self.peak = self.peak.max(group::high_water(self.group));
+        self.peak = self.peak.max(group::high_water(self.program));
         let since = now - self.last_group;
         let n_processes = if since >= GROUP_EVERY { self.look_at_group(now, since) } else { 1 };
         let limits = &self.call.limits;
@@ -82,7 +87,7 @@ impl<'a> Watch<'a> {
     fn look_at_group(&mut self, now: Instant, since: Duration) -> usize {
         self.last_group = now;
         self.least = self.least.min(room::left(&self.call.folder));
-        let seen = group::look(self.group);
+        let seen = group::look(self.init);
         self.peak = self.peak.max(seen.resident);
         let computed = seen.cpu.saturating_sub(self.cpu);
         if seen.n_processes > 0 && !seen.is_active && computed < since / 2 {

@@ -8,13 +8,14 @@ use crate::cli::commands::grade::say_lowered;
 use crate::cli::exit::{self, Done, Outcome};
 use crate::cli::progress::Talk;
 use crate::grade::{Bench, Options as One};
-use crate::sandbox::{self, LEVEL};
+use crate::sandbox::{self, Layers, Level};
 
 pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
     sandbox::clear_leftovers();
     let allowance = arguments.limit.allowance();
     say_lowered(&allowance, talk);
-    let bench = Bench { allowance, ..Bench::open(&stages(arguments.cases.as_deref())?)? };
+    let mut bench = Bench { allowance, ..Bench::open(&stages(arguments.cases.as_deref())?)? };
+    bench.workshop.layers = arguments.limit.layers(Level::Full)?;
     // The crates are compiled ahead, so that the first wait is explained. If that fails, the
     // submissions that need the crates report it.
     let _ = bench.workshop.sdk(&|what| {
@@ -30,13 +31,13 @@ pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
         for aside in &summary.left_aside {
             say::err(&format!("left aside: {} ({})", aside.name, aside.why));
         }
-        exit::print(&closing(&summary, &options))?;
+        exit::print(&closing(&summary, &options, bench.workshop.layers))?;
     }
     Ok(if summary.failed.is_empty() { Done::Passed } else { Done::Ours })
 }
 
 /// Returns the last lines: how many records there are, where the table is, what is left to do.
-fn closing(summary: &Summary, options: &Options) -> String {
+fn closing(summary: &Summary, options: &Options, layers: Layers) -> String {
     let Summary { n_done, n_graded, n_left, failed, .. } = summary;
     let have = if *n_done == 1 { "has" } else { "have" };
     let submissions = lines::count(*n_done, "submission");
@@ -49,7 +50,7 @@ fn closing(summary: &Summary, options: &Options) -> String {
     } else {
         text += &format!("table: {}\n", options.out.join("class.html").display());
     }
-    text += &format!("protection: {LEVEL}\n");
+    text += &format!("protection: {layers}\n");
     if !failed.is_empty() {
         text += &format!(
             "{} could not be graded, for no fault of the student's; run again:\n",

@@ -9,7 +9,7 @@ use crate::cli::arguments::{Doctor, stages};
 use crate::cli::exit::{self, Done, Outcome};
 use crate::exam::Exam;
 use crate::exercise::Allowance;
-use crate::sandbox::{Folder, LEVEL, memory_left};
+use crate::sandbox::{Available, Folder, Layers, available, memory_left};
 
 /// A line of the report: the subject, and what is there, or what is missing and how to get it.
 type Line = (&'static str, Result<String, String>);
@@ -44,12 +44,7 @@ pub(crate) fn run(arguments: &Doctor) -> Outcome {
         ("limits", limits()),
         ("memory", memory()),
         ("cores", Ok(cores.to_string())),
-        (
-            "protection",
-            Ok(format!(
-                "{LEVEL} (no Landlock, no seccomp: grade untrusted work as a user of its own)"
-            )),
-        ),
+        ("protection", Ok(protection())),
     ];
     let shown = |(name, found): &Line| match found {
         Ok(what) => format!("ok       {name}: {what}\n"),
@@ -111,6 +106,16 @@ fn memory() -> Result<String, String> {
         }
         None => Ok("this system does not say how much is left".to_owned()),
     }
+}
+
+/// Returns the layers of protection, and which ones are missing. `grade` works with any of them.
+fn protection() -> String {
+    let Available { layers, missing } = available();
+    if *layers == Layers::ALL {
+        return format!("{layers} (full)");
+    }
+    let each: Vec<String> = missing.iter().map(|(name, why)| format!("no {name}: {why}")).collect();
+    format!("{layers} (basic, which `batch` takes only with --sandbox basic; {})", each.join("; "))
 }
 
 /// Checks that compiled crates and submissions can be stored.

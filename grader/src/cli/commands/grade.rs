@@ -8,7 +8,7 @@ use crate::cli::exit::Outcome;
 use crate::cli::progress::{Bar, Talk};
 use crate::exercise::Allowance;
 use crate::grade::{Bench, GradeError, Options, grade};
-use crate::sandbox;
+use crate::sandbox::{self, Level};
 
 /// Prints what the options select, before anything is run.
 pub(crate) fn say_selected(
@@ -29,7 +29,8 @@ pub(crate) fn run(arguments: &Grade, talk: &Talk) -> Outcome {
     let graded = {
         let allowance = arguments.limit.allowance();
         say_lowered(&allowance, talk);
-        let bench = Bench { allowance, ..Bench::open(&arguments.selection.stages()?)? };
+        let mut bench = Bench { allowance, ..Bench::open(&arguments.selection.stages()?)? };
+        bench.workshop.layers = arguments.limit.layers(Level::Basic)?;
         say_selected(&bench, &options, talk)?;
         let bar = Bar::new(talk);
         grade(&bench, &Options { jobs, ..options }, &bar)?

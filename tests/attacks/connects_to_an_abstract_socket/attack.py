@@ -1,0 +1,5 @@
+import os
+import socket
+
+socket.socket(socket.AF_UNIX).connect("\0" + os.environ["SOCKET"])
+print("connected")

@@ -1,0 +1,5 @@
+import os
+import signal
+
+os.kill(int(os.environ["VICTIM"]), signal.SIGCONT)
+print("sent")
