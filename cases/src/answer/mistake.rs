@@ -16,6 +16,9 @@ pub struct Mistake {
     pub says: String,
     /// The student's function to look at, as `file.rs function`.
     pub look_at: String,
+    /// The decision that the mistake takes wrongly, for example `mirror_weight`. A program makes at
+    /// most one mistake of each decision, so two of them exclude each other.
+    pub field: String,
 }
 
 /// The list in its stored form.
@@ -68,6 +71,7 @@ mod tests {
             rule: 7,
             says,
             look_at: "reflection.rs reflect".to_owned(),
+            field: "mirror".to_owned(),
         };
         let made_from = Digest::of_mistakes(&Course::default());
         let text = mistakes_to_string(&made_from, &[one.clone(), one.clone()]).unwrap();

@@ -126,6 +126,7 @@ mod tests {
             rule,
             says: String::new(),
             look_at: String::new(),
+            field: String::new(),
         });
         compare(&problems(&case(), &answer(n_contested), wrong, &known), expected);
     }

@@ -21,11 +21,12 @@ pub fn mistakes(stages: &Path, course: &Course) -> Result<Expected, serde_json::
 }
 
 fn mistake(misconception: &Misconception) -> Mistake {
-    let Misconception { id, rule, says, look_at, .. } = misconception;
+    let Misconception { id, rule, says, look_at, field, .. } = misconception;
     Mistake {
         id: (*id).to_owned(),
         rule: *rule,
         says: (*says).to_owned(),
         look_at: (*look_at).to_owned(),
+        field: (*field).to_owned(),
     }
 }

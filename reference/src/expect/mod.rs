@@ -21,7 +21,7 @@ use rayon::prelude::*;
 pub use checks::{CheckError, of_check, of_checks, right_answer};
 pub use expected::Expected;
 pub use mistakes::mistakes;
-pub use set::{Set, picture};
+pub use set::{Set, picture, students_picture};
 
 /// The answer to an image case, with its files.
 #[derive(Clone, Debug)]

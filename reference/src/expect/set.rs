@@ -70,16 +70,7 @@ impl Set {
     /// Returns the pictures of the known mistakes that fail `answer`.
     pub fn mistakes(&self, case: &Case, answer: &ImageAnswer) -> Vec<Wrong> {
         let render = |wrong: &&Misconception| {
-            // A student's loop tests every object, even where a wrong intersection lies outside the
-            // bounds of a tree.
-            let world = World::<f64>::with_search(&case.scene, Search::Scan);
-            let image = render::render_by(
-                &world,
-                &wrong.in_student_style(&self.rules),
-                &Options::of(&world),
-                |_| {},
-            )
-            .0;
+            let image = students_picture(&case.scene, &wrong.in_student_style(&self.rules));
             let out = answer.out(&image);
             let count = out.iter().filter(|out| **out).count() as u32;
             let fails = !answer.allows(largest_cluster(&out, image.width()), count);
@@ -96,6 +87,13 @@ pub fn picture(scene: &Scene, rules: &Rules, effects: Effects) -> Image {
     let world = World::<f64>::new(scene);
     let options = Options { effects, ..Options::of(&world) };
     render::render_by(&world, rules, &options, |_| {}).0
+}
+
+/// Renders a picture in f64 as a student's program does: its loop tests every object, even where a
+/// wrong intersection lies outside the bounds of a tree.
+pub fn students_picture(scene: &Scene, rules: &Rules) -> Image {
+    let world = World::<f64>::with_search(scene, Search::Scan);
+    render::render_by(&world, rules, &Options::of(&world), |_| {}).0
 }
 
 fn background(scene: &Scene) -> Image {

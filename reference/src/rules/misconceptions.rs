@@ -21,6 +21,9 @@ pub struct Misconception {
     pub says: &'static str,
     /// The student's function to check, as `file.rs function`.
     pub look_at: &'static str,
+    /// The field of [`Rules`] that the mistake changes. A program makes at most one mistake of each
+    /// field.
+    pub field: &'static str,
     /// Makes the mistake in a set of rules.
     pub apply: fn(&mut Rules),
 }
@@ -63,6 +66,7 @@ macro_rules! misconceptions {
             rule: $rule,
             says: $says,
             look_at: $look_at,
+            field: stringify!($($field)? $($other)?),
             apply: misconceptions!(@apply $($field)? $(|$rules| $other)? = $value),
         },)*];
     };
