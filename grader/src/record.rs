@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::plain;
 
 /// The version of the record's schema.
-pub const SCHEMA: u32 = 3;
+pub const SCHEMA: u32 = 4;
 
 /// The result of grading one submission.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -31,10 +31,14 @@ pub struct Record {
     pub build: Build,
     /// The sum of the scores of the stages.
     pub score: Score,
-    /// The known mistakes that explain what is wrong, the one that explains most first. Usually
-    /// there is one or none.
+    /// The known mistakes that explain what is wrong: first those that the program makes in whole
+    /// pictures, then the others, the one that explains most first.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub diagnoses: Vec<Diagnosis>,
+    /// The wrong pictures and answers that the diagnoses leave unexplained; missing if there are
+    /// none.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub unexplained: Option<Unexplained>,
     /// The stages, in order.
     pub stages: Vec<StageRecord>,
 }
@@ -65,8 +69,57 @@ pub fn schema() -> serde_json::Value {
 pub struct Diagnosis {
     /// The mistake; several if no case and no check of the run distinguishes them.
     pub mistakes: Vec<Mistake>,
-    /// Ids of the cases and checks that the mistake explains.
-    pub explains: Vec<String>,
+    /// How well the evidence supports the mistake.
+    pub confidence: Confidence,
+    /// The cases and checks that the mistake explains, wholly or in part.
+    pub explains: Vec<Explained>,
+}
+
+/// How well the evidence supports a diagnosis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Confidence {
+    /// Much evidence speaks for the mistake, and little against it.
+    Surely,
+    /// The mistake rests on a single case, on little evidence, or on contradictory evidence.
+    Perhaps,
+}
+
+/// A case or check that a mistake explains.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Explained {
+    /// The id of the case or check.
+    pub id: String,
+    /// The number of wrong pixels that the mistake explains; 0 for a unit check.
+    pub pixels: u64,
+    /// The bounds of the largest region of these pixels: left column, top row, right column and
+    /// bottom row, all included. Missing for a unit check, and for a mistake of whole pictures.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub region: Option<[u32; 4]>,
+}
+
+/// The wrong pictures and answers that no diagnosis explains.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Unexplained {
+    /// Ids of the checks with a wrong answer, and of the cases whose unexplained pixels alone would
+    /// make them fail.
+    pub checks: Vec<String>,
+    /// The number of unexplained pixels in these cases.
+    pub pixels: u64,
+    /// The worst unexplained pixel of all cases; missing if only unit checks are unexplained.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub worst: Option<WorstPixel>,
+}
+
+/// A pixel to look at.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct WorstPixel {
+    /// The id of the case with the largest cluster of unexplained pixels.
+    pub check: String,
+    /// The number of pixels in this cluster.
+    pub cluster: u64,
+    /// The pixel of the cluster with the greatest error: column from the left, row from the top.
+    pub pixel: [u32; 2],
 }
 
 /// The submission that was graded.

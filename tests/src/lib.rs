@@ -2,6 +2,7 @@
 //! the grading of variants of the solution.
 
 pub mod bars;
+pub mod diagnosis;
 pub mod dice;
 pub mod fuzz;
 pub mod instructions;

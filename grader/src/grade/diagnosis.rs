@@ -1,5 +1,5 @@
-//! The diagnosis of a submission: collects the evidence of every case and check about the known
-//! mistakes, and names the mistakes that explain it.
+//! The diagnosis of a submission: collects the evidence of every case and check, and names the
+//! mistakes that explain it.
 
 use std::collections::BTreeMap;
 
@@ -9,53 +9,78 @@ use rayon::prelude::*;
 
 use super::perform::{Answers, Done};
 use super::plan::{Part, Plan};
-use crate::diagnose::{self, Evidence, Named};
+use crate::diagnose::{self, Explanation, Reply, Sheet};
 use crate::exam::Exam;
 use crate::record::{Diagnosis, FindingKind, Verdict};
 
-/// Returns the known mistakes that explain the errors in `answers`, the one that explains most
-/// first. Also writes their ids to the findings that they explain. The pictures of mistakes are
-/// unpacked only if an answer is wrong.
-pub(super) fn diagnose(exam: &Exam, plan: &Plan, answers: &mut Answers) -> Vec<Diagnosis> {
+/// Returns the known mistakes that explain the errors in `answers`, and what they leave
+/// unexplained. Also writes the ids of the mistakes to the findings that they explain most of. The
+/// layers of the mistakes are unpacked only if an answer is wrong.
+///
+/// The place to look at names a file of the template only if `is_template`.
+pub(super) fn diagnose(
+    exam: &Exam,
+    plan: &Plan,
+    answers: &mut Answers,
+    is_template: bool,
+) -> Explanation {
     if !answers.done.values().any(|done| state(done) == State::Wrong) {
-        return vec![];
+        return Explanation::default();
     }
     let cases: Vec<(&Part, &Case)> = plan
         .stages
         .iter()
         .flat_map(|part| part.cases.iter().map(move |one| (part, *one)))
         .collect();
+    let sheets: Vec<(Sheet, &Done)> = cases
+        .par_iter()
+        .filter_map(|(part, case)| {
+            let done = answers.done.get(&case.id).filter(|done| state(done) != State::Undecided)?;
+            Some((sheet(exam, part, case)?, done))
+        })
+        .collect();
+    let pictures: Vec<_> =
+        sheets.iter().filter_map(|(sheet, done)| Some((sheet, done.picture.as_ref()?))).collect();
     let checks = plan
         .stages
         .iter()
-        .flat_map(|part| part.checks.iter().map(move |(one, points)| (part, *one, *points)));
-    let mut evidence: Vec<Evidence> = cases
-        .par_iter()
-        .filter_map(|(part, case)| of_case(exam, part, case, answers.done.get(&case.id)?))
-        .collect();
-    evidence.extend(checks.filter_map(|(part, check, points)| {
-        of_check(part, check, points, answers.done.get(&check.id)?)
-    }));
-    let named = diagnose::rank(&evidence);
-    for one in &named {
-        for id in &one.explains {
-            let finding = answers.done.get_mut(id).and_then(|done| done.judgement.finding.as_mut());
-            finding
-                .into_iter()
-                .for_each(|finding| finding.diagnosis = one.mistakes.first().cloned());
-        }
-    }
-    let known: BTreeMap<&str, &Mistake> =
-        exam.mistakes.iter().map(|mistake| (mistake.id.as_str(), mistake)).collect();
-    named.iter().map(|named| diagnosis(named, &known)).collect()
+        .flat_map(|part| part.checks.iter().map(move |(check, _)| (part, *check)));
+    let replies =
+        checks.filter_map(|(part, check)| reply(part, check, answers.done.get(&check.id)?));
+    let known: Vec<Mistake> =
+        exam.mistakes.iter().map(|mistake| addressed(mistake, is_template)).collect();
+    let explanation = diagnose::diagnose(&pictures, replies.collect(), &known);
+    label(answers, &explanation.diagnoses);
+    explanation
 }
 
-fn diagnosis(named: &Named, known: &BTreeMap<&str, &Mistake>) -> Diagnosis {
-    let mistakes = named
-        .mistakes
-        .iter()
-        .filter_map(|id| known.get(id.as_str()).map(|mistake| (*mistake).clone()));
-    Diagnosis { mistakes: mistakes.collect(), explains: named.explains.clone() }
+/// Returns the mistake with a place to look at that the author of the program knows: without the
+/// file if the program is not made from the template.
+fn addressed(mistake: &Mistake, is_template: bool) -> Mistake {
+    let function = mistake.look_at.split_once(' ').map_or("", |(_, function)| function);
+    let look_at = if is_template { &mistake.look_at } else { function };
+    Mistake { look_at: look_at.to_owned(), ..mistake.clone() }
+}
+
+/// Writes to each finding the id of the mistake that explains most of it. Of equal ones the first
+/// counts.
+fn label(answers: &mut Answers, diagnoses: &[Diagnosis]) {
+    let mut most: BTreeMap<&str, (u64, &str)> = BTreeMap::new();
+    for diagnosis in diagnoses {
+        let Some(mistake) = diagnosis.mistakes.first() else { continue };
+        for one in &diagnosis.explains {
+            let best = most.entry(&one.id).or_insert((one.pixels, &mistake.id));
+            if one.pixels > best.0 {
+                *best = (one.pixels, &mistake.id);
+            }
+        }
+    }
+    for (id, (_, mistake)) in most {
+        let finding = answers.done.get_mut(id).and_then(|done| done.judgement.finding.as_mut());
+        if let Some(finding) = finding.filter(|finding| finding.kind == FindingKind::Wrong) {
+            finding.diagnosis = Some(mistake.to_owned());
+        }
+    }
 }
 
 /// The meaning of a judgement for a diagnosis.
@@ -63,7 +88,8 @@ fn diagnosis(named: &Named, known: &BTreeMap<&str, &Mistake>) -> Diagnosis {
 enum State {
     Right,
     Wrong,
-    /// The result could not be judged, or only a person can judge it.
+    /// The result could not be judged, or only a person can judge it. Code that is still to be
+    /// written belongs here: it is no mistake.
     Undecided,
 }
 
@@ -76,30 +102,74 @@ fn state(done: &Done) -> State {
     }
 }
 
-fn of_case(exam: &Exam, part: &Part, case: &Case, done: &Done) -> Option<Evidence> {
+fn sheet(exam: &Exam, part: &Part, case: &Case) -> Option<Sheet> {
     let (width, height) = (case.scene.render.width, case.scene.render.height);
-    let bytes = || load::bytes(&image_answer_path(&exam.folder, &case.id)).ok();
-    match state(done) {
-        State::Right => {
-            Some(Evidence::right(&case.id, case.points, Wrong::ids(&bytes()?, width, height).ok()?))
-        }
-        State::Wrong => {
-            let answer = part.questions.images.get(&case.id)?;
-            let mistakes = Wrong::decode_all(&bytes()?, width, height).ok()?;
-            let shares = diagnose::picture(done.picture.as_ref()?, answer, &mistakes);
-            Some(Evidence::wrong(&case.id, case.points, shares))
-        }
-        State::Undecided => None,
-    }
+    let bytes = load::bytes(&image_answer_path(&exam.folder, &case.id)).ok()?;
+    let mistakes = Wrong::decode_all(&bytes, width, height).ok()?;
+    Some(Sheet::new(&case.id, part.questions.images.get(&case.id)?, &mistakes))
 }
 
-fn of_check(part: &Part, check: &Check, points: u64, done: &Done) -> Option<Evidence> {
+fn reply(part: &Part, check: &Check, done: &Done) -> Option<Reply> {
     let right = part.questions.units.get(&check.id)?;
-    match state(done) {
-        State::Right => Some(Evidence::right(&check.id, points, right.wrong.keys().cloned())),
-        State::Wrong => {
-            Some(Evidence::wrong(&check.id, points, diagnose::unit(done.answer.as_ref()?, right)))
+    let state = state(done);
+    let is_right = state == State::Right;
+    (state != State::Undecided).then_some(Reply::new(
+        &check.id,
+        is_right,
+        done.answer.as_ref()?,
+        right,
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::judge::Judgement;
+    use crate::record::{Confidence, Explained, Finding};
+
+    fn mistake(id: &str) -> Mistake {
+        Mistake {
+            id: id.to_owned(),
+            rule: 7,
+            says: "the mirror is turned".to_owned(),
+            look_at: "reflection.rs reflect".to_owned(),
+            field: "mirror".to_owned(),
         }
-        State::Undecided => None,
+    }
+
+    #[test]
+    fn only_programs_made_from_the_template_are_sent_to_its_files() {
+        assert_eq!(addressed(&mistake("a"), true).look_at, "reflection.rs reflect");
+        assert_eq!(addressed(&mistake("a"), false).look_at, "reflect");
+    }
+
+    #[test]
+    fn a_finding_gets_the_mistake_that_explains_most_of_it() {
+        let wrong = || Judgement::fail(Finding::new(FindingKind::Wrong, "wrong"));
+        let todo = Judgement::not_run(Finding::new(FindingKind::Todo, "to do"));
+        let judgements = [("x", wrong()), ("y", wrong()), ("z", todo), ("p", Judgement::PASS)];
+        let done = judgements.map(|(id, one)| (id.to_owned(), Done::unmeasured(one, None)));
+        let mut answers = Answers { done: done.into(), ..Answers::default() };
+        let diagnosis = |id: &str, explains: &[(&str, u64)]| Diagnosis {
+            mistakes: vec![mistake(id)],
+            confidence: Confidence::Perhaps,
+            explains: explains
+                .iter()
+                .map(|(id, pixels)| Explained {
+                    id: (*id).to_owned(),
+                    pixels: *pixels,
+                    region: None,
+                })
+                .collect(),
+        };
+        let first = diagnosis("a", &[("x", 10), ("y", 30), ("z", 9), ("p", 1)]);
+        label(&mut answers, &[first, diagnosis("b", &[("x", 20), ("y", 30)])]);
+        let named = |id: &str| answers.done[id].judgement.finding.as_ref()?.diagnosis.clone();
+        assert_eq!(
+            ["x", "y", "z", "p"].map(named),
+            [Some("b".into()), Some("a".into()), None, None]
+        );
+        let states = ["x", "z", "p"].map(|id| state(&answers.done[id]));
+        assert!(states == [State::Wrong, State::Undecided, State::Right]);
     }
 }

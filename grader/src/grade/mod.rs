@@ -124,21 +124,23 @@ pub fn grade(
     let plan = trusted(bench, planned(bench, options)?)?;
     let epoch = bench.epoch()?;
     let (digest, prepared) = prepare(bench, options, progress)?;
+    let is_template = prepared.as_ref().is_ok_and(|(built, _)| !built.program.is_foreign());
     let (mut answers, build) = match prepared {
         Ok((built, ignored)) => {
             let mut answers =
                 perform::exercise(&plan, &bench.candidate(&built), options.jobs, progress);
-            write_up::name_functions(&mut answers, !built.program.is_foreign());
+            write_up::name_functions(&mut answers, is_template);
             (answers, accepted(&built, ignored))
         }
         Err(build) => (perform::nothing(&plan, build.finding.as_ref()), build),
     };
     // A diagnosis is only a hint, so a panic of the grader in it must not cost a check.
-    let diagnoses =
-        guarded(|| diagnosis::diagnose(&bench.exam, &plan, &mut answers)).unwrap_or_default();
+    let explanation =
+        guarded(|| diagnosis::diagnose(&bench.exam, &plan, &mut answers, is_template))
+            .unwrap_or_default();
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest };
-    let mut record = write_up::record(epoch, submission, build, stages, diagnoses);
+    let mut record = write_up::record(epoch, submission, build, stages, explanation);
     record.sandbox = bench.workshop.layers.to_string();
     Ok(Graded { record, pictures })
 }
@@ -229,7 +231,7 @@ fn rejected(verdict: Verdict, finding: Finding, ignored: Vec<String>) -> Build {
 pub fn images(bench: &Bench, folder: &Path, options: &Options) -> Result<Graded, GradeError> {
     let plan = trusted(bench, planned(bench, options)?.pictures_only())?;
     let mut answers = perform::review(&plan, folder);
-    let diagnoses = diagnosis::diagnose(&bench.exam, &plan, &mut answers);
+    let explanation = diagnosis::diagnose(&bench.exam, &plan, &mut answers, false);
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest: String::new() };
     let build = Build {
@@ -239,7 +241,7 @@ pub fn images(bench: &Bench, folder: &Path, options: &Options) -> Result<Graded,
         ignored: vec![],
         time_s: 0.0,
     };
-    let record = write_up::record(bench.epoch()?, submission, build, stages, diagnoses);
+    let record = write_up::record(bench.epoch()?, submission, build, stages, explanation);
     Ok(Graded { record, pictures })
 }
 

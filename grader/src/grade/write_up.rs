@@ -6,13 +6,14 @@ use cases::front::FrontPoint;
 
 use super::perform::{Answers, Done};
 use super::plan::{Part, Plan};
+use crate::diagnose::Explanation;
 use crate::exam::Exam;
 use crate::functions;
 use crate::graded::{Front, Pictures};
 use crate::judge::Judgement;
 use crate::record::{
-    Build, CheckKind, CheckRecord, Diagnosis, FindingKind, Record, SCHEMA, Score, StageRecord,
-    Submission, Verdict,
+    Build, CheckKind, CheckRecord, FindingKind, Record, SCHEMA, Score, StageRecord, Submission,
+    Verdict,
 };
 use crate::score;
 
@@ -28,7 +29,7 @@ pub(super) fn record(
     submission: Submission,
     build: Build,
     stages: Vec<StageRecord>,
-    diagnoses: Vec<Diagnosis>,
+    explanation: Explanation,
 ) -> Record {
     let of = |stage: &StageRecord| Score { earned: stage.earned, possible: stage.possible };
     Record {
@@ -40,7 +41,8 @@ pub(super) fn record(
         sandbox: NOTHING_RUN.to_owned(),
         build,
         score: score::total(stages.iter().map(of)),
-        diagnoses,
+        diagnoses: explanation.diagnoses,
+        unexplained: explanation.unexplained,
         stages,
     }
 }

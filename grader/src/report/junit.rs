@@ -71,7 +71,7 @@ fn status(record: &Record, check: &CheckRecord) -> TestCaseStatus {
     let finding = check.finding.as_ref();
     let likely = finding.and_then(|finding| mistakes::says(record, finding.diagnosis.as_ref()?));
     let mut message = finding.map_or(String::new(), |finding| finding.message.clone());
-    message.extend(likely.map(|says| format!("; most likely {says}")));
+    message.extend(likely.map(|(lead, says)| format!("; {} {says}", lead.to_lowercase())));
     let message = message.as_str();
     match (check.verdict, kind) {
         (Verdict::Pass, _) => TestCaseStatus::success(),

@@ -1,10 +1,10 @@
-//! A diagnosis in words: the likely mistake, the place to look at, the broken rule, and the number
-//! of failures that it explains.
+//! A diagnosis in words: the likely mistake, the place to look at, the broken rule, the number of
+//! failures that it explains, and what remains unexplained.
 
 use cases::answer::Mistake;
 
 use crate::plain::shown;
-use crate::record::{CheckKind, Diagnosis, Record, Verdict};
+use crate::record::{CheckKind, Confidence, Diagnosis, Explained, Record, Unexplained, Verdict};
 
 /// The file with the rules, relative to the root of the workspace.
 pub const RULES: &str = "docs/shading-model.md";
@@ -38,15 +38,35 @@ impl Rule {
     }
 }
 
-/// Returns the place to look at, such as `reflection.rs, function reflect`.
-pub fn place(mistake: &Mistake) -> String {
-    shown(&mistake.look_at.replacen(' ', ", function ", 1))
+/// Returns the words before a mistake that is named with this confidence.
+pub fn lead(confidence: Confidence) -> &'static str {
+    match confidence {
+        Confidence::Surely => "Most likely",
+        Confidence::Perhaps => "Perhaps",
+    }
+}
+
+/// Returns the place to look at, such as `reflection.rs, function reflect`. Without a file it is
+/// `the function reflect, or what does its work`. `None` if the template has no such place.
+pub fn place(mistake: &Mistake) -> Option<String> {
+    let text = match mistake.look_at.split_once(' ') {
+        Some((file, function)) => format!("{file}, function {function}"),
+        None if mistake.look_at.is_empty() => return None,
+        None => format!("the function {}, or what does its work", mistake.look_at),
+    };
+    Some(shown(&text))
 }
 
 /// Returns the number of failures that a diagnosis explains, such as
-/// `5 of 6 failed pictures and 1 of 1 failed unit check`.
+/// `5 of 6 failed pictures and 1 of 1 failed unit check`. It is empty if it explains none of the
+/// record's.
 pub fn extent(record: &Record, diagnosis: &Diagnosis) -> String {
-    let failed = |check: &&crate::record::CheckRecord| {
+    failed(record, &|id| diagnosis.explains.iter().any(|one| one.id == id))
+}
+
+/// Returns the number of failures of the record with an id that `is_counted`, by kind.
+fn failed(record: &Record, is_counted: &dyn Fn(&str) -> bool) -> String {
+    let is_failed = |check: &&crate::record::CheckRecord| {
         matches!(check.verdict, Verdict::Partial | Verdict::Fail)
     };
     let of_kind = |kind: CheckKind, name: &str| {
@@ -54,23 +74,55 @@ pub fn extent(record: &Record, diagnosis: &Diagnosis) -> String {
             .stages
             .iter()
             .flat_map(|stage| &stage.checks)
-            .filter(failed)
+            .filter(is_failed)
             .filter(|one| one.kind == kind);
-        let (n_explained, n) = failed.fold((0, 0), |(explained, n), one| {
-            (explained + usize::from(diagnosis.explains.contains(&one.id)), n + 1)
-        });
+        let (n_counted, n) = failed
+            .fold((0, 0), |(counted, n), one| (counted + usize::from(is_counted(&one.id)), n + 1));
         let s = if n == 1 { "" } else { "s" };
-        (n_explained > 0).then(|| format!("{n_explained} of {n} failed {name}{s}"))
+        (n_counted > 0).then(|| format!("{n_counted} of {n} failed {name}{s}"))
     };
     let parts = [of_kind(CheckKind::Image, "picture"), of_kind(CheckKind::Unit, "unit check")];
     parts.into_iter().flatten().collect::<Vec<_>>().join(" and ")
 }
 
-/// Returns the sentence on the mistake `id` among the diagnoses of the record. `None` if no
-/// diagnosis has it.
-pub fn says<'a>(record: &'a Record, id: &str) -> Option<&'a str> {
-    let mistakes = record.diagnoses.iter().flat_map(|diagnosis| &diagnosis.mistakes);
-    mistakes.into_iter().find(|mistake| mistake.id == id).map(|mistake| mistake.says.as_str())
+/// Returns what a mistake explains of a case in words, such as
+/// `1100 pixels, most of them in columns 60 to 69 and rows 0 to 119`. Empty for a unit check.
+pub fn part(explained: &Explained) -> String {
+    if explained.pixels == 0 {
+        return String::new();
+    }
+    let pixels = if explained.pixels == 1 { "pixel" } else { "pixels" };
+    let region = explained.region.map(|[left, top, right, bottom]| {
+        format!(", the largest region in columns {left} to {right} and rows {top} to {bottom}")
+    });
+    format!("{} {pixels}{}", explained.pixels, region.unwrap_or_default())
+}
+
+/// Returns what no mistake explains in words: the number of failures, and the pixel to look at.
+pub fn rest(record: &Record, rest: &Unexplained) -> String {
+    let extent = failed(record, &|id| rest.checks.iter().any(|one| one == id));
+    let worst = rest.worst.as_ref().map(|worst| {
+        let [column, row] = worst.pixel;
+        let s = if worst.cluster == 1 { "pixel" } else { "pixels" };
+        format!(
+            "Look at the pixel in column {column}, row {row} of {}, among {} wrong {s} side by \
+             side.",
+            shown(&worst.check),
+            worst.cluster
+        )
+    });
+    format!("No known mistake explains all of {extent}. {}", worst.unwrap_or_default())
+        .trim_end()
+        .to_owned()
+}
+
+/// Returns the sentence on the mistake `id` among the diagnoses of the record, with the words that
+/// stand before it. `None` if no diagnosis has it.
+pub fn says<'a>(record: &'a Record, id: &str) -> Option<(&'static str, &'a str)> {
+    record.diagnoses.iter().find_map(|diagnosis| {
+        let mistake = diagnosis.mistakes.iter().find(|mistake| mistake.id == id)?;
+        Some((lead(diagnosis.confidence), mistake.says.as_str()))
+    })
 }
 
 #[cfg(test)]
@@ -99,10 +151,39 @@ mod tests {
             extent(&record, &diagnosis),
             "1 of 3 failed pictures and 1 of 1 failed unit check"
         );
-        let explains = vec!["01_ray_casting/sphere/inside".to_owned()];
+        let explains = diagnosis.explains[1..].to_vec();
         assert_eq!(
             extent(&record, &Diagnosis { explains, ..diagnosis }),
             "1 of 1 failed unit check"
         );
+    }
+
+    #[test]
+    fn a_place_is_named_as_its_author_knows_it() {
+        let mut mistake = sample::record("somebody").diagnoses[0].mistakes[0].clone();
+        for (look_at, expected) in [
+            ("sphere.rs intersect_sphere", Some("sphere.rs, function intersect_sphere")),
+            ("reflect", Some("the function reflect, or what does its work")),
+            ("", None),
+        ] {
+            look_at.clone_into(&mut mistake.look_at);
+            assert_eq!(place(&mistake).as_deref(), expected);
+        }
+    }
+
+    #[test]
+    fn what_is_explained_and_what_is_not_has_its_place() {
+        let record = sample::record("somebody");
+        let [picture, check] = record.diagnoses[0].explains.as_slice() else { panic!() };
+        let region = "1100 pixels, the largest region in columns 60 to 69 and rows 0 to 119";
+        assert_eq!((part(picture).as_str(), part(check).as_str()), (region, ""));
+        let unexplained = record.unexplained.as_ref().unwrap();
+        assert_eq!(
+            rest(&record, unexplained),
+            "No known mistake explains all of 1 of 3 failed pictures. Look at the pixel in column \
+             7, row 0 of 01_ray_casting/not_a_number, among 120 wrong pixels side by side."
+        );
+        let checks = Unexplained { worst: None, ..unexplained.clone() };
+        assert!(rest(&record, &checks).ends_with("failed pictures."));
     }
 }

@@ -116,6 +116,7 @@ pub(crate) fn record(name: &str) -> Record {
         },
         score: Score { earned, possible },
         diagnoses: vec![diagnosis()],
+        unexplained: Some(unexplained()),
         stages: vec![StageRecord {
             id: "01_ray_casting".to_owned(),
             title: "Ray casting".to_owned(),
@@ -134,9 +135,31 @@ fn diagnosis() -> Diagnosis {
         rule,
         says: format!("the {id} is <wrong>"),
         look_at: "sphere.rs intersect_sphere".to_owned(),
+        field: "sphere_roots".to_owned(),
     };
-    let explains = ["shifted", "sphere/inside"].map(|name| format!("01_ray_casting/{name}")).into();
-    Diagnosis { mistakes: vec![mistake("one", 3), mistake("other", 14)], explains }
+    let explained = |name: &str, pixels, region| Explained {
+        id: format!("01_ray_casting/{name}"),
+        pixels,
+        region,
+    };
+    Diagnosis {
+        mistakes: vec![mistake("one", 3), mistake("other", 14)],
+        confidence: Confidence::Surely,
+        explains: vec![
+            explained("shifted", 1100, Some([60, 0, 69, 119])),
+            explained("sphere/inside", 0, None),
+        ],
+    }
+}
+
+/// Returns what the diagnosis leaves unexplained: a part of one picture.
+fn unexplained() -> Unexplained {
+    let check = "01_ray_casting/not_a_number".to_owned();
+    Unexplained {
+        checks: vec![check.clone()],
+        pixels: 120,
+        worst: Some(WorstPixel { check, cluster: 120, pixel: [7, 0] }),
+    }
 }
 
 fn check(name: &str, kind: CheckKind, verdict: Verdict, finding: Option<Finding>) -> CheckRecord {

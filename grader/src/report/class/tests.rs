@@ -2,7 +2,7 @@
 //! name can do harm.
 
 use super::*;
-use crate::record::Verdict;
+use crate::record::{Confidence, Verdict};
 use crate::report::sample::{self, HOSTILE};
 
 fn entry(id: &str, name: &str) -> Entry {
@@ -105,6 +105,8 @@ fn the_page_counts_the_mistakes_that_are_made() {
     let row = "<tr><th scope=\"row\">the one is &lt;wrong&gt;</th><td class=\"number\">3</td><td \
         class=\"number\">2</td>";
     assert!(page(&entries).contains(row));
+    entries[1].record.as_mut().unwrap().diagnoses[0].confidence = Confidence::Perhaps;
+    assert!(page(&entries).contains("<td class=\"number\">2, 1 perhaps</td>"));
     assert!(!page(&[]).contains("The most common mistakes"));
 }
 

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::histogram::{self, Histogram};
 use super::{Entry, rows};
 use crate::plain::shown;
-use crate::record::{CheckRecord, FindingKind, Verdict};
+use crate::record::{CheckRecord, Confidence, FindingKind, Verdict};
 use crate::report::words;
 
 #[derive(Serialize)]
@@ -71,8 +71,11 @@ struct Check {
 #[derive(Serialize)]
 struct Mistake {
     says: String,
+    /// The broken rule; 0 if it breaks none.
     rule: u8,
     n: usize,
+    /// The number of these submissions for which the mistake is not sure.
+    n_perhaps: usize,
 }
 
 pub(super) fn class(entries: &[Entry]) -> Class {
@@ -171,17 +174,19 @@ fn checks(entries: &[Entry]) -> Vec<Check> {
     checks
 }
 
-/// Returns the mistakes, the most frequent first. If a diagnosis has several possible mistakes, its
-/// first one counts.
+/// Returns the mistakes, the most frequent first, each with the first sentence on it. If a diagnosis
+/// has several possible mistakes, its first one counts.
 fn mistakes(entries: &[Entry]) -> Vec<Mistake> {
     let records = entries.iter().filter_map(|entry| entry.record.as_ref());
-    let named = records
-        .flat_map(|record| &record.diagnoses)
-        .filter_map(|diagnosis| diagnosis.mistakes.first());
-    let mut counts: BTreeMap<(u8, &str), usize> = BTreeMap::new();
-    named.for_each(|mistake| *counts.entry((mistake.rule, &mistake.says)).or_default() += 1);
-    let mistake = |((rule, says), n): ((u8, &str), usize)| Mistake { says: shown(says), rule, n };
-    let mut mistakes: Vec<Mistake> = counts.into_iter().map(mistake).collect();
+    let mut counts: BTreeMap<(u8, &str), Mistake> = BTreeMap::new();
+    for diagnosis in records.flat_map(|record| &record.diagnoses) {
+        let Some(one) = diagnosis.mistakes.first() else { continue };
+        let fresh = || Mistake { says: shown(&one.says), rule: one.rule, n: 0, n_perhaps: 0 };
+        let count = counts.entry((one.rule, &one.id)).or_insert_with(fresh);
+        count.n += 1;
+        count.n_perhaps += usize::from(diagnosis.confidence == Confidence::Perhaps);
+    }
+    let mut mistakes: Vec<Mistake> = counts.into_values().collect();
     // The sort is stable, so equally frequent mistakes stay ordered by rule.
     mistakes.sort_by_key(|mistake| std::cmp::Reverse(mistake.n));
     mistakes

@@ -26,6 +26,8 @@ pub(super) struct Submission {
     score: Points,
     build: BuildView,
     diagnoses: Vec<DiagnosisView>,
+    /// What no mistake explains, in words.
+    unexplained: Option<String>,
     stages: Vec<Stage>,
 }
 
@@ -53,10 +55,12 @@ struct BuildView {
 struct DiagnosisView {
     /// The mistakes that the checks do not distinguish.
     mistakes: Vec<MistakeView>,
+    /// The words before the first of them.
+    lead: &'static str,
     /// The number of failed checks that the mistakes explain, in words.
     extent: String,
-    /// Ids of the cases and checks that the mistakes explain.
-    explains: Vec<String>,
+    /// Ids of the cases and checks that the mistakes explain, each with the pixels in words.
+    explains: Vec<[String; 2]>,
 }
 
 #[derive(Serialize)]
@@ -64,7 +68,7 @@ struct MistakeView {
     id: String,
     says: String,
     rule: u8,
-    place: String,
+    place: Option<String>,
     /// The title and the text of the rule.
     title: &'static str,
     text: &'static str,
@@ -109,8 +113,8 @@ struct Check {
 struct FindingView {
     kind: &'static str,
     message: String,
-    /// The id and the sentence of the mistake that explains the finding.
-    mistake: Option<[String; 2]>,
+    /// The id, the words before, and the sentence of the mistake that explains most of the finding.
+    mistake: Option<[String; 3]>,
     wrong_pixels: Option<u64>,
     wrong_contested: Option<u64>,
     largest_cluster: Option<u64>,
@@ -158,6 +162,7 @@ pub(super) fn submission(graded: &Graded) -> Submission {
         score: points(record.score),
         build: build(&record.build),
         diagnoses: record.diagnoses.iter().map(|one| diagnosis(record, one)).collect(),
+        unexplained: record.unexplained.as_ref().map(|rest| mistakes::rest(record, rest)),
         stages: record.stages.iter().map(|one| stage(one, graded)).collect(),
     }
 }
@@ -173,8 +178,13 @@ fn diagnosis(record: &Record, diagnosis: &Diagnosis) -> DiagnosisView {
     };
     DiagnosisView {
         mistakes: diagnosis.mistakes.iter().map(mistake).collect(),
+        lead: mistakes::lead(diagnosis.confidence),
         extent: mistakes::extent(record, diagnosis),
-        explains: diagnosis.explains.iter().map(|id| shown(id)).collect(),
+        explains: diagnosis
+            .explains
+            .iter()
+            .map(|one| [shown(&one.id), mistakes::part(one)])
+            .collect(),
     }
 }
 
@@ -256,9 +266,10 @@ fn finding(record: Option<&Record>, finding: &Finding) -> FindingView {
     FindingView {
         kind: words::finding(finding.kind),
         message: shown(finding.message.trim()),
-        mistake: record
-            .zip(finding.diagnosis.as_deref())
-            .and_then(|(record, id)| Some([shown(id), shown(mistakes::says(record, id)?)])),
+        mistake: record.zip(finding.diagnosis.as_deref()).and_then(|(record, id)| {
+            let (lead, says) = mistakes::says(record, id)?;
+            Some([shown(id), lead.to_owned(), shown(says)])
+        }),
         wrong_pixels: finding.wrong_pixels,
         wrong_contested: finding.wrong_contested,
         largest_cluster: finding.largest_cluster,

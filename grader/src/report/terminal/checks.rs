@@ -100,8 +100,9 @@ fn headline(record: &Record, check: &CheckRecord, text: &mut String) {
     let rules: String = check.rules.iter().map(|rule| format!(" [rule {rule}]")).collect();
     let (kind, message) = (words::finding(finding.kind), short(&shown(&finding.message)));
     line(text, &format!("{style}{}{style:#}  {part}{kind}: {message}{rules}", shown(&check.id)));
-    if let Some(says) = finding.diagnosis.as_ref().and_then(|id| mistakes::says(record, id)) {
-        line(text, &format!("    most likely {}", shown(says)));
+    if let Some((lead, says)) = finding.diagnosis.as_ref().and_then(|id| mistakes::says(record, id))
+    {
+        line(text, &format!("    {} {}", lead.to_lowercase(), shown(says)));
     }
 }
 
@@ -111,7 +112,7 @@ fn more(group: &Group, example: &CheckRecord, text: &mut String) {
         group.checks.iter().copied().filter(|one| one.id != example.id).collect();
     let what = match group.cause {
         _ if others.is_empty() => return,
-        Cause::Mistake(_) => "the same explains",
+        Cause::Mistake(_) => "the same explains most of",
         Cause::Answers(_) | Cause::Pictures(_) => "wrong as well:",
         Cause::Ending(..) | Cause::NotRun(..) | Cause::Remark(..) => "the same applies to",
     };

@@ -47,6 +47,9 @@ pub fn render(record: &Record, look: Look) -> String {
     }
     table::write(record, look, &mut text);
     record.diagnoses.iter().for_each(|one| diagnosis(record, one, &mut text));
+    if let Some(rest) = &record.unexplained {
+        line(&mut text, &format!("{BOLD}Unexplained{BOLD:#}  {}", mistakes::rest(record, rest)));
+    }
     table::next(record, &mut text);
     // A no-break space keeps a rule and its number on one line.
     let text = text.replace("[rule ", "[rule\u{a0}");
@@ -55,13 +58,18 @@ pub fn render(record: &Record, look: Look) -> String {
 
 /// Writes the likely mistake, the place to look at, and the number of failures that it explains.
 fn diagnosis(record: &Record, diagnosis: &Diagnosis, text: &mut String) {
-    let mut lead = format!("{BOLD}Most likely{BOLD:#}");
+    let mut lead = mistakes::lead(diagnosis.confidence);
     for mistake in &diagnosis.mistakes {
-        let see = mistakes::rule(mistake.rule)
-            .map_or(String::new(), |rule| format!("; see {}", rule.link()));
-        line(text, &format!("{lead}  {} [rule {}]", shown(&mistake.says), mistake.rule));
-        line(text, &format!("    look at {}{see}", mistakes::place(mistake)));
-        lead = format!("{BOLD}or{BOLD:#}");
+        let rule = mistakes::rule(mistake.rule);
+        let number = rule.map_or(String::new(), |_| format!(" [rule {}]", mistake.rule));
+        line(text, &format!("{BOLD}{lead}{BOLD:#}  {}{number}", shown(&mistake.says)));
+        let place = mistakes::place(mistake).map(|place| format!("look at {place}"));
+        let see = rule.map(|rule| format!("see {}", rule.link()));
+        let hints: Vec<String> = place.into_iter().chain(see).collect();
+        if !hints.is_empty() {
+            line(text, &format!("    {}", hints.join("; ")));
+        }
+        lead = "or";
     }
     line(text, &format!("    It explains {}.", mistakes::extent(record, diagnosis)));
 }
