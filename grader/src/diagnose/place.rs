@@ -38,7 +38,8 @@ impl Place<'_> {
         }
     }
 
-    /// Returns the evidence about a mistake beside the named ones, or `None` if it cannot show here.
+    /// Returns the evidence about a mistake beside the named ones, or `None` if it cannot show
+    /// here.
     pub(super) fn count(&self, id: &str) -> Option<Evidence> {
         let (counts, hits) = match self {
             Self::Picture(shot) if id == speckle::MISTAKE => speckle::count(shot)?,

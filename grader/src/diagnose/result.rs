@@ -79,8 +79,8 @@ fn explained(place: &Place, hits: &[u32], origin: Origin) -> Explained {
 
 /// Returns what the marked mistakes leave unexplained, or `None` if that is nothing.
 ///
-/// A picture counts if its unexplained pixels alone would make it fail. A pixel that a named mistake
-/// changes, and that differs from its right colour too faintly to be recognised, is not
+/// A picture counts if its unexplained pixels alone would make it fail. A pixel that a named
+/// mistake changes, and that differs from its right colour too faintly to be recognised, is not
 /// unexplained.
 pub(super) fn rest(places: &[Place], origin: Origin) -> Option<Unexplained> {
     let mut rest = Unexplained { checks: vec![], pixels: 0, worst: None };

@@ -13,8 +13,8 @@ const TOUCHED: f64 = 0.3;
 
 /// Returns the share of wrong pixels around `hits`, 0 to 1.
 ///
-/// Pixels that the mistake changes, and pixels that named mistakes explain, are left out. A pixel is
-/// wrong here if it is out by at least half of the median error of the hits.
+/// Pixels that the mistake changes, and pixels that named mistakes explain, are left out. A pixel
+/// is wrong here if it is out by at least half of the median error of the hits.
 pub(super) fn wrong_share(shot: &Shot, layer: &Layer, hits: &[u32]) -> f64 {
     if hits.is_empty() {
         return 0.0;

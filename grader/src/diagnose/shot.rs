@@ -77,9 +77,9 @@ impl<'a> Shot<'a> {
         (counts, hits)
     }
 
-    /// Returns whether out pixel `n` has the colour `mistaken`, at this distance, or the colour that
-    /// the mistake and the named ones give together. That colour must be clearly nearer than the one
-    /// without the mistake.
+    /// Returns whether out pixel `n` has the colour `mistaken`, at this distance, or the colour
+    /// that the mistake and the named ones give together. That colour must be clearly nearer than
+    /// the one without the mistake.
     fn is_hit(&self, n: usize, mistaken: Colour, distance: i16) -> bool {
         let is_nearer = |distance: i16, other: i16| 5 * distance < 3 * other;
         if distance <= LIKE && is_nearer(distance, self.off[n]) {

@@ -49,7 +49,8 @@ pub struct Names {
 }
 
 impl Names {
-    /// Returns the numbers of one program with the mistakes `parts` that is given the names `named`.
+    /// Returns the numbers of one program with the mistakes `parts` that is given the names
+    /// `named`.
     pub fn of(parts: &[&Misconception], named: &[Vec<&str>]) -> Self {
         let known = misconceptions::of(&Rules::LECTURE);
         let field = |id: &str| known.iter().find(|one| one.id == id).map(|one| one.field);

@@ -7,8 +7,8 @@ use super::frame::Frame;
 
 /// The share of all pixels that must be out before a curve is looked for.
 const OUT: f64 = 0.3;
-/// The share of the wrong pixels that the curve must explain, and the share of the pictures in which
-/// it must do so.
+/// The share of the wrong pixels that the curve must explain, and the share of the pictures in
+/// which it must do so.
 const EXPLAINED: f64 = 0.5;
 const PICTURES: f64 = 0.6;
 /// The number of pictures that are needed.
@@ -119,19 +119,22 @@ fn interpolated(known: &[(usize, i16)], level: usize) -> i16 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::frame::tests::{frames, sheets};
+    use super::super::super::sheet::tests::sheet;
+    use super::super::frame::tests::{SIDE, frames};
     use super::*;
 
     #[test]
     fn a_curve_of_all_levels_is_found() {
-        let sheets = sheets();
+        // Eight greys from 40 to 180, each on enough pixels.
+        let greys: Vec<u8> = (0..16 * 16).map(|n| 40 + 20 * (n % 16 / 2) as u8).collect();
+        let sheets: Vec<_> = (0..4).map(|n| sheet(&n.to_string(), SIDE, &greys, &[])).collect();
         let find = |curve: &dyn Fn(i16, usize) -> i16| {
             Curve::find(&frames(&sheets, |right, i, j| {
                 right[j * 16 + i].map(|level| curve(level, i * 31 + j * 17))
             }))
         };
         let dark = find(&|level, _| level * 4 / 5).unwrap();
-        assert_eq!(dark.of([100, 200, 0]), [80, 160, 32], "the darkest level that occurs is 40");
+        assert_eq!(dark.of([110, 255, 0]), [88, 144, 32]);
         assert!(find(&|level, _| level + 4).is_some());
         assert_eq!(find(&|level, _| level), None);
         assert_eq!(find(&|level, _| level + 1), None, "rounding");

@@ -6,8 +6,8 @@ use super::frame::Frame;
 /// A move, by which each pixel of the right picture stands in another place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in super::super) enum Move {
-    /// The rows are in reverse order. The number is added to the row, because a picture whose rays go
-    /// through corners is off by one row.
+    /// The rows are in reverse order. The number is added to the row, because a picture whose rays
+    /// go through corners is off by one row.
     UpsideDown(isize),
     /// The columns are in reverse order.
     Mirrored,

@@ -6,7 +6,8 @@ use super::frame::Frame;
 
 /// The number of pictures that are needed.
 const FEW: usize = 3;
-/// The share of the pictures that have at least the missing rows, and of those that have just these.
+/// The share of the pictures that have at least the missing rows, and of those that have just
+/// these.
 const AT_LEAST: f64 = 0.9;
 const JUST: f64 = 0.6;
 

@@ -174,8 +174,8 @@ fn checks(entries: &[Entry]) -> Vec<Check> {
     checks
 }
 
-/// Returns the mistakes, the most frequent first, each with the first sentence on it. If a diagnosis
-/// has several possible mistakes, its first one counts.
+/// Returns the mistakes, the most frequent first, each with the first sentence on it. If a
+/// diagnosis has several possible mistakes, its first one counts.
 fn mistakes(entries: &[Entry]) -> Vec<Mistake> {
     let records = entries.iter().filter_map(|entry| entry.record.as_ref());
     let mut counts: BTreeMap<(u8, &str), Mistake> = BTreeMap::new();

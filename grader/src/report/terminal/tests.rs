@@ -40,10 +40,10 @@ fn names_the_mistakes_that_explain_what_is_wrong() {
         intersect_sphere; see docs/shading-model.md#rule-3-direct-light\n\
         or  the other is <wrong> [rule 14]\n    look at sphere.rs, function intersect_sphere; see \
         docs/shading-model.md#rule-14-the-sphere\n    It explains 1 of 3 failed pictures and 1 of \
-        1 failed unit check.\nUnexplained  No known mistake explains all of 1 of 3 failed pictures. \
-        Look at the pixel in column 7,\nrow 0 of 01_ray_casting/not_a_number, among 120 wrong pixels \
-        side by side.\n";
-    assert!(shown.ends_with(end), "{shown}");
+        1 failed unit check.\nUnexplained  No known mistake explains all of 1 of 3 failed \
+        pictures.";
+    assert!(shown.contains(end), "{shown}");
+    assert!(shown.ends_with("among 120 wrong pixels side by side.\n"), "{shown}");
     // The two checks that the mistake explains are one group, with the unit check as its example.
     assert_eq!(shown.matches("    most likely the one is <wrong>\n").count(), 1, "{shown}");
     has(&shown, &["    the same explains most of shifted\n"]);
