@@ -13,6 +13,8 @@ use crate::judge;
 pub struct Reply {
     /// The id of the check.
     pub(super) id: String,
+    /// The answer that the program gave.
+    actual: Answer,
     is_right: bool,
     /// The mistakes that make the answer wrong, each with whether the program gave that answer.
     given: BTreeMap<String, bool>,
@@ -26,10 +28,21 @@ impl Reply {
         let is_like = |wrong: &Answer| !is_right && judge::equal(wrong, actual, right.allowed);
         Self {
             id: id.to_owned(),
+            actual: actual.clone(),
             is_right,
             given: right.wrong.iter().map(|(id, wrong)| (id.clone(), is_like(wrong))).collect(),
             is_explained: false,
             is_touched: false,
+        }
+    }
+
+    /// Drops all evidence if the program gives the same answer to every check: it then says nothing
+    /// about a mistake. What is wrong stays wrong.
+    pub(super) fn mute(replies: &mut [Self]) {
+        let is_mute =
+            replies.len() > 1 && replies.windows(2).all(|pair| pair[0].actual == pair[1].actual);
+        if is_mute {
+            replies.iter_mut().for_each(|reply| reply.given.clear());
         }
     }
 
@@ -104,6 +117,17 @@ pub(super) mod tests {
         ] {
             assert_eq!(reply("x", actual, &wrong).count(id), expected, "{actual} {id}");
         }
+    }
+
+    #[test]
+    fn one_answer_to_every_check_is_no_evidence() {
+        let two = || reply("x", 2.0, &[("twice", 2.0)]);
+        let mut same = [two(), two()];
+        Reply::mute(&mut same);
+        assert_eq!((same[0].count("twice").all(), same[0].is_open()), (0, true));
+        let mut several = [two(), reply("y", 3.0, &[])];
+        Reply::mute(&mut several);
+        assert_eq!(several[0].count("twice").hits, CHECK);
     }
 
     #[test]

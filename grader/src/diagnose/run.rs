@@ -33,9 +33,10 @@ pub struct Explanation {
 /// unexplained if it is wrong.
 pub fn diagnose(
     pictures: &[(&Sheet, &Image)],
-    replies: Vec<Reply>,
+    mut replies: Vec<Reply>,
     known: &[Mistake],
 ) -> Explanation {
+    Reply::mute(&mut replies);
     let frames = pictures.iter().filter_map(|(sheet, actual)| Frame::new(sheet, actual));
     let (mute, frames): (Vec<Frame>, Vec<Frame>) = frames.partition(Frame::is_mute);
     let Undone { frames, curved, moved, mistakes } = film::undo(frames);

@@ -37,7 +37,7 @@ pub fn parts(mistakes: &[&Misconception]) -> Rules {
 pub struct Names {
     /// Mistakes in the programs.
     pub parts: usize,
-    /// Those that are named.
+    /// Mistakes in the programs that are named.
     pub found: usize,
     /// Diagnoses.
     pub given: usize,

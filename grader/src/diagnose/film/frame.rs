@@ -53,7 +53,9 @@ pub(super) mod tests {
 
     /// Returns the sheets of four pictures with different greys at all pixels of a row or column.
     pub(crate) fn sheets() -> Vec<Sheet> {
-        let grey = |case: u32, i: u32, j: u32| (40 + 11 * i + 2 * j * (case + 1) % 37) as u8;
+        let grey = |case: u32, i: u32, j: u32| {
+            u8::try_from(40 + 11 * i + 2 * j * (case + 1) % 37).unwrap()
+        };
         let greys = |case: u32| -> Vec<u8> {
             (0..SIDE * SIDE).map(|n| grey(case, n % SIDE, n / SIDE)).collect()
         };
