@@ -23,8 +23,8 @@ const WHOLE: f64 = 0.95;
 /// Number of colours that the hits in a single place need. A region of one or two colours fits too
 /// easily.
 const COLOURS: usize = 3;
-/// Step in levels by which these colours are distinguished, and the least share of the hits that each
-/// of them has.
+/// Step in levels by which these colours are distinguished, and the least share of the hits that
+/// each of them has.
 const STEP: i16 = 24;
 const LEAST: f64 = 0.02;
 
