@@ -56,8 +56,8 @@ impl Names {
         let field = |id: &str| known.iter().find(|one| one.id == id).map(|one| one.field);
         let is_part = |id: &&str| parts.iter().any(|part| part.id == *id);
         let is_near = |id: &&str| parts.iter().any(|part| Some(part.field) == field(id));
-        let others = || named.iter().filter(|ids| !ids.iter().any(|id| is_part(id)));
-        let near = others().filter(|ids| ids.iter().any(|id| is_near(id))).count();
+        let others = || named.iter().filter(|ids| !ids.iter().any(&is_part));
+        let near = others().filter(|ids| ids.iter().any(&is_near)).count();
         Self {
             parts: parts.len(),
             found: parts.iter().filter(|part| named.concat().contains(&part.id)).count(),
