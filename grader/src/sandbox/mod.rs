@@ -1,7 +1,7 @@
 //! Runs one program under limits and reports how it ended. The sandbox knows nothing of cases,
 //! images or scores.
 //!
-//! A program runs in processes of its own ([`launcher`]), under limits on time and resources, in an
+//! A program runs in processes of its own (`launcher`), under limits on time and resources, in an
 //! environment built from nothing and a work folder of its own, with bounded streams. The
 //! [`Layers`] of protection keep every other file, process and machine out of its reach, where the
 //! kernel allows. A layer that cannot be set up is never left out: the run fails instead.
