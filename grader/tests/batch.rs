@@ -80,16 +80,27 @@ fn an_interrupt_keeps_what_is_done() {
     assert!(printed.contains("2 are left"), "{printed}");
 }
 
-/// A run that one submission kills keeps the number of deaths of the other one.
+/// A run that one submission kills keeps the number of deaths of the other one. Without layers, a
+/// program finds the grader as the parent of the launcher, which is the parent of its own parent.
 #[test]
 fn two_submissions_that_kill_the_grader_hold_up_nobody_for_ever() {
-    let kill = "kill -9 $PPID; sleep 5";
+    let kill = "p=$PPID; for n in 1 2; do p=$(cut -d ' ' -f 4 /proc/$p/stat); done; kill -9 $p; \
+        sleep 5";
     let class = Class::new(&[("a", kill), ("b", kill), ("c", BLACK), ("d", BLACK)]);
     let run = || class.start("1").wait_with_output().unwrap().status.code();
     let codes: Vec<_> = std::iter::repeat_with(run).take(8).take_while(Option::is_none).collect();
     assert_eq!(codes.len(), 4, "each of them kills two runs");
     assert!(class.has_record("c") && class.has_record("d"));
     assert_eq!(run(), None, "a later run tries them again");
+}
+
+#[test]
+fn a_submission_that_kills_its_parent_is_graded_to_the_end() {
+    let class = Class::new(&[("a", "kill -9 $PPID; sleep 5"), ("b", BLACK)]);
+    let (code, printed, lines) = class.run("1");
+    assert_eq!(code, 0, "{printed}{lines}");
+    assert!(class.has_record("a") && class.has_record("b"));
+    assert!(lines.contains("a: 0 of 2 points"), "{lines}");
 }
 
 fn interrupt(child: &Child) {

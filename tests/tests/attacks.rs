@@ -108,7 +108,8 @@ impl Target {
             .expect("a process");
         let tcp = TcpListener::bind("127.0.0.1:0").expect("a port");
         let udp = UdpSocket::bind(tcp.local_addr().expect("an address")).expect("its port");
-        let socket = format!("attacked-{}", std::process::id());
+        let port = tcp.local_addr().expect("an address").port();
+        let socket = format!("attacked-{}-{port}", std::process::id());
         let address = SocketAddr::from_abstract_name(&socket).expect("a name");
         let listener = UnixListener::bind_addr(&address).expect("a socket");
         let byte = Box::new(7);

@@ -73,6 +73,7 @@ fn settled(mut record: Record) -> Record {
     record.epoch.clear();
     record.grader.clear();
     record.submission.digest.clear();
+    record.sandbox.clear();
     record.build.time_s = 0.0;
     let checks = record.stages.iter_mut().flat_map(|stage| &mut stage.checks);
     for check in checks {

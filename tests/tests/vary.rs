@@ -165,7 +165,7 @@ fn bound(path: &str, was: f64, bounds: &Bounds) -> f64 {
         "direction" => bounds.directions, // no public light has a component longer than 1
         "center" | "min" | "max" | "vertices" => each(bounds.objects),
         "k" => 2.0 * bounds.objects.max_element(), // the longest normal has length 1.7
-        "radius" => bounds.radii * was,
+        "radius" | "bottom_radius" | "top_radius" => bounds.radii * was,
         "translate" => each(bounds.translate),
         "angle_deg" => bounds.angle_deg,
         "scale" => bounds.scale * was.abs(),

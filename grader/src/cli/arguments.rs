@@ -1,14 +1,12 @@
 //! The command-line arguments of the grader.
 
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::cli::limit::Limit;
 use crate::cli::progress::Talk;
-use crate::exercise::Allowance;
 use crate::grade::{GradeError, Options};
-use crate::sandbox::{Layers, Level};
 
 const CODES: &str = "\
 Exit codes:
@@ -121,62 +119,6 @@ pub(crate) fn stages(given: Option<&Path>) -> Result<PathBuf, GradeError> {
     let none = "there are no cases: neither cases/stages here nor beside the binary; name \
         their folder with --cases DIR";
     here.or(beside).ok_or_else(|| GradeError::Usage(none.to_owned()))
-}
-
-/// The limits of programs.
-#[derive(Debug, Args)]
-pub(crate) struct Limit {
-    /// Seconds of CPU time that a program has for a picture, or for the unit checks of a stage
-    ///
-    /// The CPU time of all processes of the program counts. A program is also stopped if it is idle
-    /// for half as long, but at least 1 s. The limit by the clock is six times as long plus 10 s,
-    /// so that other programs on the machine do not matter.
-    #[arg(
-        long,
-        value_name = "SECONDS",
-        default_value_t = 10,
-        value_parser = clap::value_parser!(u16).range(1..)
-    )]
-    time_limit: u16,
-    /// Mebibytes of memory that a program may use
-    #[arg(
-        long,
-        value_name = "MIB",
-        default_value_t = 1024,
-        value_parser = clap::value_parser!(u32).range(16..)
-    )]
-    memory_limit: u32,
-    /// Protection around compilers and programs [default: basic; of a batch: full]
-    ///
-    /// `full` demands namespaces, Landlock and a filter of system calls, and stops where the
-    /// machine lacks one of them; `basic` takes those that the machine has; `none` leaves only
-    /// limits on time and memory. `grader doctor` lists what this machine has.
-    #[arg(long, value_name = "LEVEL")]
-    sandbox: Option<Level>,
-}
-
-impl Limit {
-    /// Returns the layers of protection: those of `default`, unless the user selects a level.
-    ///
-    /// # Errors
-    /// Fails if this machine lacks a layer that is demanded.
-    pub(crate) fn layers(&self, default: Level) -> Result<Layers, GradeError> {
-        let level = self.sandbox.unwrap_or(default);
-        level.layers().map_err(|missing| {
-            let why = format!(
-                "this machine cannot give programs full protection: {missing}; `--sandbox basic` \
-                 grades with what it has, and every record says so"
-            );
-            GradeError::Protection(why)
-        })
-    }
-
-    pub(crate) fn allowance(&self) -> Allowance {
-        Allowance::new(
-            Duration::from_secs(self.time_limit.into()),
-            u64::from(self.memory_limit) << 20,
-        )
-    }
 }
 
 /// The options that name report files.

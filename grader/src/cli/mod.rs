@@ -3,6 +3,7 @@
 mod arguments;
 mod commands;
 mod exit;
+mod limit;
 mod progress;
 
 use std::process::ExitCode;

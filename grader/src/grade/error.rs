@@ -13,6 +13,7 @@ use crate::build::{Fault, NoWorkspace};
 use crate::exam::SingleError;
 use crate::input::{self, InputError};
 use crate::report::junit::JunitError;
+use crate::sandbox::MissingLayers;
 use crate::submission::SubmissionError;
 use crate::workers::Panicked;
 
@@ -80,10 +81,9 @@ pub enum GradeError {
         /// The error of the system.
         source: io::Error,
     },
-    /// The machine lacks a layer of protection that is demanded. The text says which, and what to
-    /// do.
-    #[error("{0}")]
-    Protection(String),
+    /// The machine lacks a layer of protection that is demanded.
+    #[error(transparent)]
+    Protection(#[from] MissingLayers),
     /// The user has interrupted the command.
     #[error("interrupted while {0}")]
     Interrupted(&'static str),

@@ -22,7 +22,7 @@ pub enum Rights {
 /// A path that exists for a program.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Access {
-    /// The path, without links in it.
+    /// The path.
     pub path: PathBuf,
     /// The rights on it and on everything below.
     pub rights: Rights,
@@ -67,8 +67,8 @@ const VERSIONED: [&str; 2] = ["java", "python3"];
 const DEVICES: [&str; 5] = ["/dev/full", "/dev/null", "/dev/random", "/dev/urandom", "/dev/zero"];
 
 /// Returns the paths of the system, those of `own`, and `folder` with the right to write. Paths
-/// that do not exist are left out, and links are resolved. Links in the root folder stay as well,
-/// since programs use `/bin` and `/lib` by these names.
+/// that do not exist are left out. Links in paths of the system are resolved; the new root has the
+/// usual ones itself. A path of `own` is listed as it is given too, since programs use it so.
 pub(super) fn list(own: &[Access], folder: &Path) -> Vec<Access> {
     let of = |rights| move |path: &&str| Access { path: path.into(), rights };
     let versioned = std::fs::read_dir("/etc").into_iter().flatten().flatten();
@@ -77,19 +77,19 @@ pub(super) fn list(own: &[Access], folder: &Path) -> Vec<Access> {
             .iter()
             .any(|begin| entry.file_name().as_encoded_bytes().starts_with(begin.as_bytes()))
     });
-    let all = PROGRAMS
+    let of_system = PROGRAMS
         .iter()
         .map(of(Rights::Execute))
         .chain(SETTINGS.iter().map(of(Rights::Read)))
         .chain(versioned.map(|entry| Access { path: entry.path(), rights: Rights::Read }))
-        .chain(DEVICES.iter().map(of(Rights::Device)))
-        .chain(own.iter().cloned())
-        .chain([Access { path: folder.to_owned(), rights: Rights::Write }]);
-    let mut found: Vec<Access> = all
-        .filter_map(|Access { path, rights }| {
-            Some(Access { path: path.canonicalize().ok()?, rights })
-        })
-        .collect();
+        .chain(DEVICES.iter().map(of(Rights::Device)));
+    let work = Access { path: folder.to_owned(), rights: Rights::Write };
+    let given: Vec<Access> = own.iter().cloned().chain([work]).collect();
+    let as_given = given.iter().filter(|one| one.path.is_absolute() && one.path.exists()).cloned();
+    let resolved =
+        |Access { path, rights }: Access| Some(Access { path: path.canonicalize().ok()?, rights });
+    let mut found: Vec<Access> =
+        of_system.chain(given.iter().cloned()).filter_map(resolved).chain(as_given).collect();
     found.sort();
     found.dedup();
     found
@@ -135,7 +135,7 @@ mod tests {
         let is_open = |path: &str| all.iter().any(|one| Path::new(path).starts_with(&one.path));
         assert!(is_open("/usr/bin/env") && is_open("/dev/null"));
         for path in
-            ["/etc/passwd", "/root/x", "/home/x", "/proc/1", "/var/log", "/tmp/other", "/nowhere"]
+            ["/etc/passwd", "/root/x", "/srv/x", "/proc/1", "/var/log", "/tmp/other", "/nowhere"]
         {
             assert!(!is_open(path), "{path}");
         }

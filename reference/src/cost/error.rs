@@ -54,7 +54,8 @@ pub(super) fn levels_off(a: DVec3, b: DVec3) -> DVec3 {
 }
 
 impl Error {
-    /// Returns the number of pixels with a different 8-bit colour, of `n_pixels` that were compared.
+    /// Returns the number of pixels with a different 8-bit colour, of `n_pixels` that were
+    /// compared.
     pub fn n_changed(&self, n_pixels: usize) -> u64 {
         // The share is a whole number of pixels over their number.
         (self.changed * n_pixels as f64).round() as u64

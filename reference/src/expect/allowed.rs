@@ -8,7 +8,7 @@
 //! allowed = 8 (u ‖f‖ + Σ_x max |Δ|)
 //! ```
 //!
-//! where u ‖f‖ is the rounding of the answer itself. [`Nudges`] says which numbers are changed.
+//! where u ‖f‖ is the rounding of the answer itself. `Nudges` says which numbers are changed.
 
 use std::iter;
 

@@ -329,8 +329,9 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         }
     }
 
-    /// Traces a ray that is spawned with `weight` and `leaves` a surface, and returns its light. A ray that contributes nothing to the pixel is not cast and returns
-    /// 0. Neither is a ray cast that can only miss: it returns the background.
+    /// Traces a ray that is spawned with `weight` and `leaves` a surface, and returns its light. A
+    /// ray that contributes nothing to the pixel is not cast and returns 0. Neither is a ray cast
+    /// that can only miss: it returns the background.
     fn spawn<W: Watch>(
         &self,
         kind: RayKind,

@@ -98,6 +98,8 @@ const WRITERS: &[(&str, &str)] = &[
     ("grader/src/exercise/explain.rs", "fills a folder of one run"),
     ("grader/src/exercise/pictures.rs", "fills a folder of one run"),
     ("grader/src/leftovers.rs", "marks a temporary folder"),
+    ("grader/src/sandbox/launcher/nanny.rs", "tells the kernel who a user is in a namespace"),
+    ("grader/src/sandbox/launcher/root.rs", "makes the root folder of a program, in memory"),
     ("grader/src/sandbox/place.rs", "fills a folder of one run"),
     ("grader/src/submission/archive/unpacking.rs", "unpacks into a fresh folder"),
 ];

@@ -15,6 +15,7 @@
 //! They die with their parents.
 
 mod filter;
+mod lines;
 mod nanny;
 mod program;
 mod root;
@@ -31,6 +32,7 @@ use super::call::Call;
 use super::layers::Layers;
 use super::sys::{ProcessHandle, Reaped};
 use super::{access, group, sys};
+use lines::Lines;
 use wire::{Ended, Failure, Message, Request, Start};
 pub use zygote::prepare;
 
@@ -40,17 +42,6 @@ const PATIENCE: Duration = Duration::from_secs(60);
 /// Rounds of killing, after which the processes of a program that starts others as fast are left to
 /// the end of their init.
 const ROUNDS: usize = 100;
-
-/// The ends of the streams of a run that the started processes hold.
-#[derive(Debug)]
-struct Lines {
-    /// The socket for the request and the messages.
-    status: UnixStream,
-    /// Where a failure is written. The program closes it by running, so that its end means success.
-    failure: OwnedFd,
-    /// Standard input, output and error of the program.
-    streams: [OwnedFd; 3],
-}
 
 /// A program that runs.
 #[derive(Debug)]
@@ -70,11 +61,11 @@ pub(super) struct Running {
 /// The news of a program.
 #[derive(Debug)]
 pub(super) enum News {
-    /// It runs.
+    /// The program runs.
     None,
-    /// It has ended.
+    /// The program has ended.
     Ended(Ended),
-    /// Its init is gone without a report.
+    /// The init is gone without a report.
     Lost,
 }
 

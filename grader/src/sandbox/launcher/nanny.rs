@@ -7,8 +7,9 @@ use std::os::unix::net::UnixStream;
 use rustix::process::{Pid, Signal};
 
 use super::filter::Filters;
+use super::lines::Lines;
 use super::wire::{self, Ended, Failure, Message, Request};
-use super::{Lines, program, root};
+use super::{program, root};
 use crate::sandbox::sys;
 
 /// The number that users and groups have inside the namespaces. It is not that of root, so that a

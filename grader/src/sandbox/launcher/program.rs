@@ -9,8 +9,8 @@ use landlock::{
     Ruleset, RulesetAttr, RulesetCreatedAttr, RulesetError, Scope,
 };
 
-use super::Lines;
 use super::filter::Filters;
+use super::lines::Lines;
 use super::wire::{self, Failure, Message, Request};
 use crate::sandbox::access::{Access, Rights};
 use crate::sandbox::sys;

@@ -12,7 +12,8 @@ use rustix::net::{
     SendAncillaryMessage, SendFlags, SocketFlags, SocketType, recvmsg, sendmsg, socketpair,
 };
 
-use super::{Lines, filter, nanny};
+use super::lines::Lines;
+use super::{filter, nanny};
 use crate::sandbox::sys;
 
 /// The socket of the launcher; `None` before it is forked.
