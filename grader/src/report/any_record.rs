@@ -204,6 +204,9 @@ fn read_xml(xml: &str) -> Result<(String, usize), quick_xml::Error> {
                 }
             }
             Event::Text(part) => text += &part.decode()?,
+            Event::GeneralRef(part) => {
+                text += &quick_xml::escape::unescape(&format!("&{};", part.decode()?))?;
+            }
             _ => {}
         }
     }
