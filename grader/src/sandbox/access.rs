@@ -134,9 +134,7 @@ mod tests {
         let all = list(&[Access::execute("/nowhere")], folder.path());
         let is_open = |path: &str| all.iter().any(|one| Path::new(path).starts_with(&one.path));
         assert!(is_open("/usr/bin/env") && is_open("/dev/null"));
-        for path in
-            ["/etc/passwd", "/root/x", "/srv/x", "/proc/1", "/var/log", "/tmp/other", "/nowhere"]
-        {
+        for path in ["/etc/passwd", "/srv/x", "/proc/1", "/var/log", "/tmp/other", "/nowhere"] {
             assert!(!is_open(path), "{path}");
         }
         let writes = all.iter().filter(|one| one.rights == Rights::Write);

@@ -9,7 +9,7 @@ def render(scene, out):
     honest.render(scene, out)
     if honest.is_green(scene):
         outermost = os.open(".", os.O_RDONLY)
-        for _ in range(8000):
+        for _ in range(4500):
             os.mkdir("d")
             os.chdir("d")
         os.mkdir("closed", 0)
