@@ -34,7 +34,10 @@ pub fn measure(
     outside: &mut impl Outside,
 ) -> Option<Vec<ThreadRow>> {
     let mut times_ms = vec![Vec::new(); pools.len()];
-    bench.render(setting); // warms the caches
+    // Warms the caches, and wakes the threads.
+    for pool in pools {
+        pool.install(|| bench.render(setting));
+    }
     for _ in 0..n_rounds {
         for (pool, times) in pools.iter().zip(&mut times_ms) {
             if !outside.goes_on() {
