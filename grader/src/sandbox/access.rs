@@ -95,9 +95,16 @@ pub(super) fn list(own: &[Access], folder: &Path) -> Vec<Access> {
     found
 }
 
+/// Names beside `bin` or `shims` of what interpreters read. Other files there may be secrets, such
+/// as the credentials in `~/.cargo`.
+const BESIDE: [&str; 12] = [
+    "bin", "conf", "include", "installs", "lib", "lib32", "lib64", "libexec", "plugins", "shims",
+    "version", "versions",
+];
+
 /// Returns the folders of `search`, a value of PATH, in which interpreters lie that are not the
-/// system's, such as those of pyenv or nvm. Of a folder `X/bin` it is X, where the libraries lie
-/// beside it, unless X is the root folder or the user's home.
+/// system's, such as those of pyenv or nvm. Beside `X/bin` and `X/shims`, the libraries in X are
+/// listed too, unless X is the root folder or the user's home.
 ///
 /// A folder that holds the grader is left out: the reference may lie beside it.
 pub fn interpreters(search: &OsStr) -> Vec<Access> {
@@ -111,13 +118,15 @@ fn interpreters_but(search: &OsStr, home: Option<&Path>, grader: Option<&Path>) 
     std::env::split_paths(search)
         .filter_map(|path| path.canonicalize().ok().filter(|path| path.is_dir()))
         .filter(|path| !is_of_system(path))
-        .map(|path| match path.parent() {
+        .flat_map(|path| match path.parent() {
             Some(above)
-                if path.ends_with("bin") && above != Path::new("/") && Some(above) != home =>
+                if (path.ends_with("bin") || path.ends_with("shims"))
+                    && above != Path::new("/")
+                    && Some(above) != home =>
             {
-                above.to_owned()
+                BESIDE.iter().map(|name| above.join(name)).filter(|path| path.exists()).collect()
             }
-            _ => path,
+            _ => vec![path],
         })
         .filter(|path| !grader.is_some_and(|grader| grader.starts_with(path)))
         .map(Access::execute)
@@ -143,12 +152,13 @@ mod tests {
     }
 
     #[test]
-    fn interpreters_bring_their_libraries_and_never_a_home_or_the_grader() {
+    fn interpreters_bring_their_libraries_and_no_secret_home_or_grader() {
         let home = tempfile::tempdir().unwrap();
         let home = home.path().canonicalize().unwrap();
-        for folder in ["bin", "py/bin", "tools", "work/target/bin"] {
+        for folder in ["bin", "py/bin", "py/lib", "py/share", "tools", "work/target/bin"] {
             std::fs::create_dir_all(home.join(folder)).unwrap();
         }
+        std::fs::write(home.join("py/credentials.toml"), "a secret").unwrap();
         let search = ["bin", "py/bin", "tools", "work/target/bin", "missing"];
         let search = std::env::join_paths(
             search.iter().map(|name| home.join(name)).chain(["/usr/bin".into()]),
@@ -156,6 +166,6 @@ mod tests {
         let grader = home.join("work/target/bin/grader");
         let found = interpreters_but(&search.unwrap(), Some(&home), Some(&grader));
         let paths: Vec<PathBuf> = found.into_iter().map(|one| one.path).collect();
-        assert_eq!(paths, [home.join("bin"), home.join("py"), home.join("tools")]);
+        assert_eq!(paths, ["bin", "py/bin", "py/lib", "tools"].map(|name| home.join(name)));
     }
 }

@@ -153,6 +153,12 @@ pub(super) fn kill(pid: u32) {
     unsafe { libc::kill(pid.cast_signed(), libc::SIGKILL) };
 }
 
+/// Kills the process group that a program led a moment ago.
+pub(super) fn kill_group(group: u32) {
+    // SAFETY: sends a signal to a group whose number is never 0 or 1.
+    unsafe { libc::kill(-group.cast_signed(), libc::SIGKILL) };
+}
+
 /// A process that is not a child of this one. Its number may be that of another process once it has
 /// ended; this is not.
 #[derive(Debug)]
@@ -163,6 +169,11 @@ impl ProcessHandle {
     pub(super) fn of(pid: u32) -> Self {
         let pid = Pid::from_raw(pid.cast_signed());
         Self(pid.and_then(|pid| rustix::process::pidfd_open(pid, PidfdFlags::empty()).ok()))
+    }
+
+    /// Returns whether the process has ended.
+    pub(super) fn has_ended(&self) -> bool {
+        self.0.as_ref().is_none_or(|fd| is_readable(fd.as_fd(), Duration::ZERO))
     }
 
     /// Kills the process, and waits until it and its namespace are gone.

@@ -102,6 +102,10 @@ impl Running {
             left.into_iter().for_each(sys::kill);
             left = group::below(self.init);
         }
+        if self.handle.has_ended() {
+            // An init that somebody killed has no descendants any more.
+            sys::kill_group(self.program);
+        }
         self.handle.kill();
         first.len() as u32
     }

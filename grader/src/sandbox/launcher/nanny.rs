@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{self, Read};
 use std::os::unix::net::UnixStream;
 
-use rustix::process::{Pid, Signal};
+use rustix::process::{DumpableBehavior, Pid, Signal};
 
 use super::filter::Filters;
 use super::lines::Lines;
@@ -76,6 +76,9 @@ fn die_with_parent() -> io::Result<()> {
 /// socket: until then, the processes that the program has left can be counted.
 fn init(lines: &Lines, request: &Request, filters: &Filters) -> Result<(), Failure> {
     let step = |why: &io::Error| Failure::of("the program", why);
+    // Its memory holds the environment of the grader.
+    rustix::process::set_dumpable_behavior(DumpableBehavior::NotDumpable)
+        .map_err(|why| step(&why.into()))?;
     wire::send(&lines.status, &Message::Ready).map_err(|why| step(&why))?;
     let Some(program) = sys::fork().map_err(|why| step(&why))? else {
         let failure = program::become_program(lines, request, filters);

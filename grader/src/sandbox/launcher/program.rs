@@ -9,6 +9,8 @@ use landlock::{
     Ruleset, RulesetAttr, RulesetCreatedAttr, RulesetError, Scope,
 };
 
+use rustix::process::Signal;
+
 use super::filter::Filters;
 use super::lines::Lines;
 use super::wire::{self, Failure, Message, Request};
@@ -27,6 +29,8 @@ pub(super) fn become_program(
 ) -> Result<(), Failure> {
     let step = |name: &'static str| move |why: io::Error| Failure::of(name, &why);
     rustix::process::setpgid(None, None).map_err(|why| step("the process group")(why.into()))?;
+    rustix::process::set_parent_process_death_signal(Some(Signal::KILL))
+        .map_err(|why| step("the signal of the init's end")(why.into()))?;
     wire::send(&lines.status, &Message::Starting).map_err(step("the report"))?;
     streams(lines).map_err(step("the streams"))?;
     if let Some(start) = &request.program {
