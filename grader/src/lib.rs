@@ -1,5 +1,6 @@
 //! The grader: builds submissions, runs and judges them case by case, and scores them.
 
+pub mod alike;
 pub mod batch;
 pub mod blame;
 pub mod build;

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::plain;
 
 /// The version of the record's schema.
-pub const SCHEMA: u32 = 4;
+pub const SCHEMA: u32 = 5;
 
 /// The result of grading one submission.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -300,6 +300,8 @@ pub enum FindingKind {
     /// Correct tracers differ on every wrong pixel too. The picture counts as right, and a person
     /// should look at it.
     Contested,
+    /// Two runs of the program gave different pictures. The worse one counts.
+    Nondeterministic,
     /// The program could not be started, started too many processes, or ended with a signal, a
     /// panic or a code other than 0.
     Crash,

@@ -1,8 +1,12 @@
 //! Tests of attacks on the machine and on the grader, `tests/attacks/NAME`.
 //!
-//! Each attack runs without layers first, where it has to work: without this control, the test
-//! would prove nothing. Then it runs under each layer that stops it, alone, and under all layers.
-//! A layer that this machine lacks cannot be tested; `REQUIRE_LAYERS=1` makes this a failure.
+//! Each attack runs without layers and with wide limits first, where it has to work: without this
+//! control, the test would prove nothing. Then it runs under each layer that stops it, alone, and
+//! under all layers. A layer that this machine lacks cannot be tested; `REQUIRE_LAYERS=1` makes this
+//! a failure.
+//!
+//! After each run no process of the attack is left, its folder is gone, and the next submission
+//! gets the record that it gets on a machine that was never attacked.
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -16,17 +20,30 @@ use std::process::{Child, Command};
 use std::time::Duration;
 
 use grader::build::{BuildError, Workshop, build};
+use grader::grade::{Bench, Options, Silent, grade};
 use grader::sandbox::{Call, Folder, Layers, Limits, Outcome, Turn, available, interpreters, run};
 use grader::submission;
 use serde::Deserialize;
 use tempfile::TempDir;
 use tests::workspace;
 
-const LIMITS: Limits = Limits {
-    cpu: Duration::from_secs(20),
-    idle: Duration::from_secs(20),
+/// Limits that no attack exceeds.
+const WIDE: Limits = Limits {
+    cpu: Duration::from_secs(60),
+    idle: Duration::from_secs(60),
     wall: Duration::from_secs(120),
-    memory: 1 << 30,
+    memory: 4 << 30,
+    file_size: 64 << 20,
+    folder_size: 256 << 20,
+    output: 64 << 20,
+    processes: 200,
+};
+
+const LIMITS: Limits = Limits {
+    cpu: Duration::from_secs(2),
+    idle: Duration::from_secs(2),
+    wall: Duration::from_secs(60),
+    memory: 256 << 20,
     file_size: 1 << 20,
     folder_size: 8 << 20,
     output: 1 << 20,
@@ -39,31 +56,36 @@ struct Attack {
     about: String,
     /// Text that the attack prints if it works.
     works: String,
-    /// The layers that stop it, each alone.
+    /// The layers that stop it, each alone. There are none if it does no harm, because the end of
+    /// the run undoes what it did.
     stopped_by: Vec<Layer>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 #[serde(rename_all = "snake_case")]
 enum Layer {
+    /// Limits on time and resources, which are always in force.
+    Limits,
     Namespaces,
     Landlock,
     Seccomp,
 }
 
 impl Layer {
-    fn alone(self) -> Layers {
+    fn alone(self) -> (Layers, Limits) {
         let none = Layers::default();
         match self {
-            Self::Namespaces => Layers { namespaces: true, ..none },
-            Self::Landlock => Layers { landlock: true, ..none },
-            Self::Seccomp => Layers { seccomp: true, ..none },
+            Self::Limits => (none, LIMITS),
+            Self::Namespaces => (Layers { namespaces: true, ..none }, WIDE),
+            Self::Landlock => (Layers { landlock: true, ..none }, WIDE),
+            Self::Seccomp => (Layers { seccomp: true, ..none }, WIDE),
         }
     }
 
     fn is_here(self) -> bool {
         let Layers { namespaces, landlock, seccomp } = available().layers;
         match self {
+            Self::Limits => true,
             Self::Namespaces => namespaces,
             Self::Landlock => landlock,
             Self::Seccomp => seccomp,
@@ -88,8 +110,9 @@ struct Target {
     tcp: TcpListener,
     /// On the port of the other one.
     _udp: UdpSocket,
-    _socket: UnixListener,
-    socket: String,
+    _sockets: [UnixListener; 2],
+    /// The name of a socket, of a file in shared memory, and of all processes of the attacks.
+    name: String,
     /// An address in the memory of this process, which stands for the grader.
     byte: Box<u64>,
 }
@@ -109,11 +132,14 @@ impl Target {
         let tcp = TcpListener::bind("127.0.0.1:0").expect("a port");
         let udp = UdpSocket::bind(tcp.local_addr().expect("an address")).expect("its port");
         let port = tcp.local_addr().expect("an address").port();
-        let socket = format!("attacked-{}-{port}", std::process::id());
-        let address = SocketAddr::from_abstract_name(&socket).expect("a name");
-        let listener = UnixListener::bind_addr(&address).expect("a socket");
+        let name = format!("attacked-{}-{port}", std::process::id());
+        let address = SocketAddr::from_abstract_name(&name).expect("a name");
+        let path = folder.path().join("answers.json.socket");
+        let sockets = [UnixListener::bind_addr(&address), UnixListener::bind(path)]
+            .map(|listener| listener.expect("a socket"));
+        fs::write(Path::new("/dev/shm").join(&name), "the secret of a neighbour").expect("a file");
         let byte = Box::new(7);
-        Self { folder, victim, tcp, _udp: udp, _socket: listener, socket, byte }
+        Self { folder, victim, tcp, _udp: udp, _sockets: sockets, name, byte }
     }
 
     fn environment(&self, folder: &Path) -> Vec<(OsString, OsString)> {
@@ -128,42 +154,56 @@ impl Target {
             ("GRADER", std::process::id().to_string().into()),
             ("ADDRESS", format!("{:p}", &raw const *self.byte).into()),
             ("PORT", port.to_string().into()),
-            ("SOCKET", self.socket.clone().into()),
+            ("SOCKET", self.name.clone().into()),
         ];
         all.map(|(name, value)| (name.into(), value)).to_vec()
     }
 
-    /// Returns what the attack prints under these layers.
-    fn attacked(&self, attack: &Path, layers: Layers) -> String {
+    /// Returns what the attack prints under these layers and limits.
+    fn attacked(&self, attack: &Path, (layers, limits): (Layers, Limits)) -> String {
         let folder = Folder::new().expect("a folder");
         fs::copy(attack.join("attack.py"), folder.path().join("attack.py")).expect("a copy");
         let call = Call {
             program: "python3".into(),
             args: vec!["attack.py".into()],
             folder: folder.path().to_owned(),
+            in_memory: true,
             environment: self.environment(folder.path()),
             stdin: vec![],
-            limits: LIMITS,
+            limits,
             layers,
             access: interpreters(&search()),
             needed: 1 << 16,
         };
-        let finished = run(&call, Turn::Shared);
+        let (finished, _) = run(&call, Turn::Shared);
         let said = String::from_utf8_lossy(&finished.stdout).into_owned();
-        let is_run = matches!(finished.outcome, Outcome::Exited(_));
-        assert!(
-            is_run,
-            "{}: {:?}\n{:?}",
-            attack.display(),
-            finished.outcome,
-            finished.stderr_text()
-        );
+        let is_run = matches!(finished.outcome, Outcome::Exited(_)) || limits == LIMITS;
+        let (name, end, stderr) = (attack.display(), &finished.outcome, finished.stderr_text());
+        assert!(is_run, "{name}: {end:?}\n{stderr:?}");
+        assert_eq!(self.survivors(), [0; 0], "{name} under {layers}: processes are left");
+        let path = folder.path().to_owned();
+        drop(folder);
+        assert!(!path.exists(), "{name}: its folder is left");
         said
+    }
+}
+
+impl Target {
+    /// Returns the processes of attacks that are alive, which their environment shows.
+    fn survivors(&self) -> Vec<u32> {
+        let entries = fs::read_dir("/proc").expect("/proc").flatten();
+        let pid = |entry: fs::DirEntry| entry.file_name().to_str()?.parse::<u32>().ok();
+        let is_marked = |pid: &u32| {
+            let environment = fs::read(format!("/proc/{pid}/environ")).unwrap_or_default();
+            String::from_utf8_lossy(&environment).contains(&self.name)
+        };
+        entries.filter_map(pid).filter(is_marked).collect()
     }
 }
 
 impl Drop for Target {
     fn drop(&mut self) {
+        let _ = fs::remove_file(Path::new("/dev/shm").join(&self.name));
         let _ = self.victim.kill();
         let _ = self.victim.wait();
     }
@@ -176,9 +216,9 @@ fn search() -> OsString {
 /// Returns the faults of an attack and its layers.
 fn faults(target: &Target, folder: &Path, attack: &Attack) -> Vec<String> {
     let name = folder.file_name().expect("a name").to_string_lossy();
-    let works = |layers| target.attacked(folder, layers).contains(&attack.works);
+    let works = |under| target.attacked(folder, under).contains(&attack.works);
     let mut faults = vec![];
-    if !works(Layers::default()) {
+    if !works((Layers::default(), WIDE)) {
         faults.push(format!("{name}: the control does not work, so the test proves nothing"));
     }
     for layer in attack.stopped_by.iter().filter(|layer| layer.is_here()) {
@@ -186,20 +226,40 @@ fn faults(target: &Target, folder: &Path, attack: &Attack) -> Vec<String> {
             faults.push(format!("{name}: {layer:?} does not stop it ({})", attack.about));
         }
     }
-    if attack.stopped_by.iter().any(|layer| layer.is_here()) && works(available().layers) {
+    let is_stopped = !works((available().layers, LIMITS));
+    if attack.stopped_by.iter().any(|layer| layer.is_here()) && !is_stopped {
         faults.push(format!("{name}: all layers together do not stop it"));
     }
     faults
+}
+
+/// Returns the record of an honest submission as JSON, without times and sizes.
+fn honest_record(bench: &Bench) -> String {
+    let options =
+        Options { name: "honest".to_owned(), ..Options::new(workspace().join("tests/runtimes/c")) };
+    let mut record = grade(bench, &options, &Silent).expect("a record").record;
+    record.build.time_s = 0.0;
+    for check in record.stages.iter_mut().flat_map(|stage| &mut stage.checks) {
+        (check.time_s, check.cpu_s, check.peak_bytes) = (0.0, None, 0);
+    }
+    record.to_json()
 }
 
 #[test]
 fn every_attack_works_without_layers_and_is_stopped_by_each_of_its_own() {
     let target = Target::new();
     let attacks = attacks();
-    assert!(attacks.len() >= 16, "{} attacks", attacks.len());
-    let faults: Vec<String> =
-        attacks.iter().flat_map(|(folder, attack)| faults(&target, folder, attack)).collect();
-    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(attacks.len() >= 29, "{} attacks", attacks.len());
+    let mut bench = Bench::open(&workspace().join("tests/exam")).expect("the exam");
+    bench.workshop.layers = available().layers;
+    let clean = honest_record(&bench);
+    let mut all = vec![];
+    for (folder, attack) in attacks {
+        all.extend(faults(&target, &folder, &attack));
+        let after = honest_record(&bench);
+        assert_eq!(after, clean, "{} has changed the next record", folder.display());
+    }
+    assert!(all.is_empty(), "{}", all.join("\n"));
 }
 
 #[test]
@@ -254,18 +314,18 @@ fn honest_programs_run_under_all_layers() {
         program: "python3".into(),
         args: vec!["-c".into(), script.into()],
         folder: folder.path().to_owned(),
+        in_memory: true,
         environment: vec![("PATH".into(), search()), ("HOME".into(), folder.path().into())],
         stdin: vec![],
-        limits: LIMITS,
+        limits: WIDE,
         layers,
         access: interpreters(&search()),
         needed: 1 << 16,
     };
     for layers in [Layers::default(), available().layers] {
-        let finished = run(&call(layers), Turn::Shared);
+        let (finished, work) = run(&call(layers), Turn::Shared);
         assert_eq!(finished.outcome, Outcome::Exited(0), "{layers}: {:?}", finished.stderr_text());
-        let out = fs::read_to_string(folder.path().join("out")).expect("a file");
+        let out = fs::read_to_string(work.path().join("out")).expect("a file");
         assert_eq!(out, "[45, true]", "{layers}");
-        fs::remove_file(folder.path().join("out")).expect("a file");
     }
 }

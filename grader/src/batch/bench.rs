@@ -3,7 +3,9 @@
 
 use std::path::Path;
 
+use super::obtain::Read;
 use super::{Grader, Submission};
+use crate::alike::Sketch;
 use crate::grade::{self, Bench, GradeError, Options, Silent};
 use crate::graded::Graded;
 use crate::{sandbox, submission};
@@ -14,6 +16,8 @@ pub struct OnBench<'a> {
     bench: &'a Bench,
     stages: Vec<String>,
     epoch: String,
+    /// The fingerprints of the template, which all submissions share.
+    given: Sketch,
 }
 
 impl<'a> OnBench<'a> {
@@ -29,7 +33,10 @@ impl<'a> OnBench<'a> {
         stages.sort();
         grade::check_answers(bench, &Options { stages: stages.clone(), ..Options::new("") })?;
         let epoch = format!("{} {stages:?}", bench.epoch()?);
-        Ok(Self { bench, stages, epoch })
+        let template = &bench.workshop.template;
+        let given = template.pristine.values().chain(template.student.values());
+        let given = Sketch::new(given.map(String::as_str), &Sketch::default());
+        Ok(Self { bench, stages, epoch, given })
     }
 }
 
@@ -38,10 +45,11 @@ impl Grader for OnBench<'_> {
         &self.epoch
     }
 
-    fn digest(&self, path: &Path) -> Option<String> {
-        submission::read(path, &self.bench.workshop.template)
-            .ok()
-            .map(|submission| submission.digest)
+    fn read(&self, path: &Path) -> Option<Read> {
+        let submission = submission::read(path, &self.bench.workshop.template).ok()?;
+        let sources = submission.sources();
+        let sketch = Sketch::new(sources.iter().map(String::as_str), &self.given);
+        Some(Read { digest: submission.digest, sketch })
     }
 
     fn grade(&self, submission: &Submission) -> Result<Graded, GradeError> {

@@ -1,10 +1,12 @@
 //! Grades a whole class on all cores.
 //!
 //! ```text
-//! OUT/results/KEY/{record.json, report.html}   what was graded, under the hash of
+//! OUT/results/HASH/{record.json, report.html}  what was graded, under the hash of
 //!                                              (epoch, submission, name): never changed
+//! OUT/results/HASH/seal                        a keyed hash of all that
 //! OUT/records/ID.json, OUT/reports/ID.html     the same by the submission's id, from the last run
 //! OUT/class.csv, OUT/class.html                the table
+//! OUT/alike.csv                                submissions with nearly equal sources
 //! ```
 //!
 //! A result appears by one rename, so the next run continues where a killed one stopped. A
@@ -15,6 +17,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use crate::alike::{self, Pair, Sketch};
 use crate::files;
 use crate::report::class::{self, Entry};
 use crate::workers::{Panicked, side_by_side};
@@ -23,6 +26,7 @@ mod bench;
 mod error;
 mod obtain;
 mod progress;
+mod seal;
 mod store;
 mod submissions;
 #[cfg(test)]
@@ -30,8 +34,9 @@ mod tests;
 
 pub use bench::OnBench;
 pub use error::BatchError;
-pub use obtain::Grader;
+pub use obtain::{Grader, Read};
 pub use progress::{Listener, Shown};
+pub use seal::{Key, KeyError};
 pub use submissions::{LeftAside, Submission};
 
 use obtain::{Obtained, obtain};
@@ -46,6 +51,8 @@ pub struct Options {
     pub out: PathBuf,
     /// Number of submissions that are graded at once, at least 1.
     pub jobs: usize,
+    /// The key of the results.
+    pub key: Key,
 }
 
 /// The result of a run.
@@ -58,6 +65,8 @@ pub struct Summary {
     /// Number of submissions without a record because the user stopped the run. If there are any,
     /// the table is not written.
     pub n_left: usize,
+    /// Number of pairs of submissions with nearly equal sources.
+    pub n_alike: usize,
     /// Names of the submissions at which the grader or the machine failed, with the reasons.
     pub failed: Vec<(String, String)>,
     /// Files and folders beside the submissions that are none.
@@ -91,14 +100,19 @@ pub fn run(
     if submissions.is_empty() {
         return Err(BatchError::Empty(options.folder.clone()));
     }
-    let store = Store::open(&options.out, grader.epoch()).map_err(unwritable)?;
+    let store =
+        Store::open(&options.out, grader.epoch(), options.key.clone()).map_err(unwritable)?;
     listener.begin(submissions.len());
     let obtained =
         obtain_all(grader, &store, &submissions, options.jobs, listener).map_err(unwritable)?;
+    let (obtained, sketches): (Vec<Obtained>, Vec<Sketch>) = obtained.into_iter().unzip();
     listener.end();
-    let summary = summarise(&submissions, &obtained, left_aside);
+    let mut summary = summarise(&submissions, &obtained, left_aside);
     if summary.n_left == 0 {
-        write_table(&options.out, submissions, obtained).map_err(unwritable)?;
+        let ids = submissions.iter().map(|one| &*one.id);
+        let alike = alike::pairs(&ids.zip(&sketches).collect::<Vec<_>>());
+        summary.n_alike = alike.len();
+        write_table(&options.out, submissions, obtained, &alike).map_err(unwritable)?;
     }
     Ok(summary)
 }
@@ -114,11 +128,11 @@ fn obtain_all(
     submissions: &[Submission],
     jobs: usize,
     listener: &dyn Listener,
-) -> io::Result<Vec<Obtained>> {
+) -> io::Result<Vec<(Obtained, Sketch)>> {
     let is_over = AtomicBool::new(false);
     let work = |n: &usize| {
         if is_over.load(Ordering::Relaxed) {
-            return Ok(Obtained::Left);
+            return Ok((Obtained::Left, Sketch::default()));
         }
         obtain(grader, store, &submissions[*n], listener)
             .inspect_err(|_| is_over.store(true, Ordering::Relaxed))
@@ -128,11 +142,11 @@ fn obtain_all(
         all.partition(|n| store.deaths(&submissions[*n].id).is_some());
     let mut obtained = side_by_side(jobs, &others, work);
     obtained.extend(side_by_side(1, &suspects, work));
-    let or_failed =
-        |one: Result<_, Panicked>| one.unwrap_or_else(|why| Ok(Obtained::Failed(why.to_string())));
-    let obtained = obtained.into_iter().map(or_failed).collect::<io::Result<Vec<Obtained>>>()?;
-    let mut in_order: Vec<(usize, Obtained)> =
-        others.into_iter().chain(suspects).zip(obtained).collect();
+    let or_failed = |one: Result<_, Panicked>| {
+        one.unwrap_or_else(|why| Ok((Obtained::Failed(why.to_string()), Sketch::default())))
+    };
+    let obtained = obtained.into_iter().map(or_failed).collect::<io::Result<Vec<_>>>()?;
+    let mut in_order: Vec<(usize, _)> = others.into_iter().chain(suspects).zip(obtained).collect();
     in_order.sort_by_key(|(n, _)| *n);
     Ok(in_order.into_iter().map(|(_, obtained)| obtained).collect())
 }
@@ -160,6 +174,7 @@ fn write_table(
     out: &Path,
     submissions: Vec<Submission>,
     obtained: Vec<Obtained>,
+    alike: &[Pair],
 ) -> io::Result<()> {
     let record = |obtained| match obtained {
         Obtained::Taken(record) | Obtained::Graded(record) => Some(record),
@@ -172,5 +187,6 @@ fn write_table(
     };
     let entries: Vec<Entry> = submissions.into_iter().zip(obtained).map(entry).collect();
     files::write(&out.join("class.csv"), class::csv(&entries).as_bytes())?;
-    files::write(&out.join("class.html"), class::page(&entries).as_bytes())
+    files::write(&out.join("class.html"), class::page(&entries, alike).as_bytes())?;
+    files::write(&out.join("alike.csv"), class::alike_csv(&entries, alike).as_bytes())
 }

@@ -6,8 +6,9 @@ use std::path::Path;
 use pages::say;
 
 use super::progress::Listener;
-use super::store::Store;
+use super::store::{Found, Store};
 use super::submissions::Submission;
+use crate::alike::Sketch;
 use crate::grade::GradeError;
 use crate::graded::Graded;
 use crate::plain;
@@ -19,9 +20,9 @@ pub trait Grader: Sync {
     /// Returns a hash of everything but the submission that a score depends on.
     fn epoch(&self) -> &str;
 
-    /// Returns a hash of the files that count, or `None` if the submission cannot be read. Grading
-    /// it again then costs nothing.
-    fn digest(&self, submission: &Path) -> Option<String>;
+    /// Reads the submission, or returns `None` if it cannot be read. Grading it again then costs
+    /// nothing.
+    fn read(&self, submission: &Path) -> Option<Read>;
 
     /// Grades `submission` on one thread.
     ///
@@ -34,11 +35,21 @@ pub trait Grader: Sync {
     fn is_stopped(&self) -> bool;
 }
 
+/// A submission that was read.
+#[derive(Clone, Debug, Default)]
+pub struct Read {
+    /// A hash of the files that count.
+    pub digest: String,
+    /// The fingerprints of the sources.
+    pub sketch: Sketch,
+}
+
 /// Number of deaths of the grader while it graded a submission alone, after which the next run does
 /// not grade that submission.
 const MAX_DEATHS: u32 = 2;
 
 /// The outcome for one submission.
+#[derive(Debug)]
 pub(super) enum Obtained {
     /// The submission was graded in an earlier run, under the same epoch, and has not changed.
     Taken(Record),
@@ -50,14 +61,18 @@ pub(super) enum Obtained {
 }
 
 /// Takes the result of an earlier run, or grades the submission. A published result is then shown
-/// under the submission's id.
+/// under the submission's id. Returns the fingerprints of the submission as well.
 pub(super) fn obtain(
     grader: &impl Grader,
     store: &Store,
     one: &Submission,
     listener: &dyn Listener,
-) -> io::Result<Obtained> {
-    let obtained = find_or_grade(grader, store, one)?;
+) -> io::Result<(Obtained, Sketch)> {
+    if grader.is_stopped() {
+        return Ok((Obtained::Left, Sketch::default()));
+    }
+    let read = grader.read(&one.path);
+    let obtained = find_or_grade(grader, store, one, (read.as_ref(), listener))?;
     match &obtained {
         Obtained::Taken(record) => listener.taken(one, record),
         Obtained::Graded(record) => listener.graded(one, record),
@@ -68,16 +83,19 @@ pub(super) fn obtain(
         store.show(&one.id, record)?;
         store.clear(&one.id);
     }
-    Ok(obtained)
+    Ok((obtained, read.unwrap_or_default().sketch))
 }
 
-fn find_or_grade(grader: &impl Grader, store: &Store, one: &Submission) -> io::Result<Obtained> {
-    if grader.is_stopped() {
-        return Ok(Obtained::Left);
-    }
-    if let Some(record) = grader.digest(&one.path).and_then(|digest| store.find(&digest, &one.name))
-    {
-        return Ok(Obtained::Taken(record));
+fn find_or_grade(
+    grader: &impl Grader,
+    store: &Store,
+    one: &Submission,
+    (read, listener): (Option<&Read>, &dyn Listener),
+) -> io::Result<Obtained> {
+    match read.map(|read| store.find(&read.digest, &one.name)) {
+        Some(Found::Record(record)) => return Ok(Obtained::Taken(*record)),
+        Some(Found::Unsealed) => listener.refused(one),
+        Some(Found::Nothing) | None => {}
     }
     if store.deaths(&one.id).is_some_and(|n| n >= MAX_DEATHS) {
         let why = format!(

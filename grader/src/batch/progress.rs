@@ -16,6 +16,9 @@ pub trait Listener: Sync {
     fn begin(&self, n_submissions: usize);
     /// Reports that the result of an earlier run is used.
     fn taken(&self, submission: &Submission, record: &Record);
+    /// Reports that a stored result of the submission lacks the seal of this grader, so that the
+    /// submission is graded again.
+    fn refused(&self, submission: &Submission);
     /// Reports that the submission was graded.
     fn graded(&self, submission: &Submission, record: &Record);
     /// Reports that the grader or the machine failed at the submission.
@@ -61,6 +64,19 @@ impl Listener for Shown {
 
     fn taken(&self, submission: &Submission, record: &Record) {
         self.step(format!("{} (unchanged)", line(submission, record)), false);
+    }
+
+    fn refused(&self, submission: &Submission) {
+        let line = format!(
+            "{}: its stored result is refused and graded again, because it lacks the seal of this \
+             grader: somebody changed it, the disk spoilt it, or the key is another one",
+            submission.name
+        );
+        if self.bar.is_hidden() {
+            say::err(&line);
+        } else {
+            self.bar.println(plain::printable(&line));
+        }
     }
 
     fn graded(&self, submission: &Submission, record: &Record) {

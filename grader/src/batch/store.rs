@@ -1,4 +1,5 @@
 //! Stores results on disk, each published once and whole under a hash of everything it depends on.
+//! A result without the seal of the grader does not count.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -10,10 +11,13 @@ use crate::leftovers::{self, Held, Left};
 use crate::record::{Record, SCHEMA};
 use crate::report::html;
 
+use super::seal::Key;
+
 /// The folder of results, for one epoch.
 pub(super) struct Store {
     out: PathBuf,
     epoch: String,
+    key: Key,
     /// The folder for files before they get their names, and for notes on the submissions that are
     /// being graded.
     work: Held,
@@ -22,6 +26,21 @@ pub(super) struct Store {
     suspects: BTreeMap<String, u32>,
 }
 
+/// A result of an earlier run, as it is found on the disk.
+pub(super) enum Found {
+    /// There is none.
+    Nothing,
+    /// The record, which has the seal of this grader.
+    Record(Box<Record>),
+    /// There is one, but without the seal of this grader: someone else has written it, the disk
+    /// has spoilt it, or it was sealed with another key.
+    Unsealed,
+}
+
+/// The files of a result.
+const RECORD: &str = "record.json";
+const REPORT: &str = "report.html";
+const SEAL: &str = "seal";
 /// The ending of a file that notes that a submission is being graded.
 const DOING: &str = ".doing";
 /// The ending of a file with the number of deaths of a suspect, which is kept until the submission
@@ -30,7 +49,7 @@ const SUSPECT: &str = ".suspect";
 
 impl Store {
     /// Creates the folders, and removes what killed runs left in them.
-    pub(super) fn open(out: &Path, epoch: &str) -> io::Result<Self> {
+    pub(super) fn open(out: &Path, epoch: &str, key: Key) -> io::Result<Self> {
         for folder in ["results", "records", "reports"] {
             std::fs::create_dir_all(out.join(folder))?;
         }
@@ -44,7 +63,7 @@ impl Store {
         drop(left);
         files::clear_parts(out)?;
         files::clear_parts(&out.join("results"))?;
-        Ok(Self { out: out.to_owned(), epoch: epoch.to_owned(), work, suspects })
+        Ok(Self { out: out.to_owned(), epoch: epoch.to_owned(), key, work, suspects })
     }
 
     /// Returns how often a run died while it graded this submission and no other, or `None` if none
@@ -81,40 +100,60 @@ impl Store {
         self.out.join("results").join(hasher.finalize().to_hex().as_str())
     }
 
-    /// Returns the record of an earlier run, or `None` if there is none or it is broken.
-    pub(super) fn find(&self, digest: &str, name: &str) -> Option<Record> {
+    /// Returns the result of an earlier run, if its seal is right.
+    pub(super) fn find(&self, digest: &str, name: &str) -> Found {
         let folder = self.folder(digest, name);
-        let bytes = std::fs::read(folder.join("record.json")).ok()?;
-        let record: Record = serde_json::from_slice(&bytes).ok()?;
-        let is_whole = record.schema == SCHEMA && folder.join("report.html").is_file();
-        (is_whole && record.submission.digest == digest).then_some(record)
+        if folder.symlink_metadata().is_err() {
+            return Found::Nothing;
+        }
+        let record = self.sealed(&folder).filter(|record| record.submission.digest == digest);
+        record.map_or(Found::Unsealed, |record| Found::Record(Box::new(record)))
     }
 
-    /// Stores a record and its report.
+    /// Returns the record in `folder`, or `None` if a file is missing or the seal is not right.
+    fn sealed(&self, folder: &Path) -> Option<Record> {
+        let [record, report, seal] =
+            [RECORD, REPORT, SEAL].map(|name| std::fs::read(folder.join(name)).ok());
+        let (record, report) = (record?, report?);
+        let found = blake3::Hash::from_hex(seal?).ok()?;
+        // Hashes are compared in constant time.
+        let is_right = found == self.seal(folder, &record, &report);
+        let record: Record = serde_json::from_slice(&record).ok().filter(|_| is_right)?;
+        (record.schema == SCHEMA).then_some(record)
+    }
+
+    /// Returns the seal of a result. It covers the name of the folder, so that no result can stand
+    /// in for another.
+    fn seal(&self, folder: &Path, record: &[u8], report: &[u8]) -> blake3::Hash {
+        let name = folder.file_name().unwrap_or_default().as_encoded_bytes();
+        self.key.seal(&[name, record, report])
+    }
+
+    /// Stores a record and its report, with their seal.
     ///
-    /// A result that already has the same key is replaced if it is broken, and otherwise kept,
-    /// since it is just as good. A submission that could not be read has no digest in its key, so
-    /// its result is always replaced.
+    /// A result that already has the same key is replaced if its seal is not right, and otherwise
+    /// kept, since it is just as good. A submission that could not be read has no digest in its
+    /// key, so its result is always replaced.
     pub(super) fn publish(&self, graded: &Graded) -> io::Result<()> {
         let Record { submission, .. } = &graded.record;
         let folder = self.folder(&submission.digest, &submission.path);
-        let has_digest = !submission.digest.is_empty();
-        if folder.exists()
-            && !(has_digest && self.find(&submission.digest, &submission.path).is_some())
-        {
-            std::fs::remove_dir_all(&folder)?;
+        let is_kept = !submission.digest.is_empty() && self.sealed(&folder).is_some();
+        if folder.symlink_metadata().is_ok() && !is_kept {
+            leftovers::remove(&folder)?;
         }
         files::publish_folder(&folder, |fresh| {
-            html::write(&fresh.join("report.html"), graded)?;
-            files::write(&fresh.join("record.json"), graded.record.to_json().as_bytes())
+            let (report, record) = (fresh.join(REPORT), graded.record.to_json());
+            html::write(&report, graded)?;
+            let seal = self.seal(&folder, record.as_bytes(), &std::fs::read(&report)?);
+            files::write(&fresh.join(SEAL), seal.to_hex().as_bytes())?;
+            files::write(&fresh.join(RECORD), record.as_bytes())
         })
     }
 
     /// Makes a published record and its report available under the submission's id, where people
     /// look for them.
     pub(super) fn show(&self, id: &str, record: &Record) -> io::Result<()> {
-        let report =
-            self.folder(&record.submission.digest, &record.submission.path).join("report.html");
+        let report = self.folder(&record.submission.digest, &record.submission.path).join(REPORT);
         self.link(&report, &self.out.join("reports").join(format!("{id}.html")))?;
         files::write(
             &self.out.join("records").join(format!("{id}.json")),

@@ -10,6 +10,8 @@ const MAX_MESSAGE: usize = 8 << 10;
 const MAX_ERRORS: usize = 16 << 10;
 /// Largest number of warnings that are kept.
 const MAX_WARNINGS: usize = 30;
+/// Largest size in bytes of the text of all warnings.
+const MAX_WARNINGS_TEXT: usize = 16 << 10;
 
 /// The messages as rustc renders them for a terminal without colour.
 #[derive(Debug, Default, PartialEq)]
@@ -34,7 +36,7 @@ pub(super) fn parse(stderr: &[u8]) -> Diagnostics {
         let text = plain::shown(&start(message.rendered.unwrap_or(message.message).trim_end()));
         match message.level.as_str() {
             _ if is_count(&text) => {}
-            "warning" if said.warnings.len() < MAX_WARNINGS => said.warnings.push(text),
+            "warning" if said.has_room_for(&text) => said.warnings.push(text),
             level if level.starts_with("error") => said.errors.push(text),
             _ => {}
         }
@@ -55,6 +57,11 @@ fn is_count(text: &str) -> bool {
 }
 
 impl Diagnostics {
+    fn has_room_for(&self, warning: &str) -> bool {
+        let bytes: usize = self.warnings.iter().map(String::len).sum();
+        self.warnings.len() < MAX_WARNINGS && bytes + warning.len() <= MAX_WARNINGS_TEXT
+    }
+
     /// Returns the errors one below the other, cut at a limit, with the number of the rest.
     pub(super) fn errors_text(&self) -> String {
         let mut text = String::new();

@@ -78,6 +78,7 @@ fn run(
         program,
         args,
         folder: folder.to_owned(),
+        in_memory: false,
         environment: environment.map(|(name, value)| (name.into(), value)).to_vec(),
         stdin: vec![],
         limits: LIMITS,
@@ -85,7 +86,7 @@ fn run(
         access: sandbox::interpreters(search),
         needed: NEEDED,
     };
-    let finished = sandbox::run(&call, Turn::Shared);
+    let (finished, _) = sandbox::run(&call, Turn::Shared);
     if finished.outcome == Outcome::Exited(0) {
         return Ok(finished.wall);
     }

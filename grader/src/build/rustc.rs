@@ -80,7 +80,7 @@ fn compile(
         access: vec![Access::execute(&toolchain.sysroot), Access::execute(sdk.folder())],
         ..call(&toolchain.rustc(), sdk, folder.path())
     };
-    let finished = sandbox::run(&call, Turn::Shared);
+    let (finished, _) = sandbox::run(&call, Turn::Shared);
     if finished.outcome != Outcome::Exited(0) {
         return Err(failed(sandbox::blame(&call, finished), sdk, &call.limits));
     }
@@ -121,6 +121,7 @@ fn call(rustc: &Path, sdk: &Sdk, folder: &Path) -> Call {
         program: rustc.to_owned(),
         args,
         folder: folder.to_owned(),
+        in_memory: false,
         environment: vec![("PATH".into(), SEARCH.into()), ("TMPDIR".into(), folder.into())],
         stdin: vec![],
         limits: LIMITS.with_time(CPU),

@@ -200,6 +200,30 @@ pub(crate) struct Batch {
     /// Only this stage, such as 02 or 02_shadows; may be repeated
     #[arg(long, value_name = "STAGE")]
     pub(crate) stage: Vec<String>,
+    /// File with the key of the results, which is made if there is none
+    /// [default: grader/key in $XDG_STATE_HOME, else ~/.local/state/grader/key]
+    ///
+    /// Results are sealed with it, so that a planted or changed one is refused and graded again.
+    /// Machines that share a folder of results need the same key.
+    #[arg(long, value_name = "FILE")]
+    key: Option<PathBuf>,
+}
+
+impl Batch {
+    /// Returns the file of the key.
+    ///
+    /// # Errors
+    /// Returns [`GradeError::Usage`] if none is named and the user has no home folder.
+    pub(crate) fn key_file(&self) -> Result<PathBuf, GradeError> {
+        let variable = |name| std::env::var_os(name).filter(|value| !value.is_empty());
+        let state = || {
+            let home = || Some(PathBuf::from(variable("HOME")?).join(".local/state"));
+            Some(variable("XDG_STATE_HOME").map(PathBuf::from).or_else(home)?.join("grader/key"))
+        };
+        let none = "there is no place for the key of the results, because neither HOME nor \
+            XDG_STATE_HOME is set; name a file with --key FILE";
+        self.key.clone().or_else(state).ok_or_else(|| GradeError::Usage(none.to_owned()))
+    }
 }
 
 /// Judge pictures that are rendered already: DIR/STAGE/CASE.png

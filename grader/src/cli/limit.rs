@@ -23,6 +23,17 @@ pub(crate) struct Limit {
         value_parser = clap::value_parser!(u16).range(1..)
     )]
     time_limit: u16,
+    /// Seconds of CPU time and idle time that all runs of a submission have together
+    ///
+    /// The stages share it: each has at least its part, and what earlier stages leave. Checks that
+    /// are left when the time of their stage is over are not run.
+    #[arg(
+        long,
+        value_name = "SECONDS",
+        default_value_t = 600,
+        value_parser = clap::value_parser!(u32).range(1..)
+    )]
+    total_time_limit: u32,
     /// Mebibytes of memory that a program may use
     #[arg(
         long,
@@ -50,9 +61,8 @@ impl Limit {
     }
 
     pub(crate) fn allowance(&self) -> Allowance {
-        Allowance::new(
-            Duration::from_secs(self.time_limit.into()),
-            u64::from(self.memory_limit) << 20,
-        )
+        let time = Duration::from_secs(self.time_limit.into());
+        let whole = Duration::from_secs(self.total_time_limit.into());
+        Allowance { whole, ..Allowance::new(time, u64::from(self.memory_limit) << 20) }
     }
 }

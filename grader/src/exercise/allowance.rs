@@ -12,16 +12,20 @@ pub struct Allowance {
     pub picture: Limits,
     /// The limits for the unit checks of a stage.
     pub questions: Limits,
+    /// The limit on CPU time plus idle time of all runs of a submission. Its stages share it.
+    pub whole: Duration,
 }
 
 impl Allowance {
     /// The default CPU time for a picture, and for the questions of a stage.
     pub const TIME: Duration = Duration::from_secs(10);
+    /// The default limit on the time of all runs of a submission.
+    pub const WHOLE: Duration = Duration::from_secs(600);
     /// The default limit on resident bytes.
     pub const MEMORY: u64 = 1 << 30;
 
-    /// Returns an allowance of `time` of CPU time and `memory` resident bytes. The other times
-    /// follow from [`Limits::with_time`].
+    /// Returns an allowance of `time` of CPU time for each run, `memory` resident bytes, and
+    /// [`Allowance::WHOLE`] for all runs. The other times follow from [`Limits::with_time`].
     pub fn new(time: Duration, memory: u64) -> Self {
         let limits = Limits {
             cpu: time,
@@ -34,7 +38,7 @@ impl Allowance {
             processes: 64,
         };
         let limits = limits.with_time(time);
-        Self { picture: limits, questions: limits }
+        Self { picture: limits, questions: limits, whole: Self::WHOLE }
     }
 
     /// Returns the limit on the idle time of all runs of a submission: twelve times that of one

@@ -114,8 +114,8 @@ fn once<T>(
             return (Attempt { output, finished, failure: None }, false);
         }
     };
-    let finished = sandbox::run(&call, turn);
-    let (output, is_good) = read(folder.path(), &finished);
+    let (finished, work) = sandbox::run(&call, turn);
+    let (output, is_good) = read(work.path(), &finished);
     let finished = if is_good { finished } else { sandbox::blame(&call, finished) };
     let failure = Failure::of(&finished, folder.path());
     (Attempt { output, finished, failure }, is_good)
@@ -141,6 +141,7 @@ fn prepared(candidate: &Candidate, task: &Task) -> Result<(Folder, Call), Shorta
         program: program.path.clone(),
         args: program.args.iter().cloned().chain(args).collect(),
         folder: folder.path().to_owned(),
+        in_memory: true,
         environment: environment.map(|(name, value)| (name.into(), value)).to_vec(),
         stdin: task.stdin.to_vec(),
         limits: task.limits,

@@ -58,7 +58,7 @@ fn idle_time_is_limited_over_all_questions_of_a_stage() {
     let short = Limits { idle: Duration::from_millis(80), ..limits };
     let probed = |picture| {
         let candidate = Candidate {
-            allowance: Allowance { picture, questions: limits },
+            allowance: Allowance { picture, questions: limits, whole: Allowance::WHOLE },
             ..candidate(&program)
         };
         probe(&candidate, &questions(), &mut Start::default())

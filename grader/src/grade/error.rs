@@ -7,7 +7,7 @@ use cases::files::WriteError;
 use cases::film::PictureError;
 use cases::problem::Problems;
 
-use crate::batch::BatchError;
+use crate::batch::{BatchError, KeyError};
 use crate::blame::{self, Blame};
 use crate::build::{Fault, NoWorkspace};
 use crate::exam::SingleError;
@@ -53,6 +53,9 @@ pub enum GradeError {
     /// The run over a class failed as a whole.
     #[error(transparent)]
     Batch(#[from] BatchError),
+    /// There is no key for the results of a class.
+    #[error(transparent)]
+    Key(#[from] KeyError),
     /// A picture or another input cannot be read.
     #[error(transparent)]
     Input(#[from] InputError),
@@ -103,6 +106,7 @@ impl GradeError {
             Self::Answer(why) => why.blame(),
             Self::Submission(why) => of_file(matches!(why, SubmissionError::Unreadable { .. })),
             Self::Batch(why) => of_file(why.is_usage()),
+            Self::Key(why) => of_file(why.is_usage()),
             Self::Input(why) => of_file(why.is_usage()),
             Self::Picture { source, .. } => of_file(!matches!(source, PictureError::Io(_))),
             Self::Write(why) => of_file(why.is_usage()),

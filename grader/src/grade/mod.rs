@@ -1,8 +1,10 @@
 //! Grades one submission, from its folder to its record.
 
+mod bounds;
 mod diagnosis;
 mod error;
 mod perform;
+mod pictures;
 mod plan;
 mod progress;
 mod thrift;
@@ -22,7 +24,7 @@ use plan::Plan;
 use crate::build::{BuildError, Built, Workshop, build};
 use crate::exam::Exam;
 use crate::exercise::{self, Allowance, Candidate};
-use crate::record::{Build, Finding, FindingKind, Submission, Verdict};
+use crate::record::{Build, Finding, FindingKind, SCHEMA, Submission, Verdict};
 use crate::submission::{self, SubmissionError};
 use crate::workers::guarded;
 
@@ -77,7 +79,7 @@ impl Bench {
     /// Returns an error if no compiler is found.
     pub fn epoch(&self) -> Result<String, GradeError> {
         let compiler = &self.workshop.toolchain()?.version;
-        let text = format!("{} {VERSION} {:?} {compiler}", self.exam.hash, self.allowance);
+        let text = format!("{} {VERSION} {SCHEMA} {:?} {compiler}", self.exam.hash, self.allowance);
         Ok(blake3::hash(text.as_bytes()).to_hex().to_string())
     }
 }

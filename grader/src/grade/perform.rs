@@ -10,6 +10,7 @@ use cases::film::Image;
 use cases::probe::{Answer, Question};
 use cases::stage::{Case, Check};
 
+use super::pictures;
 use super::plan::{Part, Plan};
 use super::progress::Progress;
 use super::thrift::{self, Share, Taken};
@@ -52,7 +53,8 @@ impl Done {
 /// A unit of work: a picture, or the unit checks of a stage.
 #[derive(Clone, Copy)]
 enum Task<'a> {
-    Units(&'a Part<'a>),
+    /// The unit checks of a stage, and its place in the plan.
+    Units(&'a Part<'a>, usize),
     /// A picture, and the place of its stage in the plan.
     Picture(&'a Part<'a>, &'a Case, usize),
 }
@@ -78,9 +80,9 @@ pub(super) fn exercise(
     let tasks = tasks(plan);
     progress.phase("running the program");
     progress.begin(tasks.len() as u64);
-    let session =
-        Session { candidate, progress, taken: Mutex::new(vec![None; tasks.len()]), tasks };
-    let n_units = session.tasks.iter().filter(|task| matches!(task, Task::Units(_))).count();
+    let taken = Mutex::new(vec![None; tasks.len()]);
+    let session = Session { candidate, progress, taken, tasks, n_stages: plan.stages.len() };
+    let n_units = session.tasks.iter().filter(|task| task.is_units()).count();
     let (units, pictures) = (0..n_units, n_units..session.tasks.len());
     let begun = side_by_side(jobs, &[units, pictures], |kind| session.begin(kind.clone()));
     let mut begun = begun.into_iter().map(Result::unwrap_or_default);
@@ -98,8 +100,11 @@ pub(super) fn exercise(
 
 /// Returns all tasks in the order of the plan, unit checks first.
 fn tasks<'a>(plan: &'a Plan) -> Vec<Task<'a>> {
-    let units = plan.stages.iter().filter(|part| !part.checks.is_empty()).map(Task::Units);
-    let pictures = plan.stages.iter().enumerate().flat_map(|(stage, part)| {
+    let stages = || plan.stages.iter().enumerate();
+    let units = stages()
+        .filter(|(_, part)| !part.checks.is_empty())
+        .map(|(stage, part)| Task::Units(part, stage));
+    let pictures = stages().flat_map(|(stage, part)| {
         part.cases.iter().map(move |case| Task::Picture(part, case, stage))
     });
     units.chain(pictures).collect()
@@ -109,14 +114,21 @@ impl Task<'_> {
     /// Returns the ids of the task's checks.
     fn ids(&self) -> Vec<&str> {
         match self {
-            Self::Units(part) => part.checks.iter().map(|(check, _)| check.id.as_str()).collect(),
+            Self::Units(part, _) => {
+                part.checks.iter().map(|(check, _)| check.id.as_str()).collect()
+            }
             Self::Picture(_, case, _) => vec![&case.id],
         }
     }
 
-    /// Returns the place of the stage in the plan, for a picture.
-    fn stage(&self) -> Option<usize> {
-        if let Self::Picture(_, _, stage) = self { Some(*stage) } else { None }
+    /// Returns the place of the stage in the plan.
+    fn stage(&self) -> usize {
+        let (Self::Units(_, stage) | Self::Picture(_, _, stage)) = self;
+        *stage
+    }
+
+    fn is_units(&self) -> bool {
+        matches!(self, Self::Units(..))
     }
 }
 
@@ -127,6 +139,8 @@ struct Session<'a> {
     progress: &'a dyn Progress,
     /// The time that each task took, once it has ended.
     taken: Mutex<Vec<Option<Taken>>>,
+    /// Number of stages in the plan.
+    n_stages: usize,
 }
 
 impl Session<'_> {
@@ -149,9 +163,9 @@ impl Session<'_> {
         let task = &self.tasks[n];
         let share = {
             let taken = self.taken.lock().unwrap_or_else(PoisonError::into_inner);
-            thrift::share(taken[..n].iter().flatten(), task.stage(), self.most_idle())
+            self.share(taken[..n].iter().flatten(), task)
         };
-        let is_left_out = share == Share::Nothing || start.broken().is_some();
+        let is_left_out = share.is_nothing() || start.broken().is_some();
         let ran = if is_left_out {
             Ok(Ran::default())
         } else {
@@ -171,7 +185,7 @@ impl Session<'_> {
 
     fn perform(&self, task: &Task, share: Share, start: &mut Start) -> Ran {
         match *task {
-            Task::Units(part) => units(self.candidate, part, start),
+            Task::Units(part, stage) => units(self.candidate, (part, stage), start),
             Task::Picture(part, case, stage) => {
                 let limits = self.candidate.allowance.picture;
                 let limits = if share == Share::Reduced { reduced(limits) } else { limits };
@@ -180,8 +194,9 @@ impl Session<'_> {
         }
     }
 
-    fn most_idle(&self) -> Duration {
-        self.candidate.allowance.most_idle()
+    /// Returns the share of the time limit for `task` after the runs `before` it.
+    fn share<'t>(&self, before: impl Iterator<Item = &'t Taken>, task: &Task) -> Share {
+        thrift::share(before, (task.stage(), self.n_stages), &self.candidate.allowance)
     }
 
     /// Combines the results as if all tasks had been run one after another.
@@ -191,21 +206,24 @@ impl Session<'_> {
         let mut left_out = LeftOut::default();
         for (n, task) in self.tasks.iter().enumerate() {
             let mut one = ran.remove(&n).unwrap_or_default();
-            match thrift::share(before.iter(), task.stage(), self.most_idle()) {
-                Share::Whole => {}
-                Share::Reduced => one.reduce_to(&reduced(self.candidate.allowance.picture)),
-                Share::Nothing => {
-                    let idle =
-                        || Done::unmeasured(verdicts::idle_for_too_long(self.most_idle()), None);
-                    one = Ran::default();
-                    one.done.extend(task.ids().into_iter().map(|id| (id.to_owned(), idle())));
+            let allowance = &self.candidate.allowance;
+            let left_out_because = match self.share(before.iter(), task) {
+                Share::Whole => None,
+                Share::Reduced => {
+                    one.reduce_to(&reduced(allowance.picture));
+                    None
                 }
+                Share::Idle => Some(verdicts::idle_for_too_long(allowance.most_idle())),
+                Share::OutOfTime => Some(verdicts::out_of_time(allowance.whole)),
+            };
+            if let Some(why) = left_out_because {
+                one = Ran::left_out(task, &why);
             }
             let missing = task.ids().into_iter().filter(|id| !one.done.contains_key(*id));
             left_out.of(task).extend(missing.map(str::to_owned));
             before.push(one.taken);
             answers.done.extend(one.done);
-            if let Task::Units(part) = task {
+            if let Task::Units(part, _) = task {
                 answers.remarks.insert(part.questions.stage.id.clone(), one.remarks);
             }
         }
@@ -236,11 +254,18 @@ struct LeftOut {
 
 impl LeftOut {
     fn of(&mut self, task: &Task) -> &mut Vec<String> {
-        if matches!(task, Task::Units(_)) { &mut self.questions } else { &mut self.pictures }
+        if task.is_units() { &mut self.questions } else { &mut self.pictures }
     }
 }
 
 impl Ran {
+    /// Returns the result of a task that is left out, which takes no time.
+    fn left_out(task: &Task, why: &Judgement) -> Self {
+        let done = |id: &str| (id.to_owned(), Done::unmeasured(why.clone(), None));
+        let taken = Taken { stage: task.stage(), ..Taken::default() };
+        Self { done: task.ids().into_iter().map(done).collect(), taken, ..Self::default() }
+    }
+
     /// Changes the result of a picture to what it would be with these limits.
     fn reduce_to(&mut self, limits: &Limits) {
         let beyond = self.picture.as_ref().and_then(|finished| verdicts::beyond(finished, limits));
@@ -290,26 +315,25 @@ fn picture(
     limits: Limits,
     start: &mut Start,
 ) -> Ran {
-    let shot = exercise::render_case(candidate, &case.scene, limits);
+    let first = exercise::render_case(candidate, &case.scene, limits);
     if !start.is_known() {
-        shot.tell(start, candidate, &case.scene);
+        first.tell(start, candidate, &case.scene);
     }
-    let finished = shot.finished.clone().without_streams();
-    let is_timeout = matches!(finished.outcome, Outcome::TimedOut(_));
-    let taken = Taken { stage: Some(stage), idle: finished.idle, is_timeout };
-    let done = Done {
-        judgement: verdicts::of_shot(&shot, part.questions, case),
-        time_s: finished.wall.as_secs_f64(),
-        cpu_s: Some(finished.cpu.as_secs_f64()),
-        peak_bytes: finished.peak_bytes,
-        picture: shot.picture.ok(),
-        answer: None,
+    let finished = first.finished.clone().without_streams();
+    let again = || exercise::render_case(candidate, &case.scene, limits);
+    let (done, second) = pictures::judged(first, (part.questions, case), again);
+    let second = second.map_or(Duration::ZERO, |run| run.finished.time());
+    let taken = Taken {
+        stage,
+        time: finished.time() + second,
+        idle: finished.idle,
+        is_timeout: matches!(finished.outcome, Outcome::TimedOut(_)),
     };
     let done = BTreeMap::from([(case.id.clone(), done)]);
     Ran { done, taken, picture: Some(finished), ..Ran::default() }
 }
 
-fn units(candidate: &Candidate, part: &Part, start: &mut Start) -> Ran {
+fn units(candidate: &Candidate, (part, stage): (&Part, usize), start: &mut Start) -> Ran {
     let question =
         |(check, _): &(&Check, u64)| Question { id: check.id.clone(), ask: check.ask.clone() };
     let questions: Vec<Question> = part.checks.iter().map(question).collect();
@@ -330,7 +354,12 @@ fn units(candidate: &Candidate, part: &Part, start: &mut Start) -> Ran {
     let done = asked.map(judged).collect();
     Ran {
         done,
-        taken: Taken { idle: probed.idle, ..Taken::default() },
+        taken: Taken {
+            stage,
+            time: probed.cpu + probed.idle,
+            idle: probed.idle,
+            is_timeout: false,
+        },
         remarks: probed.remarks,
         picture: None,
     }

@@ -56,6 +56,17 @@ fn on(
     limits: Limits,
     jobs: usize,
 ) -> Vec<(Verdict, String)> {
+    let allowance = Allowance { picture: limits, questions: limits, whole: Allowance::WHOLE };
+    within(exam, script, allowance, jobs)
+}
+
+/// Runs a script like [`on`], within `allowance`.
+fn within(
+    exam: &(Exam, tempfile::TempDir),
+    script: &str,
+    allowance: Allowance,
+    jobs: usize,
+) -> Vec<(Verdict, String)> {
     let home = exam.1.path();
     let path = home.join(format!("program{jobs}"));
     let text = format!(
@@ -68,7 +79,6 @@ fn on(
     std::fs::set_permissions(&path, PermissionsExt::from_mode(0o755)).unwrap();
     let program =
         crate::build::Program::new("/bin/sh", vec![path.into_os_string()], "/usr/bin:/bin");
-    let allowance = Allowance { picture: limits, questions: limits };
     let plan = plan::Plan::new(&exam.0, &[], &[]).unwrap();
     let candidate = Candidate { program: &program, allowance, layers: Layers::default() };
     let answers = perform::exercise(&plan, &candidate, jobs, &Silent);
@@ -116,4 +126,36 @@ fn the_number_of_jobs_changes_no_verdict_after_time_outs() {
         );
         assert_eq!(results[3].1, "it used more than 1.2 s of CPU time", "{jobs} jobs: {results:?}");
     }
+}
+
+#[test]
+fn checks_after_the_time_of_the_submission_are_not_run() {
+    use Verdict::{NotRun, Pass};
+    let exam = exam(3);
+    let whole = Duration::from_millis(1500);
+    for jobs in [1, 3] {
+        // Each case is rendered twice.
+        let allowance = Allowance { whole, ..Allowance::default() };
+        let results = within(&exam, "sleep 1", allowance, jobs);
+        assert_eq!(verdicts(&results), [Pass, NotRun, NotRun], "{jobs} jobs: {results:?}");
+        assert!(results[2].1.starts_with("not run: out of time"), "{results:?}");
+    }
+}
+
+#[test]
+fn two_runs_that_differ_are_reported_and_the_worse_one_counts() {
+    use Verdict::{Fail, Pass};
+    let exam = exam(4);
+    let home = exam.1.path().display().to_string();
+    // The first run of these cases is right. The second one gives another picture, or fails.
+    let script = format!(
+        "case $n in 2|3) if [ -e {home}/seen$n ]; then case $n in 2) right={home}/1.png;; \
+         3) exit 7;; esac; fi; : > {home}/seen$n;; esac"
+    );
+    let results = on(&exam, &script, Allowance::default().picture, 1);
+    assert_eq!(verdicts(&results), [Pass, Fail, Fail, Pass], "{results:?}");
+    let expected = "two runs of the program gave pictures that differ in 12 pixels; the worse one";
+    assert!(results[1].1.starts_with(expected), "{results:?}");
+    assert!(results[2].1.contains("none in the other"), "{results:?}");
+    assert!(results[2].1.ends_with("it ended with code 7"), "{results:?}");
 }

@@ -1,21 +1,27 @@
 //! Limits the machine time of one submission: earlier runs may shorten later ones, or cause them to
 //! be left out.
 //!
+//! The time of a run is its CPU time plus the time in which it was idle. That is its wall time on a
+//! machine with one free core, whatever else this machine does.
+//!
 //! The rules consider the runs in the order of the plan, not in the order in which they ended, so
 //! that the number of jobs changes no verdict. A run that began before the rules were known for it
 //! is corrected afterwards.
 
 use std::time::Duration;
 
-use crate::exercise::N_TIMEOUTS;
+use crate::exercise::{Allowance, N_TIMEOUTS};
 
 /// The time that a run took.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Taken {
-    /// The index of the stage in the plan, for a picture. It is `None` for unit checks, which count
-    /// their own time-outs.
-    pub(super) stage: Option<usize>,
+    /// The index of the stage in the plan.
+    pub(super) stage: usize,
+    /// CPU time and idle time, with those of a second run.
+    pub(super) time: Duration,
+    /// Idle time. That of a second run does not count.
     pub(super) idle: Duration,
+    /// Whether a picture timed out. Unit checks count their own time-outs.
     pub(super) is_timeout: bool,
 }
 
@@ -27,25 +33,48 @@ pub(super) enum Share {
     /// Less time, because other pictures of its stage timed out.
     Reduced,
     /// Nothing: the submission has been idle for too long.
-    Nothing,
+    Idle,
+    /// Nothing: the time of its stage is over.
+    OutOfTime,
 }
 
-/// Returns the share for a run of `stage` after the runs `before`, which precede it in the plan.
+impl Share {
+    /// Returns whether the run is left out.
+    pub(super) fn is_nothing(self) -> bool {
+        matches!(self, Self::Idle | Self::OutOfTime)
+    }
+}
+
+/// Returns the share for a run of the stage with index `stage`, of `n_stages`, after the runs
+/// `before`, which precede it in the plan.
+///
+/// A stage may use the time that earlier stages have left, divided by the number of stages that
+/// remain. No stage can therefore take the time of another.
 ///
 /// Some of the earlier runs may be missing, because more of them never give a run more time.
-/// `most_idle` is the limit for the idle time of all runs together.
 pub(super) fn share<'a>(
     before: impl Iterator<Item = &'a Taken>,
-    stage: Option<usize>,
-    most_idle: Duration,
+    (stage, n_stages): (usize, usize),
+    allowance: &Allowance,
 ) -> Share {
     let (mut idle, mut n_timeouts) = (Duration::ZERO, 0);
+    let (mut earlier, mut own) = (Duration::ZERO, Duration::ZERO);
     for taken in before {
         idle += taken.idle;
-        n_timeouts += usize::from(taken.is_timeout && stage.is_some() && taken.stage == stage);
+        match taken.stage.cmp(&stage) {
+            std::cmp::Ordering::Less => earlier += taken.time,
+            std::cmp::Ordering::Equal => {
+                own += taken.time;
+                n_timeouts += usize::from(taken.is_timeout);
+            }
+            std::cmp::Ordering::Greater => {}
+        }
     }
+    let n_left = n_stages.saturating_sub(stage).max(1) as u32;
+    let most = allowance.whole.saturating_sub(earlier) / n_left;
     match () {
-        () if idle >= most_idle => Share::Nothing,
+        () if idle >= allowance.most_idle() => Share::Idle,
+        () if own >= most => Share::OutOfTime,
         () if n_timeouts >= N_TIMEOUTS => Share::Reduced,
         () => Share::Whole,
     }
@@ -55,33 +84,46 @@ pub(super) fn share<'a>(
 mod tests {
     use super::*;
 
-    /// Checks the share after some runs, each given as stage, idle seconds, and whether it timed
-    /// out.
-    fn check(before: &[(Option<usize>, u64, bool)], stage: Option<usize>, expected: Share) {
-        let taken = |(stage, idle, is_timeout): &(Option<usize>, u64, bool)| Taken {
-            stage: *stage,
-            idle: Duration::from_secs(*idle),
-            is_timeout: *is_timeout,
-        };
-        let all: Vec<Taken> = before.iter().map(taken).collect();
-        assert_eq!(
-            share(all.iter(), stage, Duration::from_secs(60)),
-            expected,
-            "{before:?}, then {stage:?}"
-        );
+    /// Six stages share 600 s; a submission may be idle for 60 s.
+    fn check(before: &[Taken], stage: usize, expected: Share) {
+        let allowance = Allowance { whole: Duration::from_secs(600), ..Allowance::default() };
+        assert_eq!(allowance.most_idle(), Duration::from_secs(60));
+        let found = share(before.iter(), (stage, 6), &allowance);
+        assert_eq!(found, expected, "{before:?}, then {stage}");
+    }
+
+    fn idle(stage: usize, seconds: u64, is_timeout: bool) -> Taken {
+        Taken { stage, idle: Duration::from_secs(seconds), is_timeout, ..Taken::default() }
+    }
+
+    fn busy(stage: usize, seconds: u64) -> Taken {
+        Taken { stage, time: Duration::from_secs(seconds), ..Taken::default() }
     }
 
     #[test]
     fn time_outs_count_within_a_stage_and_idle_time_counts_everywhere() {
-        let (two, three) = (Some(2), Some(3));
-        check(&[], two, Share::Whole);
-        check(&[(two, 0, true), (two, 0, false)], two, Share::Whole);
-        check(&[(two, 0, true), (two, 0, true)], two, Share::Reduced);
-        check(&[(two, 0, true), (two, 0, true)], three, Share::Whole);
-        check(&[(two, 0, true), (two, 0, true)], None, Share::Whole);
-        check(&[(None, 0, true), (None, 0, true)], None, Share::Whole);
-        check(&[(two, 30, false), (None, 29, false)], three, Share::Whole);
-        check(&[(two, 30, false), (None, 30, false)], three, Share::Nothing);
-        check(&[(two, 60, true), (two, 60, true)], two, Share::Nothing);
+        check(&[], 2, Share::Whole);
+        check(&[idle(2, 0, true), idle(2, 0, false)], 2, Share::Whole);
+        check(&[idle(2, 0, true), idle(2, 0, true)], 2, Share::Reduced);
+        check(&[idle(2, 0, true), idle(2, 0, true)], 3, Share::Whole);
+        check(&[idle(2, 30, false), idle(0, 29, false)], 3, Share::Whole);
+        check(&[idle(2, 30, false), idle(0, 30, false)], 3, Share::Idle);
+        check(&[idle(2, 60, true), idle(2, 60, true)], 2, Share::Idle);
+    }
+
+    #[test]
+    fn no_stage_takes_the_time_of_another() {
+        check(&[busy(0, 99)], 0, Share::Whole);
+        check(&[busy(0, 100)], 0, Share::OutOfTime);
+        check(&[busy(0, 100)], 1, Share::Whole);
+        check(&[busy(0, 100), busy(1, 100)], 1, Share::OutOfTime);
+        // The last run of a stage may exceed its share by its own limit.
+        check(&[busy(0, 110), busy(1, 97)], 1, Share::Whole);
+        check(&[busy(0, 110), busy(1, 98)], 1, Share::OutOfTime);
+        // What a stage leaves goes to those behind it.
+        check(&[busy(0, 10), busy(1, 117)], 1, Share::Whole);
+        check(&[busy(5, 500)], 0, Share::Whole);
+        check(&[busy(5, 599)], 5, Share::Whole);
+        check(&[busy(5, 600)], 5, Share::OutOfTime);
     }
 }

@@ -170,6 +170,17 @@ pub(super) fn idle_for_too_long(most: std::time::Duration) -> Judgement {
     Judgement::fail(Finding::new(FindingKind::Timeout, message))
 }
 
+/// Returns the judgement on a check that was left out because the time of its stage is over, of
+/// `most` for the whole submission.
+pub(super) fn out_of_time(most: std::time::Duration) -> Judgement {
+    let message = format!(
+        "not run: out of time. A submission has {} s of CPU time and idle time for all its runs, \
+         which its stages share",
+        most.as_secs()
+    );
+    Judgement::not_run(Finding::new(FindingKind::Timeout, message))
+}
+
 /// Returns the judgement on a picture that took more time than `limits` allow, or `None` where it
 /// did not.
 pub(super) fn beyond(finished: &Finished, limits: &Limits) -> Option<Judgement> {

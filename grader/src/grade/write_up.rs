@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use cases::front::FrontPoint;
 
+use super::bounds;
 use super::perform::{Answers, Done};
 use super::plan::{Part, Plan};
 use crate::diagnose::Explanation;
@@ -82,7 +83,9 @@ pub(super) fn stages(
     exam: &Exam,
 ) -> (Vec<StageRecord>, BTreeMap<String, Pictures>) {
     let mut pictures = BTreeMap::new();
-    let stages = plan.stages.iter().map(|part| stage(part, &mut answers, &mut pictures)).collect();
+    let stage = |part| stage(part, &mut answers, &mut pictures);
+    let mut stages: Vec<StageRecord> = plan.stages.iter().map(stage).collect();
+    bounds::apply(&mut stages);
     if let Ok(Some(fronts)) = &exam.fronts {
         for (id, pictures) in &mut pictures {
             let front = |points: &Vec<FrontPoint>| Front {

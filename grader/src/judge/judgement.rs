@@ -51,6 +51,11 @@ impl Judgement {
         Self { verdict: Verdict::Ours, share: 0, finding: Some(finding) }
     }
 
+    /// Returns whether the check earns points.
+    pub fn earns(&self) -> bool {
+        matches!(self.verdict, Verdict::Pass | Verdict::Partial)
+    }
+
     /// Adds `text` to the message. A judgement without a finding gets a remark.
     pub fn remark(mut self, text: &str) -> Self {
         match &mut self.finding {

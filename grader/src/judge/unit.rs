@@ -11,7 +11,7 @@ use super::numbers::short;
 use crate::record::{Finding, FindingKind};
 
 /// The number of characters of a panic's message that are shown.
-const MAX_MESSAGE: usize = 1000;
+const MAX_MESSAGE: usize = 200;
 
 /// Judges the answer `actual` of a function by the correct one, and by those that are correct as
 /// well: a miss for a hit, another object. It passes if it decides like one of them and has the

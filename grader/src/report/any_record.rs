@@ -246,7 +246,7 @@ proptest! {
             Entry { id: "a".to_owned(), name: name.clone(), record: Some(record) },
             Entry { id: name.clone(), name, record: None },
         ];
-        let (table, page) = (class::csv(&entries), class::page(&entries));
+        let (table, page) = (class::csv(&entries), class::page(&entries, &[]));
         prop_assert_eq!(page.matches("<script").count(), 1);
         prop_assert!(is_harmless(&table) && is_harmless(&page), "{table}");
         let mut rows = csv::ReaderBuilder::new().has_headers(true).from_reader(table.as_bytes());

@@ -43,6 +43,7 @@ pub fn finding(kind: FindingKind) -> &'static str {
         FindingKind::Wrong => "wrong",
         FindingKind::Antialiased => "anti-aliased",
         FindingKind::Contested => "look at this",
+        FindingKind::Nondeterministic => "two runs differ",
         FindingKind::Crash => "crashed",
         FindingKind::Timeout => "took too long",
         FindingKind::Memory => "took too much memory",

@@ -16,6 +16,9 @@ pub struct Call {
     pub args: Vec<OsString>,
     /// The folder in which the program starts, which should be fresh and used by no other program.
     pub folder: PathBuf,
+    /// Whether the program gets a copy of the files of `folder` in memory, of the size that the
+    /// limits state, where there are namespaces. [`Finished`](super::Finished) leads to it.
+    pub in_memory: bool,
     /// The whole environment of the program.
     pub environment: Vec<(OsString, OsString)>,
     /// Bytes that the program reads on standard input.

@@ -6,9 +6,9 @@ use super::call::Call;
 use super::limits::Resource;
 use super::outcome::{Clock, Finished, Outcome, Stream};
 use super::pump::Pump;
-use super::room;
 use super::sys::Reaped;
 use super::watch::Watch;
+use super::work::Work;
 
 /// Returns the result of `call` from what the kernel, the streams and the watch report.
 pub(super) fn finish(
@@ -28,8 +28,11 @@ pub(super) fn finish(
         Outcome::Exited(_) | Outcome::Signalled(_) if cpu > call.limits.cpu => {
             Outcome::TimedOut(Clock::Cpu)
         }
-        Outcome::Exited(code) if code != 0 && holds_full_file(call) => {
+        Outcome::Exited(code) if code != 0 && holds_full_file(call, watch.work) => {
             Outcome::TooMuchOutput(Stream::File)
+        }
+        Outcome::Exited(_) | Outcome::Signalled(_) if watch.has_filled() => {
+            Outcome::TooMuchOutput(Stream::Files)
         }
         outcome => outcome,
     };
@@ -43,7 +46,7 @@ pub(super) fn finish(
         peak_bytes,
         left_behind,
         is_disturbed: watch.is_disturbed(),
-        least: watch.least.min(room::left(&call.folder)),
+        least: watch.least_room(),
         n_killed: watch.n_killed(),
     }
 }
@@ -75,9 +78,9 @@ fn allowed(call: &Call, resource: Resource) -> u64 {
 
 /// Returns whether a file in the folder has grown to its limit: some runtimes turn the kernel's
 /// signal into an error of their own.
-fn holds_full_file(call: &Call) -> bool {
+fn holds_full_file(call: &Call, work: &Work) -> bool {
     let limit = allowed(call, Resource::FileSize);
-    let entries = std::fs::read_dir(&call.folder).into_iter().flatten().flatten();
+    let entries = std::fs::read_dir(work.path()).into_iter().flatten().flatten();
     entries
         .filter_map(|entry| entry.metadata().ok())
         .any(|found| found.is_file() && found.len() >= limit)

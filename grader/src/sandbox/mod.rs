@@ -24,6 +24,7 @@ mod shortage;
 mod sys;
 mod turns;
 mod watch;
+mod work;
 
 pub use access::{Access, Rights, interpreters};
 pub use call::Call;
@@ -39,6 +40,7 @@ pub use room::Room;
 pub use shortage::Shortage;
 pub use sys::{catch_signals, interrupted};
 pub use turns::Turn;
+pub use work::Work;
 
 use std::time::{Duration, Instant};
 
@@ -48,16 +50,27 @@ use sys::Reaped;
 use turns::Taken;
 use watch::Watch;
 
-/// Runs `call` until it ends or is stopped. Afterwards no process of it is left.
+/// Runs `call` until it ends or is stopped. Afterwards no process of it is left. Returns the end of
+/// the program, and its work folder.
 ///
 /// A failure counts only after [`blame`] has looked at the machine.
-pub fn run(call: &Call, turn: Turn) -> Finished {
+pub fn run(call: &Call, turn: Turn) -> (Finished, Work) {
+    let mut work = Work::new(&call.folder, None);
+    let finished = run_in(call, turn, &mut work);
+    (finished, work)
+}
+
+/// Runs `call` in `work`, which is replaced if the work folder is in memory.
+fn run_in(call: &Call, turn: Turn, work: &mut Work) -> Finished {
     let turn = Taken::wait(turn);
     let start = Instant::now();
     let mut running = match place::start(call) {
         Ok(running) => running,
         Err(failure) => return Finished::not_started(&failure.error()),
     };
+    if let Some(in_memory) = running.work.take() {
+        *work = Work::new(&call.folder, Some(in_memory));
+    }
     let mut pump = match Pump::new(&mut running, &call.stdin, call.limits.output) {
         Ok(pump) => pump,
         Err(why) => {
@@ -65,7 +78,7 @@ pub fn run(call: &Call, turn: Turn) -> Finished {
             return Finished::not_started(&why);
         }
     };
-    let mut watch = Watch::new(&running, call, &turn);
+    let mut watch = Watch::new(&running, call, work, &turn);
     let stopped = attend(&mut pump, &mut watch, &running, start + call.limits.wall);
     let left = running.end();
     let (reaped, stopped) = match stopped {

@@ -117,6 +117,12 @@ impl Finished {
         }
     }
 
+    /// Returns the CPU time and the idle time: the wall time on a machine with one free core,
+    /// whatever else this machine does.
+    pub fn time(&self) -> Duration {
+        self.cpu + self.idle
+    }
+
     /// Returns the run without those parts of its streams that are not shown. One such run is kept
     /// for each question of a stage.
     pub fn without_streams(mut self) -> Self {

@@ -53,7 +53,7 @@ mod tests {
                 let path = home.path().join(format!("{n}-{turn}"));
                 place_program(&path, &bytes).unwrap();
                 let call = Call { program: path, args: vec![], ..line("", home.path(), SMALL) };
-                assert_eq!(run(&call, Turn::Shared).outcome, Outcome::Exited(0));
+                assert_eq!(run(&call, Turn::Shared).0.outcome, Outcome::Exited(0));
             }
         };
         std::thread::scope(|scope| {

@@ -21,6 +21,7 @@ pub(super) fn line(script: &str, folder: &Path, limits: Limits) -> Call {
         program: "/bin/sh".into(),
         args: vec!["-c".into(), script.into()],
         folder: folder.to_owned(),
+        in_memory: false,
         environment: vec![("PATH".into(), "/usr/bin:/bin".into())],
         stdin: vec![],
         limits,
@@ -34,7 +35,7 @@ pub(super) fn line(script: &str, folder: &Path, limits: Limits) -> Call {
 fn under(layers: Layers, script: &str, stdin: &[u8], limits: Limits) -> (Finished, Folder) {
     let folder = Folder::new().unwrap();
     let call = Call { layers, stdin: stdin.to_vec(), ..line(script, folder.path(), limits) };
-    (run(&call, Turn::Shared), folder)
+    (run(&call, Turn::Shared).0, folder)
 }
 
 /// Runs a line of shell in a fresh folder.
@@ -122,7 +123,7 @@ fn too_many_processes_are_ended() {
 fn a_program_that_is_not_there_could_not_start() {
     let folder = Folder::new().unwrap();
     let call = Call { program: folder.path().join("nothing"), ..line("", folder.path(), SMALL) };
-    assert!(matches!(run(&call, Turn::Shared).outcome, Outcome::NoProgram(_)));
+    assert!(matches!(run(&call, Turn::Shared).0.outcome, Outcome::NoProgram(_)));
 }
 
 #[test]
@@ -170,7 +171,7 @@ fn a_layer_that_cannot_be_set_up_is_not_left_out() {
     let folder = Folder::new().unwrap();
     let gone = folder.path().join("gone");
     let call = line("echo ran > /dev/null", &gone, SMALL);
-    let finished = run(&Call { layers: available().layers, ..call }, Turn::Shared);
+    let (finished, _) = run(&Call { layers: available().layers, ..call }, Turn::Shared);
     assert!(!matches!(finished.outcome, Outcome::Exited(_)), "{:?}", finished.outcome);
 }
 
@@ -194,4 +195,41 @@ fn time_and_memory_are_measured() {
     assert_eq!(finished.outcome, Outcome::Exited(0));
     assert!(finished.wall >= Duration::from_millis(300) && finished.cpu > Duration::ZERO);
     assert!(finished.peak_bytes > 20_000_000, "{} bytes", finished.peak_bytes);
+}
+
+/// Runs a line of shell in a folder in memory, which begins with the file `input`.
+fn in_memory(script: &str) -> (Finished, Work, Folder) {
+    let folder = Folder::new().unwrap();
+    std::fs::write(folder.path().join("input"), "given").unwrap();
+    let call = line(script, folder.path(), SMALL);
+    let call = Call { in_memory: true, layers: available().layers, ..call };
+    let (finished, work) = run(&call, Turn::Shared);
+    (finished, work, folder)
+}
+
+#[test]
+fn a_folder_in_memory_leads_to_what_the_program_wrote() {
+    let (finished, work, folder) = in_memory("cat input > output; pwd; mkdir -p a/b; exit 4");
+    assert_eq!(finished.outcome, Outcome::Exited(4), "{:?}", finished.stderr_text());
+    assert_eq!(std::fs::read_to_string(work.path().join("output")).unwrap(), "given");
+    let shown = format!("{}\n", folder.path().canonicalize().unwrap().display());
+    assert_eq!(String::from_utf8(finished.stdout).unwrap(), shown);
+    assert_eq!(finished.least, Room::ALL, "no other program can fill it");
+    if available().layers.namespaces {
+        let on_disk: Vec<_> = std::fs::read_dir(folder.path()).unwrap().flatten().collect();
+        assert_eq!(on_disk.len(), 1, "nothing is written to the disk: {on_disk:?}");
+    }
+}
+
+#[test]
+fn a_folder_in_memory_has_a_size() {
+    let many = "for i in $(seq 40); do head -c 1000000 /dev/zero > f$i; done; exit 3";
+    for script in [many, "for i in $(seq 40); do head -c 1000000 /dev/zero > f$i; done; sleep 30"] {
+        let (finished, work, _folder) = in_memory(script);
+        let expected = Outcome::TooMuchOutput(Stream::Files);
+        assert_eq!(finished.outcome, expected, "{script}: {:?}", finished.stderr_text());
+        if available().layers.namespaces {
+            assert!(room::taken(work.path()).bytes <= SMALL.folder_size + (1 << 20), "{script}");
+        }
+    }
 }

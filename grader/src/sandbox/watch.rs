@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use super::launcher::Running;
 use super::room::{self, Room};
 use super::turns::Taken;
-use super::{Call, Clock, Outcome, Stream, group, machine};
+use super::{Call, Clock, Outcome, Stream, Work, group, machine};
 
 /// Time between two looks at the leader.
 const EVERY: Duration = Duration::from_millis(10);
@@ -19,6 +19,8 @@ pub(super) struct Watch<'a> {
     /// The program itself.
     program: u32,
     call: &'a Call,
+    /// The work folder.
+    pub(super) work: &'a Work,
     turn: &'a Taken,
     next: Instant,
     last_group: Instant,
@@ -36,17 +38,18 @@ pub(super) struct Watch<'a> {
     /// Whether the CPU time was used up while nothing slowed the program down.
     is_sure: bool,
     /// The least room that was seen.
-    pub(super) least: Room,
+    least: Room,
 }
 
 impl<'a> Watch<'a> {
-    pub(super) fn new(running: &Running, call: &'a Call, turn: &'a Taken) -> Self {
+    pub(super) fn new(running: &Running, call: &'a Call, work: &'a Work, turn: &'a Taken) -> Self {
         let now = Instant::now();
-        let room = room::left(&call.folder);
+        let room = room::left(work.path());
         Self {
             init: running.init,
             program: running.program,
             call,
+            work,
             turn,
             next: now,
             last_group: now,
@@ -86,7 +89,7 @@ impl<'a> Watch<'a> {
     /// Records what the processes did since the last look, and returns their number.
     fn look_at_group(&mut self, now: Instant, since: Duration) -> usize {
         self.last_group = now;
-        self.least = self.least.min(room::left(&self.call.folder));
+        self.least = self.least.min(room::left(self.work.path()));
         let seen = group::look(self.init);
         self.peak = self.peak.max(seen.resident);
         let computed = seen.cpu.saturating_sub(self.cpu);
@@ -115,7 +118,22 @@ impl<'a> Watch<'a> {
     fn fills_folder(&self) -> bool {
         let limit = self.call.limits.folder_size;
         let is_filling = self.room.bytes.saturating_sub(self.least.bytes) > limit;
-        is_filling && room::taken(&self.call.folder).exceeds(limit)
+        is_filling && room::taken(self.work.path()).exceeds(limit)
+    }
+
+    /// Returns the least room on the file system of the work folder that was seen. A folder of a
+    /// fixed size always has its own room.
+    pub(super) fn least_room(&self) -> Room {
+        match self.work.has_fixed_size() {
+            true => Room::ALL,
+            false => self.least.min(room::left(self.work.path())),
+        }
+    }
+
+    /// Returns whether the program has filled a folder of a fixed size.
+    pub(super) fn has_filled(&self) -> bool {
+        let limit = self.call.limits.folder_size;
+        self.work.has_fixed_size() && room::taken(self.work.path()).exceeds(limit)
     }
 
     /// Returns whether other programs may have slowed this one down.

@@ -1,8 +1,10 @@
 //! The content of a hand-in: the submission, with everything that a build of its kind needs.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use super::limits::SOURCE_BYTES;
+use super::reading::read_text;
 use crate::sandbox::Folder;
 
 /// A submission whose files have been read or listed.
@@ -16,6 +18,30 @@ pub struct Submission {
     pub ignored: Vec<String>,
     /// Folders into which archives were unpacked. They are removed with the submission.
     pub(super) _unpacked: Vec<Folder>,
+}
+
+/// The endings of files that hold sources, among them those of other languages than Rust.
+const SOURCES: [&str; 22] = [
+    "c", "cc", "cpp", "cs", "cxx", "f90", "go", "h", "hh", "hpp", "hs", "hxx", "java", "jl", "js",
+    "kt", "ml", "py", "rs", "scala", "swift", "ts",
+];
+
+impl Submission {
+    /// Returns the texts of the sources, which are compared with those of other submissions. A file
+    /// that is no text, or is too large for a source, is left out.
+    pub fn sources(&self) -> Vec<String> {
+        match &self.kind {
+            Kind::Rust(rust) => rust.sources.values().cloned().collect(),
+            Kind::Own(own) => {
+                let is_source = |path: &&String| {
+                    let ending = Path::new(path).extension().and_then(|ending| ending.to_str());
+                    ending.is_some_and(|ending| SOURCES.contains(&ending))
+                };
+                let text = |path: &String| read_text(&own.folder.join(path), SOURCE_BYTES).ok();
+                own.files.iter().filter(is_source).filter_map(text).collect()
+            }
+        }
+    }
 }
 
 /// The two kinds of submission.

@@ -77,7 +77,8 @@ impl Class {
             .arg("-o")
             .arg(self.at("out"))
             .args(["--sandbox", "none", "--cases"])
-            .arg(self.at("stages"));
+            .arg(self.at("stages"))
+            .env("XDG_STATE_HOME", self.at("state"));
         command.args(more).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         command
     }

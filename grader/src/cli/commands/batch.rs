@@ -2,7 +2,7 @@
 
 use pages::{lines, say};
 
-use crate::batch::{self, OnBench, Options, Shown, Summary};
+use crate::batch::{self, Key, OnBench, Options, Shown, Summary};
 use crate::cli::arguments::{Batch, stages};
 use crate::cli::commands::grade::say_lowered;
 use crate::cli::exit::{self, Done, Outcome};
@@ -25,7 +25,9 @@ pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
     });
     let grader = OnBench::new(&bench, &arguments.stage)?;
     let jobs = arguments.jobs.map_or_else(|| One::new(&arguments.folder).jobs, usize::from);
-    let options = Options { folder: arguments.folder.clone(), out: arguments.out.clone(), jobs };
+    let key = Key::open(&arguments.key_file()?)?;
+    let (folder, out) = (arguments.folder.clone(), arguments.out.clone());
+    let options = Options { folder, out, jobs, key };
     let summary = batch::run(&grader, &options, &Shown::new(talk.is_quiet))?;
     if !talk.is_quiet {
         for aside in &summary.left_aside {
@@ -49,6 +51,13 @@ fn closing(summary: &Summary, options: &Options, layers: Layers) -> String {
         );
     } else {
         text += &format!("table: {}\n", options.out.join("class.html").display());
+    }
+    if summary.n_alike > 0 {
+        let pairs = lines::count(summary.n_alike, "pair");
+        text += &format!(
+            "{pairs} of submissions have nearly equal sources: {}\n",
+            options.out.join("alike.csv").display()
+        );
     }
     text += &format!("protection: {layers}\n");
     if !failed.is_empty() {

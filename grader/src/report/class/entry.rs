@@ -13,3 +13,8 @@ pub struct Entry {
     /// The record. `None` if the grader or the machine failed, so that there is no score yet.
     pub record: Option<Record>,
 }
+
+/// Returns the name of the submission `id`, or its id if there is none.
+pub(super) fn name<'a>(entries: &'a [Entry], id: &'a str) -> &'a str {
+    entries.iter().find(|entry| entry.id == id).map_or(id, |entry| &entry.name)
+}

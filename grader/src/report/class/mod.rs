@@ -6,6 +6,7 @@
 
 use pages::page::{Layout, Serde, Value, context};
 
+use crate::alike::Pair;
 use crate::plain::{csv_cell, shown};
 use crate::record::FindingKind;
 use crate::report::words;
@@ -20,10 +21,11 @@ mod view;
 pub use entry::Entry;
 
 /// The kinds of finding that a row counts.
-const KINDS: [FindingKind; 15] = [
+const KINDS: [FindingKind; 16] = [
     FindingKind::Wrong,
     FindingKind::Antialiased,
     FindingKind::Contested,
+    FindingKind::Nondeterministic,
     FindingKind::Crash,
     FindingKind::Timeout,
     FindingKind::Memory,
@@ -57,6 +59,22 @@ pub fn csv(entries: &[Entry]) -> String {
     String::from_utf8(bytes).expect("written from strings")
 }
 
+/// Returns the pairs of submissions that are alike, for a spreadsheet.
+pub fn alike_csv(entries: &[Entry], alike: &[Pair]) -> String {
+    let mut out = csv::Writer::from_writer(Vec::new());
+    let mut write = |record: [String; 5]| {
+        out.write_record(record).expect("a vector takes all rows, all of one length")
+    };
+    write(["id", "name", "other id", "other name", "share"].map(str::to_owned));
+    for Pair { ids, share } in alike {
+        let [one, other] = ids.each_ref().map(|id| csv_cell(&shown(entry::name(entries, id))));
+        let [id, other_id] = ids.each_ref().map(|id| csv_cell(&shown(id)));
+        write([id, one, other_id, other, format!("{share:.3}")]);
+    }
+    let bytes = out.into_inner().expect("a vector takes all bytes");
+    String::from_utf8(bytes).expect("written from strings")
+}
+
 fn cells(row: &rows::Row) -> Vec<String> {
     let points = |thousandths: &Option<u64>| thousandths.map(words::points).unwrap_or_default();
     let head = [
@@ -71,12 +89,12 @@ fn cells(row: &rows::Row) -> Vec<String> {
 }
 
 /// Returns the table as a page. Its links lead to `reports/ID.html` beside it.
-pub fn page(entries: &[Entry]) -> String {
+pub fn page(entries: &[Entry], alike: &[Pair]) -> String {
     let layout = Layout {
         template: include_str!("class.html"),
         style: include_str!("../style.css"),
         script: include_str!("class.js"),
     };
-    let view = Value::from(Serde(view::class(entries)));
+    let view = Value::from(Serde(view::class(entries, alike)));
     pages::page::html(layout, &context! { view })
 }

@@ -59,7 +59,7 @@ fn the_order_of_the_entries_does_not_matter() {
     let mut turned = entries();
     turned.reverse();
     assert_eq!(csv(&turned), csv(&entries()));
-    assert_eq!(page(&turned), page(&entries()));
+    assert_eq!(page(&turned, &[]), page(&entries(), &[]));
 }
 
 #[test]
@@ -77,7 +77,7 @@ fn no_name_becomes_a_formula() {
 
 #[test]
 fn no_name_becomes_markup() {
-    let page = page(&[entry("x", HOSTILE)]);
+    let page = page(&[entry("x", HOSTILE)], &[]);
     assert_eq!(page.matches("<script").count(), 1);
     assert!(!page.contains("<img src=x"));
     assert!(page.contains("&lt;script&gt;document.title"));
@@ -85,7 +85,7 @@ fn no_name_becomes_markup() {
 
 #[test]
 fn the_page_links_to_the_reports_and_names_who_is_missing() {
-    let page = page(&entries());
+    let page = page(&entries(), &[]);
     assert!(page.contains("<a href=\"reports/alice.html\">alice</a>"));
     assert!(!page.contains("reports/dave.html"));
     assert!(page.contains("Not graded"));
@@ -104,10 +104,10 @@ fn the_page_counts_the_mistakes_that_are_made() {
     entries[2].record.as_mut().unwrap().diagnoses.clear();
     let row = "<tr><th scope=\"row\">the one is &lt;wrong&gt;</th><td class=\"number\">3</td><td \
         class=\"number\">2</td>";
-    assert!(page(&entries).contains(row));
+    assert!(page(&entries, &[]).contains(row));
     entries[1].record.as_mut().unwrap().diagnoses[0].confidence = Confidence::Perhaps;
-    assert!(page(&entries).contains("<td class=\"number\">2, 1 perhaps</td>"));
-    assert!(!page(&[]).contains("The most common mistakes"));
+    assert!(page(&entries, &[]).contains("<td class=\"number\">2, 1 perhaps</td>"));
+    assert!(!page(&[], &[]).contains("The most common mistakes"));
 }
 
 #[test]
@@ -122,5 +122,5 @@ fn bars_count_tenths_and_full_marks() {
 #[test]
 fn an_empty_class_has_an_empty_table() {
     assert_eq!(table(&[]).len(), 1);
-    assert!(page(&[]).contains("0 submissions"));
+    assert!(page(&[], &[]).contains("0 submissions"));
 }

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::histogram::{self, Histogram};
-use super::{Entry, rows};
+use super::{Entry, entry, rows};
+use crate::alike::Pair;
 use crate::plain::shown;
 use crate::record::{CheckRecord, Confidence, FindingKind, Verdict};
 use crate::report::words;
@@ -22,6 +23,7 @@ pub(super) struct Class {
     mistakes: Vec<Mistake>,
     checks: Vec<Check>,
     flagged: Vec<Flagged>,
+    alike: Vec<Alike>,
 }
 
 #[derive(Serialize)]
@@ -58,6 +60,15 @@ struct Flagged {
     message: String,
 }
 
+/// Two submissions whose sources are alike.
+#[derive(Serialize)]
+struct Alike {
+    /// The id and the name of each.
+    ids: [String; 2],
+    names: [String; 2],
+    percent: String,
+}
+
 /// Counts of the submissions that got a check right.
 #[derive(Serialize)]
 struct Check {
@@ -78,7 +89,10 @@ struct Mistake {
     n_perhaps: usize,
 }
 
-pub(super) fn class(entries: &[Entry]) -> Class {
+/// The kinds of finding that a person should look at.
+const FLAGS: [FindingKind; 2] = [FindingKind::Contested, FindingKind::Nondeterministic];
+
+pub(super) fn class(entries: &[Entry], alike: &[Pair]) -> Class {
     let (stages, rows) = rows::of(entries);
     let totals = rows.iter().filter_map(|row| row.earned.zip(row.possible));
     let of_stage = |n: usize, stage: &rows::Stage| {
@@ -106,6 +120,7 @@ pub(super) fn class(entries: &[Entry]) -> Class {
         mistakes: mistakes(entries),
         checks: checks(entries),
         flagged: rows.iter().flat_map(|row| flagged(entries, row)).collect(),
+        alike: alike.iter().map(|pair| self::alike(entries, pair)).collect(),
     }
 }
 
@@ -141,15 +156,23 @@ fn row(row: &rows::Row) -> Row {
     }
 }
 
-/// Returns the pictures of a submission that differ only on contested pixels.
+fn alike(entries: &[Entry], Pair { ids, share }: &Pair) -> Alike {
+    Alike {
+        names: ids.each_ref().map(|id| shown(entry::name(entries, id))),
+        ids: ids.each_ref().map(|id| shown(id)),
+        // No pair that differs is shown as equal.
+        percent: format!("{:.0} %", (share * 100.0).floor()),
+    }
+}
+
+/// Returns the pictures of a submission that a person should look at.
 fn flagged(entries: &[Entry], row: &rows::Row) -> Vec<Flagged> {
     let record =
         entries.iter().find(|entry| entry.id == row.id).and_then(|entry| entry.record.as_ref());
     let checks =
         record.into_iter().flat_map(|record| &record.stages).flat_map(|stage| &stage.checks);
     let flag = |check: &CheckRecord| {
-        let finding =
-            check.finding.as_ref().filter(|finding| finding.kind == FindingKind::Contested)?;
+        let finding = check.finding.as_ref().filter(|finding| FLAGS.contains(&finding.kind))?;
         let (id, name) = (shown(row.id), shown(row.name));
         Some(Flagged { id, name, check: shown(&check.id), message: shown(&finding.message) })
     };

@@ -1,12 +1,16 @@
-//! The filter of system calls: a list of those that no tracer needs, and that reach beyond its own
-//! processes.
+//! The filter of system calls.
+//!
+//! Calls that reach beyond a program's own processes are refused. On x86-64, all others that are not
+//! in the list of `allowed.rs` are answered as by a system that does not know them; elsewhere, only
+//! a few are.
 
 use std::collections::BTreeMap;
 use std::io;
 
+use super::allowed::ALLOWED;
 use seccompiler::{
     BpfProgram, SeccompAction, SeccompCmpArgLen, SeccompCmpOp, SeccompCondition, SeccompFilter,
-    SeccompRule, TargetArch, sock_filter,
+    SeccompRule, TargetArch,
 };
 
 /// The compiled filters, which are made once.
@@ -61,8 +65,9 @@ const REFUSED: [i64; 45] = [
     libc::SYS_umount2,
     libc::SYS_unshare,
 ];
-/// Calls that are answered with ENOSYS, as by an older system. C libraries then use others:
-/// `clone` instead of `clone3`, whose flags a filter cannot read.
+/// Calls that are answered with ENOSYS, as by an older system, where there is no list of those that
+/// are allowed. C libraries then use others: `clone` instead of `clone3`, whose flags a filter
+/// cannot read.
 const UNKNOWN: [i64; 7] = [
     libc::SYS_clone3,
     libc::SYS_io_uring_enter,
@@ -74,8 +79,8 @@ const UNKNOWN: [i64; 7] = [
 ];
 /// The families of sockets that programs may open. They stay on the machine.
 const FAMILIES: [libc::c_int; 2] = [libc::AF_UNIX, libc::AF_NETLINK];
-/// The first number of the calls with 32-bit pointers on x86-64, which the lists do not name.
-const X32: u32 = 0x4000_0000;
+/// The rules of a filter, by call. No rule means that the arguments do not matter.
+type Rules = BTreeMap<i64, Vec<SeccompRule>>;
 
 /// Compiles the filters for this machine.
 pub(super) fn compile() -> Filters {
@@ -88,18 +93,23 @@ fn all() -> Result<Vec<BpfProgram>, seccompiler::BackendError> {
     let filter = |rules, code| -> Result<BpfProgram, seccompiler::BackendError> {
         SeccompFilter::new(rules, SeccompAction::Allow, errno(code), arch)?.try_into()
     };
-    let always = |calls: &[i64]| calls.iter().map(|call| (*call, vec![])).collect();
-    let mut refused: BTreeMap<i64, Vec<SeccompRule>> = always(&REFUSED);
+    let always = |calls: &[i64]| -> Rules { calls.iter().map(|call| (*call, vec![])).collect() };
+    let mut refused: Rules = always(&REFUSED);
     refused.insert(libc::SYS_socket, vec![other_family()?]);
     let new_user = libc::CLONE_NEWUSER.cast_unsigned().into();
     let masked = SeccompCmpOp::MaskedEq(new_user);
     let flag = SeccompCondition::new(0, SeccompCmpArgLen::Qword, masked, new_user)?;
     refused.insert(libc::SYS_clone, vec![SeccompRule::new(vec![flag])?]);
-    let mut programs = vec![filter(refused, libc::EPERM)?, filter(always(&UNKNOWN), libc::ENOSYS)?];
-    if arch == TargetArch::x86_64 {
-        programs.push(without_x32());
-    }
-    Ok(programs)
+    let unknown = match arch {
+        // Calls with 32-bit pointers have numbers of their own, which are not in the list.
+        TargetArch::x86_64 => {
+            let refuse = errno(libc::ENOSYS);
+            SeccompFilter::new(always(ALLOWED), refuse, SeccompAction::Allow, arch)?.try_into()?
+        }
+        _ => filter(always(&UNKNOWN), libc::ENOSYS)?,
+    };
+    // The filter that is installed last gives the answer where both refuse.
+    Ok(vec![unknown, filter(refused, libc::EPERM)?])
 }
 
 /// Returns the rule for sockets of families that are not listed.
@@ -109,17 +119,6 @@ fn other_family() -> Result<SeccompRule, seccompiler::BackendError> {
         SeccompCondition::new(0, SeccompCmpArgLen::Dword, SeccompCmpOp::Ne, family)
     };
     SeccompRule::new(FAMILIES.iter().map(differs).collect::<Result<_, _>>()?)
-}
-
-/// Returns the filter that answers ENOSYS to calls with 32-bit pointers: it loads the number of the
-/// call, and compares.
-fn without_x32() -> BpfProgram {
-    let (load, compare, answer) = (0x20, 0x35, 0x06); // LD|W|ABS, JMP|JGE|K, RET|K
-    let refuse = 0x0005_0000 | libc::ENOSYS.cast_unsigned(); // SECCOMP_RET_ERRNO
-    let allow = 0x7fff_0000; // SECCOMP_RET_ALLOW
-    [(load, 0, 0), (compare, 1, X32), (answer, 0, refuse), (answer, 0, allow)]
-        .map(|(code, jf, k)| sock_filter { code, jt: 0, jf, k })
-        .to_vec()
 }
 
 impl Filters {
@@ -138,10 +137,10 @@ mod tests {
 
     #[test]
     fn the_filters_compile_and_each_call_is_listed_once() {
-        assert!(all().is_ok_and(|programs| programs.len() >= 2));
-        let mut calls = [&REFUSED[..], &UNKNOWN].concat();
+        assert!(all().is_ok_and(|programs| programs.len() == 2));
+        let mut calls = [&REFUSED[..], &UNKNOWN, ALLOWED].concat();
         calls.sort();
         calls.dedup();
-        assert_eq!(calls.len(), REFUSED.len() + UNKNOWN.len());
+        assert_eq!(calls.len(), REFUSED.len() + UNKNOWN.len() + ALLOWED.len());
     }
 }

@@ -14,6 +14,7 @@
 //! These processes have one thread and no heap of the grader, so that ordinary code runs in them.
 //! They die with their parents.
 
+mod allowed;
 mod filter;
 mod lines;
 mod nanny;
@@ -39,6 +40,10 @@ pub use zygote::prepare;
 /// The time after which a program that has not been started never will be.
 const PATIENCE: Duration = Duration::from_secs(60);
 
+/// Bytes by which a work folder in memory is larger than the limit on it, so that a program that
+/// exceeds the limit can be told from one that just keeps to it.
+const SPARE: u64 = 1 << 20;
+
 /// Rounds of killing, after which the processes of a program that starts others as fast are left to
 /// the end of their init.
 const ROUNDS: usize = 100;
@@ -54,6 +59,8 @@ pub(super) struct Running {
     pub(super) init: u32,
     /// The number of the program.
     pub(super) program: u32,
+    /// The work folder, if it is in memory.
+    pub(super) work: Option<OwnedFd>,
     handle: ProcessHandle,
     status: UnixStream,
 }
@@ -123,9 +130,12 @@ impl From<Ended> for Reaped {
 /// Fails if the system refuses the program, or if a step of the preparation fails: then nothing has
 /// run.
 pub(super) fn start(call: &Call) -> Result<Running, Failure> {
+    let is_in_memory = call.in_memory && call.layers.namespaces;
+    let folder = call.folder.canonicalize().ok().filter(|_| is_in_memory);
     let request = Request {
         layers: call.layers,
         access: access::list(&call.access, &call.folder),
+        in_memory: folder.map(|folder| (folder, call.limits.folder_size + SPARE)),
         program: Some(Start {
             program: call.program.clone(),
             args: call.args.clone(),
@@ -143,7 +153,7 @@ pub(super) fn start(call: &Call) -> Result<Running, Failure> {
 /// Fails with the step that the machine refuses.
 pub(super) fn try_layers(layers: Layers) -> io::Result<()> {
     let access = access::list(&[], &std::env::temp_dir());
-    let running = launch(&Request { layers, access, program: None });
+    let running = launch(&Request { layers, access, in_memory: None, program: None });
     running.map(drop).map_err(|failure| failure.error())
 }
 
@@ -162,8 +172,8 @@ fn launch(request: &Request) -> Result<Running, Failure> {
     if let Some(failure) = failed(failure).map_err(io)? {
         return Err(failure);
     }
-    let init = sender(&status, &Message::Ready).map_err(io)?;
-    let program = sender(&status, &Message::Starting).map_err(io)?;
+    let Sender { pid: init, descriptor } = sender(&status, &Message::Ready).map_err(io)?;
+    let program = sender(&status, &Message::Starting).map_err(io)?.pid;
     let file = |fd: OwnedFd| Some(File::from(fd));
     Ok(Running {
         stdin: file(stdin.into()),
@@ -171,6 +181,7 @@ fn launch(request: &Request) -> Result<Running, Failure> {
         handle: ProcessHandle::of(init),
         init,
         program,
+        work: descriptor,
         status,
     })
 }
@@ -185,33 +196,45 @@ fn failed(mut line: io::PipeReader) -> io::Result<Option<Failure>> {
     if text.is_empty() { Ok(None) } else { wire::receive(&*text).map(Some) }
 }
 
-/// Reads the message, and returns the number of the process that sent it, as this process sees it.
-fn sender(status: &UnixStream, expected: &Message) -> io::Result<u32> {
+/// The process that sent a message, and the descriptor that came with it.
+struct Sender {
+    /// The number of the process, as this process sees it.
+    pid: u32,
+    descriptor: Option<OwnedFd>,
+}
+
+/// Reads the message, and returns its sender.
+fn sender(status: &UnixStream, expected: &Message) -> io::Result<Sender> {
     if !sys::is_readable(status.as_fd(), PATIENCE) {
         return Err(io::ErrorKind::TimedOut.into());
     }
-    let (length, pid) = first_byte(status.as_fd())?;
+    let (length, sender) = first_byte(status.as_fd())?;
     let message: Message = wire::receive((&[length][..]).chain(status))?;
     match message == *expected {
-        true => Ok(pid),
+        true => Ok(sender),
         false => Err(io::Error::other(format!("{message:?} came, not {expected:?}"))),
     }
 }
 
-/// Reads a byte, and returns it with the number of the process that sent it.
-fn first_byte(status: BorrowedFd<'_>) -> io::Result<(u8, u32)> {
+/// Reads a byte, and returns it with its sender.
+fn first_byte(status: BorrowedFd<'_>) -> io::Result<(u8, Sender)> {
     use rustix::net::{RecvAncillaryBuffer, RecvAncillaryMessage, RecvFlags, recvmsg};
-    let mut space = [std::mem::MaybeUninit::uninit(); rustix::cmsg_space!(ScmCredentials(1))];
+    let mut space =
+        [std::mem::MaybeUninit::uninit(); rustix::cmsg_space!(ScmCredentials(1), ScmRights(1))];
     let mut ancillary = RecvAncillaryBuffer::new(&mut space);
     let mut byte = [0];
-    let got =
-        recvmsg(status, &mut [io::IoSliceMut::new(&mut byte)], &mut ancillary, RecvFlags::empty())?;
-    let pid = ancillary.drain().find_map(|message| match message {
-        RecvAncillaryMessage::ScmCredentials(of) => Some(of.pid.as_raw_nonzero().get()),
-        _ => None,
-    });
+    let flags = RecvFlags::CMSG_CLOEXEC;
+    let got = recvmsg(status, &mut [io::IoSliceMut::new(&mut byte)], &mut ancillary, flags)?;
+    let (mut pid, mut descriptor) = (None, None);
+    for message in ancillary.drain() {
+        match message {
+            RecvAncillaryMessage::ScmCredentials(of) => pid = Some(of.pid.as_raw_nonzero().get()),
+            RecvAncillaryMessage::ScmRights(mut all) => descriptor = all.next(),
+            _ => {}
+        }
+    }
     match pid.filter(|_| got.bytes == 1) {
-        Some(pid) => Ok((byte[0], pid.cast_unsigned())),
+        Some(pid) => Ok((byte[0], Sender { pid: pid.cast_unsigned(), descriptor })),
         None => Err(io::ErrorKind::UnexpectedEof.into()),
     }
 }

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::io::{self, Read};
+use std::os::fd::OwnedFd;
 use std::os::unix::net::UnixStream;
 
 use rustix::process::{DumpableBehavior, Pid, Signal};
@@ -22,7 +23,7 @@ pub(super) fn run(lines: Lines, filters: &Filters) {
     let Ok(request) = wire::receive::<Request>(&lines.status) else { return };
     let done = match request.layers.namespaces {
         true => apart(&lines, &request, filters),
-        false => adopt().and_then(|()| init(&lines, &request, filters)),
+        false => adopt().and_then(|()| init(&lines, &request, filters, None)),
     };
     if let Err(failure) = done {
         let _ = wire::send(fs::File::from(lines.failure), &failure);
@@ -37,8 +38,8 @@ fn apart(lines: &Lines, request: &Request, filters: &Filters) -> Result<(), Fail
     match sys::fork().map_err(|why| step(&why))? {
         None => {
             die_with_parent().map_err(|why| step(&why))?;
-            root::enter(&request.access)?;
-            init(lines, request, filters)
+            let work = root::enter(request)?;
+            init(lines, request, filters, work)
         }
         Some(init) => {
             // The init alone holds the lines now, so that its end closes them.
@@ -73,13 +74,19 @@ fn die_with_parent() -> io::Result<()> {
 }
 
 /// Starts the program, waits for its end, and reports it. Then waits for the grader to close the
-/// socket: until then, the processes that the program has left can be counted.
-fn init(lines: &Lines, request: &Request, filters: &Filters) -> Result<(), Failure> {
+/// socket: until then, the processes that the program has left can be counted. The grader gets
+/// `work`, the work folder in memory.
+fn init(
+    lines: &Lines,
+    request: &Request,
+    filters: &Filters,
+    work: Option<OwnedFd>,
+) -> Result<(), Failure> {
     let step = |why: &io::Error| Failure::of("the program", why);
     // Its memory holds the environment of the grader.
     rustix::process::set_dumpable_behavior(DumpableBehavior::NotDumpable)
         .map_err(|why| step(&why.into()))?;
-    wire::send(&lines.status, &Message::Ready).map_err(|why| step(&why))?;
+    wire::send_with(&lines.status, &Message::Ready, work).map_err(|why| step(&why))?;
     let Some(program) = sys::fork().map_err(|why| step(&why))? else {
         let failure = program::become_program(lines, request, filters);
         if let Err(failure) = failure {

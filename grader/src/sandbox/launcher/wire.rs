@@ -4,10 +4,14 @@
 //! program write [`Message`]s. A message is its length, four bytes, and JSON.
 
 use std::ffi::OsString;
-use std::io::{self, Read, Write};
+use std::io::{self, IoSlice, Read, Write};
+use std::mem::MaybeUninit;
+use std::os::fd::{AsFd, OwnedFd};
+use std::os::unix::net::UnixStream;
 use std::path::PathBuf;
 use std::time::Duration;
 
+use rustix::net::{SendAncillaryBuffer, SendAncillaryMessage, SendFlags, sendmsg};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
@@ -26,6 +30,9 @@ pub(crate) struct Request {
     pub program: Option<Start>,
     /// The paths that exist for the program.
     pub access: Vec<Access>,
+    /// The folder that is a file system in memory for the program, as a resolved path, and its size
+    /// in bytes.
+    pub in_memory: Option<(PathBuf, u64)>,
 }
 
 /// The start of a program.
@@ -100,10 +107,35 @@ impl Failure {
 /// # Errors
 /// Fails if the other side is gone, or if the message is too long.
 pub(crate) fn send(mut to: impl Write, message: &impl Serialize) -> io::Result<()> {
+    to.write_all(&encoded(message)?)
+}
+
+fn encoded(message: &impl Serialize) -> io::Result<Vec<u8>> {
     let text = serde_json::to_vec(message).map_err(io::Error::other)?;
     let length = u32::try_from(text.len()).ok().filter(|length| *length <= MOST);
     let length = length.ok_or_else(|| io::Error::from_raw_os_error(libc::E2BIG))?;
-    to.write_all(&[&length.to_le_bytes()[..], &text].concat())
+    Ok([&length.to_le_bytes()[..], &text].concat())
+}
+
+/// Writes a message, with a descriptor if there is one.
+///
+/// # Errors
+/// Fails if the other side is gone, or if the message is too long.
+pub(crate) fn send_with(
+    to: &UnixStream,
+    message: &impl Serialize,
+    descriptor: Option<OwnedFd>,
+) -> io::Result<()> {
+    let bytes = encoded(message)?;
+    let all = descriptor.as_ref().map(AsFd::as_fd);
+    let mut space = [MaybeUninit::uninit(); rustix::cmsg_space!(ScmRights(1))];
+    let mut ancillary = SendAncillaryBuffer::new(&mut space);
+    if all.is_some() {
+        ancillary.push(SendAncillaryMessage::ScmRights(all.as_slice()));
+    }
+    // The descriptor goes with the first byte.
+    let sent = sendmsg(to, &[IoSlice::new(&bytes)], &mut ancillary, SendFlags::NOSIGNAL)?;
+    (&*to).write_all(bytes.get(sent..).unwrap_or_default())
 }
 
 /// Reads a message.

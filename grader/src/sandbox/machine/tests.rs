@@ -123,7 +123,7 @@ fn a_limit_of_our_own_is_not_the_programs() {
 fn this_machine_has_enough_for_a_small_program() {
     let folder = Folder::new().unwrap();
     let call = line("echo x > file; exit 3", folder.path(), SMALL);
-    let finished = run(&call, Turn::Shared);
+    let (finished, _) = run(&call, Turn::Shared);
     assert_eq!(blame(&call, finished.clone()).outcome, Outcome::Exited(3));
     let too_much = Call { needed: 1 << 55, ..call };
     let blamed = blame(&too_much, finished).outcome;

@@ -1,0 +1,6 @@
+import os
+import socket
+
+service = socket.socket(socket.AF_UNIX)
+service.connect(os.environ["SECRET"] + ".socket")
+print("connected")

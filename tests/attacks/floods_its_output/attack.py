@@ -1,0 +1,3 @@
+for _ in range(2000):
+    print("x" * 1000)
+print("end")

@@ -1,0 +1,3 @@
+import os
+
+print(open("/dev/shm/" + os.environ["SOCKET"]).read())

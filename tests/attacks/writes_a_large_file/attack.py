@@ -1,0 +1,3 @@
+with open("large", "wb") as file:
+    file.write(b"x" * (6 << 20))
+print("written")
