@@ -7,6 +7,7 @@ pub mod dice;
 pub mod fuzz;
 pub mod instructions;
 pub mod lab;
+pub mod load;
 pub mod page;
 pub mod peers;
 pub mod performance;

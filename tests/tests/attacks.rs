@@ -2,8 +2,8 @@
 //!
 //! Each attack runs without layers and with wide limits first, where it has to work: without this
 //! control, the test would prove nothing. Then it runs under each layer that stops it, alone, and
-//! under all layers. A layer that this machine lacks cannot be tested; `REQUIRE_LAYERS=1` makes this
-//! a failure.
+//! under all layers. A layer that this machine lacks cannot be tested; `REQUIRE_LAYERS=1` makes
+//! this a failure.
 //!
 //! After each run no process of the attack is left, its folder is gone, and the next submission
 //! gets the record that it gets on a machine that was never attacked.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::tokens::{Token, tokens};
+use super::tokens::{START, Token, mix, tokens};
 
 /// Number of tokens in a sequence.
 const SEQUENCE: usize = 16;
@@ -45,19 +45,6 @@ fn of_sequence(tokens: &[Token]) -> u64 {
         Token::Sign(sign) => mix(mix(hash, 3), u64::from(*sign)),
         Token::Number(number) => mix(mix(hash, 4), *number),
     })
-}
-
-/// Returns a hash of the bytes of `text` that is the same on every machine.
-pub(super) fn hash(text: &str) -> u64 {
-    text.bytes().fold(START, |hash, byte| mix(hash, byte.into()))
-}
-
-/// The first value and the factor of the hash FNV-1a. No one gains by making two sequences collide.
-const START: u64 = 0xcbf2_9ce4_8422_2325;
-const FACTOR: u64 = 0x0100_0000_01b3;
-
-fn mix(hash: u64, value: u64) -> u64 {
-    (hash ^ value).wrapping_mul(FACTOR)
 }
 
 #[cfg(test)]

@@ -32,7 +32,7 @@ pub(super) fn tokens(source: &str) -> Vec<Token> {
             }
             _ if first.is_ascii_digit() => {
                 let length = while_in(rest, |c| c.is_alphanumeric() || c == '_' || c == '.');
-                tokens.push(Token::Number(super::sketch::hash(&rest[..length])));
+                tokens.push(Token::Number(hash(&rest[..length])));
                 length
             }
             _ if first.is_alphabetic() || first == '_' => {
@@ -68,6 +68,19 @@ fn quoted(rest: &str) -> usize {
 
 fn while_in(rest: &str, is_in: impl Fn(char) -> bool) -> usize {
     rest.find(|c| !is_in(c)).unwrap_or(rest.len())
+}
+
+/// Returns a hash of the bytes of `text` that is the same on every machine.
+fn hash(text: &str) -> u64 {
+    text.bytes().fold(START, |hash, byte| mix(hash, byte.into()))
+}
+
+/// The first value and the factor of the hash FNV-1a. No one gains by making two sequences collide.
+pub(super) const START: u64 = 0xcbf2_9ce4_8422_2325;
+const FACTOR: u64 = 0x0100_0000_01b3;
+
+pub(super) fn mix(hash: u64, value: u64) -> u64 {
+    (hash ^ value).wrapping_mul(FACTOR)
 }
 
 #[cfg(test)]

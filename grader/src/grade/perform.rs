@@ -321,13 +321,21 @@ fn picture(
     }
     let finished = first.finished.clone().without_streams();
     let again = || exercise::render_case(candidate, &case.scene, limits);
-    let (done, second) = pictures::judged(first, (part.questions, case), again);
+    let (judgement, picture, second) = pictures::judged(&first, (part.questions, case), again);
     let second = second.map_or(Duration::ZERO, |run| run.finished.time());
     let taken = Taken {
         stage,
         time: finished.time() + second,
         idle: finished.idle,
         is_timeout: matches!(finished.outcome, Outcome::TimedOut(_)),
+    };
+    let done = Done {
+        judgement,
+        picture,
+        answer: None,
+        time_s: finished.wall.as_secs_f64(),
+        cpu_s: Some(finished.cpu.as_secs_f64()),
+        peak_bytes: finished.peak_bytes,
     };
     let done = BTreeMap::from([(case.id.clone(), done)]);
     Ran { done, taken, picture: Some(finished), ..Ran::default() }

@@ -7,7 +7,6 @@
 use cases::film::Image;
 use cases::stage::Case;
 
-use super::perform::Done;
 use super::verdicts;
 use crate::exam::Questions;
 use crate::exercise::Rendered;
@@ -24,28 +23,19 @@ struct Shown {
 
 /// Judges `first`, and renders the case once more by `again` if its picture earns points.
 ///
-/// Returns the result, and the second run if there was one.
+/// Returns the judgement, the picture that it is about, and the second run if there was one.
 pub(super) fn judged(
-    first: Rendered,
+    first: &Rendered,
     (questions, case): (&Questions, &Case),
     again: impl FnOnce() -> Rendered,
-) -> (Done, Option<Rendered>) {
-    let shown = Shown::new(&first, questions, case);
-    let (shown, second) = if shown.judgement.earns() {
-        let second = again();
-        (shown.beside(&second, questions, case), Some(second))
-    } else {
-        (shown, None)
-    };
-    let done = Done {
-        judgement: shown.judgement,
-        time_s: first.finished.wall.as_secs_f64(),
-        cpu_s: Some(first.finished.cpu.as_secs_f64()),
-        peak_bytes: first.finished.peak_bytes,
-        picture: shown.picture,
-        answer: None,
-    };
-    (done, second)
+) -> (Judgement, Option<Image>, Option<Rendered>) {
+    let shown = Shown::new(first, questions, case);
+    if !shown.judgement.earns() {
+        return (shown.judgement, shown.picture, None);
+    }
+    let second = again();
+    let shown = shown.beside(&second, questions, case);
+    (shown.judgement, shown.picture, Some(second))
 }
 
 impl Shown {

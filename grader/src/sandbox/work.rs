@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 /// A work folder.
 ///
-/// Where there are namespaces, it is a file system in memory of a fixed size, which lasts as long as
-/// this value does and which no other process can reach. Elsewhere it is the folder of the call.
+/// Where there are namespaces, it is a file system in memory of a fixed size, which lasts as long
+/// as this value does and which no other process can reach. Elsewhere it is the folder of the call.
 #[derive(Debug)]
 pub struct Work {
     path: PathBuf,

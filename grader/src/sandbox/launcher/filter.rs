@@ -1,8 +1,8 @@
 //! The filter of system calls.
 //!
-//! Calls that reach beyond a program's own processes are refused. On x86-64, all others that are not
-//! in the list of `allowed.rs` are answered as by a system that does not know them; elsewhere, only
-//! a few are.
+//! Calls that reach beyond a program's own processes are refused. On x86-64, all others that are
+//! not in the list of `allowed.rs` are answered as by a system that does not know them; elsewhere,
+//! only a few are.
 
 use std::collections::BTreeMap;
 use std::io;

@@ -41,7 +41,7 @@ pub use zygote::prepare;
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// Bytes by which a work folder in memory is larger than the limit on it, so that a program that
-/// exceeds the limit can be told from one that just keeps to it.
+/// exceeds the limit differs from one that just keeps to it.
 const SPARE: u64 = 1 << 20;
 
 /// Rounds of killing, after which the processes of a program that starts others as fast are left to

@@ -37,8 +37,8 @@ const DEVICE_LINKS: [(&str, &str); 4] = [
     ("dev/stdout", "/proc/self/fd/1"),
 ];
 
-/// Makes a root folder with the paths of `request` alone, and enters it. The old one is out of reach
-/// then. Returns the work folder, if it is in memory.
+/// Makes a root folder with the paths of `request` alone, and enters it. The old one is out of
+/// reach then. Returns the work folder, if it is in memory.
 pub(super) fn enter(request: &Request) -> Result<Option<OwnedFd>, Failure> {
     let step = |what: &'static str| move |why: io::Error| Failure::of(what, &why);
     let work = build(request)?;
@@ -77,8 +77,8 @@ fn build(request: &Request) -> Result<Option<OwnedFd>, Failure> {
     Ok(work)
 }
 
-/// Makes a file system in memory of `size` bytes in the place of the folder `path`, with copies of
-/// the files in it, and opens it.
+/// Mounts a file system in memory of `size` bytes where the program finds the folder `path`, with
+/// copies of the files in that folder, and opens it.
 fn work_folder(base: &Path, path: &Path, size: u64) -> io::Result<OwnedFd> {
     let at = below(base, path);
     fs::create_dir_all(&at)?;
