@@ -4,7 +4,6 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
-use std::time::Duration;
 
 use cases::film::Image;
 use cases::probe::{Answer, Question};
@@ -321,11 +320,10 @@ fn picture(
     }
     let finished = first.finished.clone().without_streams();
     let again = || exercise::render_case(candidate, &case.scene, limits);
-    let (judgement, picture, second) = pictures::judged(&first, (part.questions, case), again);
-    let second = second.map_or(Duration::ZERO, |run| run.finished.time());
+    let (judgement, picture) = pictures::judged(&first, (part.questions, case), again);
     let taken = Taken {
         stage,
-        time: finished.time() + second,
+        time: finished.time(),
         idle: finished.idle,
         is_timeout: matches!(finished.outcome, Outcome::TimedOut(_)),
     };

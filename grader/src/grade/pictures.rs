@@ -23,19 +23,18 @@ struct Shown {
 
 /// Judges `first`, and renders the case once more by `again` if its picture earns points.
 ///
-/// Returns the judgement, the picture that it is about, and the second run if there was one.
+/// Returns the judgement, and the picture that it is about.
 pub(super) fn judged(
     first: &Rendered,
     (questions, case): (&Questions, &Case),
     again: impl FnOnce() -> Rendered,
-) -> (Judgement, Option<Image>, Option<Rendered>) {
+) -> (Judgement, Option<Image>) {
     let shown = Shown::new(first, questions, case);
     if !shown.judgement.earns() {
-        return (shown.judgement, shown.picture, None);
+        return (shown.judgement, shown.picture);
     }
-    let second = again();
-    let shown = shown.beside(&second, questions, case);
-    (shown.judgement, shown.picture, Some(second))
+    let shown = shown.beside(&again(), questions, case);
+    (shown.judgement, shown.picture)
 }
 
 impl Shown {

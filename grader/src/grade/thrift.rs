@@ -17,9 +17,9 @@ use crate::exercise::{Allowance, N_TIMEOUTS};
 pub(super) struct Taken {
     /// The index of the stage in the plan.
     pub(super) stage: usize,
-    /// CPU time and idle time, with those of a second run.
+    /// CPU time and idle time. That of a second run does not count: the program did its task.
     pub(super) time: Duration,
-    /// Idle time. That of a second run does not count.
+    /// Idle time.
     pub(super) idle: Duration,
     /// Whether a picture timed out. Unit checks count their own time-outs.
     pub(super) is_timeout: bool,
