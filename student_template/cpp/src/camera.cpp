@@ -1,0 +1,17 @@
+// Eye rays. Stage 01.
+#include "functions.hpp"
+#include "todo.hpp"
+
+// Returns the ray from the eye through the centre of a pixel. [rule 1]
+//
+// - `camera` is in world space: the eye C, three orthonormal vectors, and `fov_y_deg`, the
+//   *vertical* angle of view in degrees.
+// - The picture has `width` columns and `height` rows of square pixels, so the view plane is
+//   `width` / `height` times as wide as it is high.
+// - `i` counts columns from the left, `j` rows from the *top*; both begin at 0. The centre of a
+//   pixel lies half a pixel further. Beware: a quotient of two integers is an integer.
+// - The result starts at the eye and has a unit direction. `Ray{origin, direction}` gives it its
+//   interval.
+Ray eye_ray(const Camera& camera, unsigned width, unsigned height, unsigned i, unsigned j) {
+    todo("eye_ray [rule 1]: src/camera.cpp");
+}
