@@ -1,5 +1,5 @@
-// The functions that you write, each declared beside its file. Their contracts stand in these files.
-// Given: nothing to write here.
+// The functions that you write, each below the name of its file, which holds its contract. Given:
+// nothing to write here.
 #pragma once
 
 #include <array>

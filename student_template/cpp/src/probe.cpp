@@ -36,7 +36,8 @@ std::string hit_or_miss(const std::optional<SurfaceHit>& hit) {
 }
 
 std::string ray_of(const Ray& ray) {
-    return "\"ray\":{\"origin\":" + list(ray.origin) + ",\"direction\":" + list(ray.direction) + "}";
+    return "\"ray\":{\"origin\":" + list(ray.origin) +
+           ",\"direction\":" + list(ray.direction) + "}";
 }
 
 Vec3 vec3(const Value& question, const char* key) { return read_vec3(question[key]); }
@@ -64,7 +65,8 @@ std::string answer_nearest(const Value& q) {
     if (!hit) {
         return MISS;
     }
-    return "\"found\":{\"t\":" + number(hit->t) + ",\"object\":" + std::to_string(hit->object) + "}";
+    return "\"found\":{\"t\":" + number(hit->t) +
+           ",\"object\":" + std::to_string(hit->object) + "}";
 }
 
 std::string answer_to_light(const Value& q) {

@@ -1,0 +1,20 @@
+"""The nearest hit in a scene. Stage 01."""
+
+from tracer.object import intersect_object
+
+
+def nearest_hit(scene, ray):
+    """Returns the nearest hit of `ray` among all objects of the scene, or None. [rule 2]
+
+    - `ray` and the hit are in world space. `intersect_object(scene, index, ray)` returns the hit
+      with one object.
+    - The least t counts. Of two hits at the same t, the one with the object that is listed first
+      wins: a later one replaces it only if it is strictly nearer.
+    - An empty scene gives None.
+    """
+    nearest = None
+    for index in range(len(scene.objects)):
+        hit = intersect_object(scene, index, ray)
+        if hit is not None and (nearest is None or hit.t < nearest.t):
+            nearest = hit
+    return nearest
