@@ -1,5 +1,7 @@
-//! The table of the template's functions that answer the questions of unit checks, with their
+//! The table of the templates' functions that answer the questions of unit checks, with their
 //! files.
+
+use crate::submission::Language;
 
 /// The beginning of a message about a function that is still to be written.
 const STILL: &str = "still to be written: ";
@@ -7,15 +9,16 @@ const STILL: &str = "still to be written: ";
 /// that is not.
 const OR_CALLED: &str = ", or a function that it calls";
 
-/// The function of the template that answers a question.
+/// The function of every template that answers a question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Function {
     /// The value of the key `fn` in questions to the function.
     pub key: &'static str,
     /// The function's name.
     pub name: &'static str,
-    /// The file that holds it, below the template's folder.
-    pub file: &'static str,
+    /// The name of the file that holds it, without the folder and the ending, which depend on the
+    /// language.
+    pub stem: &'static str,
     /// Whether the function is given. If so, only a function that it calls can be missing.
     pub is_given: bool,
     /// Whether the function leaves most of its work to functions that have unit checks too.
@@ -23,46 +26,46 @@ pub struct Function {
     pub is_composed: bool,
 }
 
-const fn students(key: &'static str, name: &'static str, file: &'static str) -> Function {
-    Function { key, name, file, is_given: false, is_composed: false }
+const fn students(key: &'static str, name: &'static str, stem: &'static str) -> Function {
+    Function { key, name, stem, is_given: false, is_composed: false }
 }
 
-const fn composed(key: &'static str, name: &'static str, file: &'static str) -> Function {
-    Function { key, name, file, is_given: false, is_composed: true }
+const fn composed(key: &'static str, name: &'static str, stem: &'static str) -> Function {
+    Function { key, name, stem, is_given: false, is_composed: true }
 }
 
-const fn given(key: &'static str, name: &'static str, file: &'static str) -> Function {
-    Function { key, name, file, is_given: true, is_composed: true }
+const fn given(key: &'static str, name: &'static str, stem: &'static str) -> Function {
+    Function { key, name, stem, is_given: true, is_composed: true }
 }
 
 /// The function for each kind of question, in the order of the stages.
 pub const FUNCTIONS: [Function; 26] = [
-    students("eye_ray", "eye_ray", "src/camera.rs"),
-    students("sphere", "intersect_sphere", "src/sphere.rs"),
-    students("plane", "intersect_plane", "src/plane.rs"),
-    students("square", "intersect_square", "src/plane.rs"),
-    students("box", "intersect_box", "src/cuboid.rs"),
-    students("triangle", "intersect_triangle", "src/triangle.rs"),
-    composed("nearest", "nearest_hit", "src/nearest.rs"),
-    students("to_light", "to_light", "src/light.rs"),
-    students("attenuation", "distance_attenuation", "src/light.rs"),
-    students("facing_normal", "facing_normal", "src/shade.rs"),
-    students("ambient", "ambient", "src/shade.rs"),
-    students("light_term", "light_term", "src/shade.rs"),
-    composed("shade", "shade", "src/shade.rs"),
-    students("shadow", "shadow_attenuation", "src/shadow.rs"),
-    students("reflect", "reflect", "src/reflection.rs"),
-    students("goes_on", "goes_on", "src/reflection.rs"),
-    given("trace", "trace", "src/trace.rs"),
-    students("indices", "indices", "src/refraction.rs"),
-    students("refract", "refract", "src/refraction.rs"),
-    students("ray_to_object", "ray_to_object", "src/transform.rs"),
-    students("normal_to_world", "normal_to_world", "src/transform.rs"),
-    given("transformed_sphere", "intersect_transformed", "src/object.rs"),
-    students("barycentric", "barycentric", "src/smooth.rs"),
-    students("interpolate", "interpolate_normal", "src/smooth.rs"),
-    students("smooth_reflect", "smooth_reflect", "src/smooth.rs"),
-    students("smooth_refract", "smooth_refract", "src/smooth.rs"),
+    students("eye_ray", "eye_ray", "camera"),
+    students("sphere", "intersect_sphere", "sphere"),
+    students("plane", "intersect_plane", "plane"),
+    students("square", "intersect_square", "plane"),
+    students("box", "intersect_box", "cuboid"),
+    students("triangle", "intersect_triangle", "triangle"),
+    composed("nearest", "nearest_hit", "nearest"),
+    students("to_light", "to_light", "light"),
+    students("attenuation", "distance_attenuation", "light"),
+    students("facing_normal", "facing_normal", "shade"),
+    students("ambient", "ambient", "shade"),
+    students("light_term", "light_term", "shade"),
+    composed("shade", "shade", "shade"),
+    students("shadow", "shadow_attenuation", "shadow"),
+    students("reflect", "reflect", "reflection"),
+    students("goes_on", "goes_on", "reflection"),
+    given("trace", "trace", "trace"),
+    students("indices", "indices", "refraction"),
+    students("refract", "refract", "refraction"),
+    students("ray_to_object", "ray_to_object", "transform"),
+    students("normal_to_world", "normal_to_world", "transform"),
+    given("transformed_sphere", "intersect_transformed", "object"),
+    students("barycentric", "barycentric", "smooth"),
+    students("interpolate", "interpolate_normal", "smooth"),
+    students("smooth_reflect", "smooth_reflect", "smooth"),
+    students("smooth_refract", "smooth_refract", "smooth"),
 ];
 
 /// Returns the function with this key and its index in [`FUNCTIONS`], or `None`.
@@ -72,15 +75,17 @@ pub fn find(key: &str) -> Option<(usize, &'static Function)> {
 
 /// Returns the message for a function that answers `todo`.
 ///
-/// A function of the template is named with its file. A function of any other program is named by
-/// its key, as in the protocol.
-pub fn still_to_be_written(key: &str, is_template: bool) -> String {
-    match find(key).filter(|_| is_template).map(|(_, function)| function) {
-        Some(Function { name, file, is_given: true, .. }) => {
-            format!("{STILL}a function that `{name}` in {file} calls")
-        }
-        Some(Function { name, file, .. }) => format!("{STILL}`{name}` in {file}{OR_CALLED}"),
-        None => format!("{STILL}the function that answers `{key}`{OR_CALLED}"),
+/// A function of a template is named with its file in the language of the template. A function of
+/// any other program is named by its key, as in the protocol.
+pub fn still_to_be_written(key: &str, template: Option<Language>) -> String {
+    let Some((language, (_, function))) = template.zip(find(key)) else {
+        return format!("{STILL}the function that answers `{key}`{OR_CALLED}");
+    };
+    let (name, file) = (function.name, language.path(function.stem));
+    if function.is_given {
+        format!("{STILL}a function that `{name}` in {file} calls")
+    } else {
+        format!("{STILL}`{name}` in {file}{OR_CALLED}")
     }
 }
 
@@ -98,13 +103,15 @@ mod tests {
     #[test]
     fn what_is_missing_is_named_as_its_author_knows_it() {
         let table = [
-            ("sphere", true, "`intersect_sphere` in src/sphere.rs"),
-            ("trace", true, "a function that `trace` in src/trace.rs calls"),
-            ("sphere", false, "the function that answers `sphere`"),
-            ("banana", true, "the function that answers `banana`"),
+            ("sphere", Some(Language::Rust), "`intersect_sphere` in src/sphere.rs"),
+            ("sphere", Some(Language::Cpp), "`intersect_sphere` in src/sphere.cpp"),
+            ("box", Some(Language::Python), "`intersect_box` in tracer/cuboid.py"),
+            ("trace", Some(Language::Rust), "a function that `trace` in src/trace.rs calls"),
+            ("sphere", None, "the function that answers `sphere`"),
+            ("banana", Some(Language::Cpp), "the function that answers `banana`"),
         ];
-        for (key, is_template, expected) in table {
-            let message = still_to_be_written(key, is_template);
+        for (key, template, expected) in table {
+            let message = still_to_be_written(key, template);
             assert!(message.starts_with("still to be written: "), "{message}");
             assert_eq!(subject(&message), expected);
         }

@@ -34,7 +34,8 @@ pub(super) fn build(
             "the run command of submission.toml starts with `{word}`, which does not exist"
         )));
     }
-    Ok(Built { program: Program::in_folder(path, args, search, folder), warnings: vec![], time })
+    let program = Program::in_folder(path, args, search, folder);
+    Ok(Built { program, template: own.template, warnings: vec![], time })
 }
 
 /// Copies the submission to `folder`. All files are made executable, since archives do not say

@@ -10,6 +10,7 @@ use std::time::Duration;
 use super::entry::Entry;
 use super::error::Fault;
 use crate::sandbox::{self, Access, Folder};
+use crate::submission::Language;
 
 /// The name of the program's file in its entry of the store.
 pub(super) const PROGRAM: &str = "program";
@@ -22,6 +23,8 @@ pub(super) type Stored = Entry<Vec<String>>;
 pub struct Built {
     /// The program.
     pub program: Program,
+    /// The language of the template that the program is made from, if it is made from one.
+    pub template: Option<Language>,
     /// The compiler's warnings.
     pub warnings: Vec<String>,
     /// The wall time of the build, which is zero if a stored build was used.
@@ -74,12 +77,6 @@ impl Program {
         folder: Folder,
     ) -> Self {
         Self { folder: Some(folder), ..Self::new(path, args, search) }
-    }
-
-    /// Returns whether the submission chooses the executable file. The grader chooses it for a
-    /// program that it has compiled.
-    pub fn is_foreign(&self) -> bool {
-        self.folder.is_some() && self.source.is_none()
     }
 
     /// Returns what must exist for the program to run, besides the programs and libraries of the

@@ -14,6 +14,7 @@ use super::workshop::Workshop;
 use super::{diagnostics, entry};
 use crate::files;
 use crate::sandbox::{self, Access, Call, Finished, Folder, Layers, Limits, Outcome, Turn};
+use crate::submission::Language;
 
 /// The flags of the compiler for student code, which are part of the key.
 const FLAGS: [&str; 11] = [
@@ -59,7 +60,8 @@ pub(super) fn build(
 
 fn built(stored: Stored, time: Duration) -> Result<Built, BuildError> {
     let warnings = stored.about.clone();
-    Ok(Built { program: Program::of_stored(stored, SEARCH)?, warnings, time })
+    let program = Program::of_stored(stored, SEARCH)?;
+    Ok(Built { program, template: Some(Language::Rust), warnings, time })
 }
 
 /// Compiles in a folder of its own, and stores program and warnings as the entry `stored`.

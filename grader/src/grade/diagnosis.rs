@@ -12,17 +12,18 @@ use super::plan::{Part, Plan};
 use crate::diagnose::{self, Explanation, Reply, Sheet};
 use crate::exam::Exam;
 use crate::record::{Diagnosis, FindingKind, Verdict};
+use crate::submission::Language;
 
 /// Returns the known mistakes that explain the errors in `answers`, and what they leave
 /// unexplained. Also writes the ids of the mistakes to the findings that they explain most of. The
 /// layers of the mistakes are unpacked only if an answer is wrong.
 ///
-/// The place to look at names a file of the template only if `is_template`.
+/// The place to look at names a file only if the program is made from a `template`.
 pub(super) fn diagnose(
     exam: &Exam,
     plan: &Plan,
     answers: &mut Answers,
-    is_template: bool,
+    template: Option<Language>,
 ) -> Explanation {
     if !answers.done.values().any(|done| state(done) == State::Wrong) {
         return Explanation::default();
@@ -48,18 +49,24 @@ pub(super) fn diagnose(
     let replies =
         checks.filter_map(|(part, check)| reply(part, check, answers.done.get(&check.id)?));
     let known: Vec<Mistake> =
-        exam.mistakes.iter().map(|mistake| addressed(mistake, is_template)).collect();
+        exam.mistakes.iter().map(|mistake| addressed(mistake, template)).collect();
     let explanation = diagnose::diagnose(&pictures, replies.collect(), &known);
     label(answers, &explanation.diagnoses);
     explanation
 }
 
-/// Returns the mistake with a place to look at that the author of the program knows: without the
-/// file if the program is not made from the template.
-fn addressed(mistake: &Mistake, is_template: bool) -> Mistake {
-    let function = mistake.look_at.split_once(' ').map_or("", |(_, function)| function);
-    let look_at = if is_template { &mistake.look_at } else { function };
-    Mistake { look_at: look_at.to_owned(), ..mistake.clone() }
+/// Returns the mistake with a place to look at that the author of the program knows: the file in
+/// the language of the template, or no file if the program is not made from a template.
+fn addressed(mistake: &Mistake, template: Option<Language>) -> Mistake {
+    let (file, function) = mistake.look_at.split_once(' ').unwrap_or_default();
+    let look_at = match template {
+        Some(language) if !file.is_empty() => {
+            let stem = file.strip_suffix(".rs").unwrap_or(file);
+            format!("{} {function}", language.file(stem))
+        }
+        _ => function.to_owned(),
+    };
+    Mistake { look_at, ..mistake.clone() }
 }
 
 /// Writes to each finding the id of the mistake that explains most of it. Of equal ones the first
@@ -138,9 +145,18 @@ mod tests {
     }
 
     #[test]
-    fn only_programs_made_from_the_template_are_sent_to_its_files() {
-        assert_eq!(addressed(&mistake("a"), true).look_at, "reflection.rs reflect");
-        assert_eq!(addressed(&mistake("a"), false).look_at, "reflect");
+    fn a_place_to_look_at_is_named_as_its_author_knows_it() {
+        let table = [
+            ("sphere.rs intersect_sphere", Some(Language::Rust), "sphere.rs intersect_sphere"),
+            ("sphere.rs intersect_sphere", Some(Language::Cpp), "sphere.cpp intersect_sphere"),
+            ("cuboid.rs intersect_box", Some(Language::Python), "cuboid.py intersect_box"),
+            ("cuboid.rs intersect_box", None, "intersect_box"),
+            ("", Some(Language::Cpp), ""),
+        ];
+        for (look_at, template, expected) in table {
+            let mistake = Mistake { look_at: look_at.to_owned(), ..mistake("a") };
+            assert_eq!(addressed(&mistake, template).look_at, expected);
+        }
     }
 
     #[test]

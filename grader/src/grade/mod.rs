@@ -126,20 +126,19 @@ pub fn grade(
     let plan = trusted(bench, planned(bench, options)?)?;
     let epoch = bench.epoch()?;
     let (digest, prepared) = prepare(bench, options, progress)?;
-    let is_template = prepared.as_ref().is_ok_and(|(built, _)| !built.program.is_foreign());
+    let template = prepared.as_ref().ok().and_then(|(built, _)| built.template);
     let (mut answers, build) = match prepared {
         Ok((built, ignored)) => {
             let mut answers =
                 perform::exercise(&plan, &bench.candidate(&built), options.jobs, progress);
-            write_up::name_functions(&mut answers, is_template);
+            write_up::name_functions(&mut answers, template);
             (answers, accepted(&built, ignored))
         }
         Err(build) => (perform::nothing(&plan, build.finding.as_ref()), build),
     };
     // A diagnosis is only a hint, so a panic of the grader in it must not cost a check.
-    let explanation =
-        guarded(|| diagnosis::diagnose(&bench.exam, &plan, &mut answers, is_template))
-            .unwrap_or_default();
+    let explanation = guarded(|| diagnosis::diagnose(&bench.exam, &plan, &mut answers, template))
+        .unwrap_or_default();
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest };
     let mut record = write_up::record(epoch, submission, build, stages, explanation);
@@ -233,7 +232,7 @@ fn rejected(verdict: Verdict, finding: Finding, ignored: Vec<String>) -> Build {
 pub fn images(bench: &Bench, folder: &Path, options: &Options) -> Result<Graded, GradeError> {
     let plan = trusted(bench, planned(bench, options)?.pictures_only())?;
     let mut answers = perform::review(&plan, folder);
-    let explanation = diagnosis::diagnose(&bench.exam, &plan, &mut answers, false);
+    let explanation = diagnosis::diagnose(&bench.exam, &plan, &mut answers, None);
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest: String::new() };
     let build = Build {

@@ -17,6 +17,7 @@ use crate::record::{
     Verdict,
 };
 use crate::score;
+use crate::submission::Language;
 
 /// The version of the grader.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -49,8 +50,8 @@ pub(super) fn record(
 }
 
 /// Rewrites the messages on functions that are still to be written, so that they name the function,
-/// and its file if `is_template`.
-pub(super) fn name_functions(answers: &mut Answers, is_template: bool) {
+/// and its file if the program is made from a `template`.
+pub(super) fn name_functions(answers: &mut Answers, template: Option<Language>) {
     let findings = answers.done.values_mut().filter_map(|done| done.judgement.finding.as_mut());
     for finding in findings.filter(|finding| finding.kind == FindingKind::Todo) {
         let key = finding
@@ -59,7 +60,7 @@ pub(super) fn name_functions(answers: &mut Answers, is_template: bool) {
             .and_then(|question| question.get("fn"))
             .and_then(|key| key.as_str());
         if let Some(key) = key {
-            finding.message = functions::still_to_be_written(key, is_template);
+            finding.message = functions::still_to_be_written(key, template);
         }
     }
 }

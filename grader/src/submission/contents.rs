@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::limits::SOURCE_BYTES;
 use super::reading::read_text;
+use super::language::Language;
 use crate::sandbox::Folder;
 
 /// A submission whose files have been read or listed.
@@ -74,4 +75,6 @@ pub struct Own {
     pub build: Option<Vec<String>>,
     /// The run command; not empty.
     pub run: Vec<String>,
+    /// The language of the template that the submission is made from, if it states one.
+    pub template: Option<Language>,
 }

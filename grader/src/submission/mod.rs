@@ -4,6 +4,7 @@ pub mod archive;
 mod aside;
 mod contents;
 mod error;
+mod language;
 pub mod limits;
 mod listing;
 mod locate;
@@ -18,6 +19,7 @@ use std::path::{Path, PathBuf};
 
 pub use contents::{Kind, Own, Rust, Submission};
 pub use error::SubmissionError;
+pub use language::Language;
 pub use nature::without_ending;
 pub use reading::{ReadError, open_regular};
 pub use template::Template;

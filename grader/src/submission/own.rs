@@ -1,6 +1,7 @@
 //! Reads a submission in any language, which says in `submission.toml` how it is built and run.
 //!
 //! ```toml
+//! template = "cpp"                          # or "python"; left out if it is made from no template
 //! [build]                                   # may be left out
 //! command = ["make", "tracer"]              # runs in a private copy of the folder
 //! [run]
@@ -16,6 +17,7 @@ use serde::Deserialize;
 use super::aside::{Aside, Why, abridged};
 use super::contents::{Kind, Own, Submission};
 use super::error::{SubmissionError, refuse};
+use super::language::Language;
 use super::limits::{LIMITS, MANIFEST_BYTES, size};
 use super::listing::Listing;
 use super::locate::MANIFEST;
@@ -26,9 +28,13 @@ use crate::plain;
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Manifest {
+    template: Option<Language>,
     build: Option<Step>,
     run: Step,
 }
+
+/// The template, the build command and the run command of a manifest.
+type Stated = (Option<Language>, Option<Vec<String>>, Vec<String>);
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -59,25 +65,26 @@ pub(super) fn read(
     let path = top.join(&manifest);
     let text = read_text(&path, MANIFEST_BYTES)
         .map_err(|why| SubmissionError::of_file(&path, MANIFEST, why))?;
-    let (build, run) = parse(&text).map_err(|why| refuse(MANIFEST, &why))?;
+    let (template, build, run) = parse(&text).map_err(|why| refuse(MANIFEST, &why))?;
     let within = |path: &String| path.strip_prefix(&prefix).map(str::to_owned);
     let (files, folder) =
         (files.iter().filter_map(within).collect::<Vec<String>>(), top.join(folder));
     let digest = digest(&folder, &files)?;
     let ignored = abridged(aside.iter().map(Aside::to_string).collect());
     Ok(Submission {
-        kind: Kind::Own(Own { folder, files, build, run }),
+        kind: Kind::Own(Own { folder, files, build, run, template }),
         digest,
         ignored,
         _unpacked: vec![],
     })
 }
 
-/// Returns the build command, if there is one, and the run command.
+/// Returns the language of the template, if it is stated, the build command, if there is one, and
+/// the run command.
 ///
 /// # Errors
 /// Returns what is wrong with the manifest.
-fn parse(text: &str) -> Result<(Option<Vec<String>>, Vec<String>), String> {
+fn parse(text: &str) -> Result<Stated, String> {
     let manifest: Manifest = toml::from_str(text).map_err(|why| narrow(&why.to_string()))?;
     let words = |step: Step, name: &str| match step.command.first() {
         None => Err(format!("the command of [{name}] is empty")),
@@ -89,7 +96,8 @@ fn parse(text: &str) -> Result<(Option<Vec<String>>, Vec<String>), String> {
         }
         Some(_) => Ok(step.command),
     };
-    Ok((manifest.build.map(|step| words(step, "build")).transpose()?, words(manifest.run, "run")?))
+    let build = manifest.build.map(|step| words(step, "build")).transpose()?;
+    Ok((manifest.template, build, words(manifest.run, "run")?))
 }
 
 /// Returns a message that quotes the manifest, guarded and with its lines cut.

@@ -9,7 +9,7 @@ use super::contents::{Kind, Rust, Submission};
 use super::error::SubmissionError;
 use super::limits::SOURCE_BYTES;
 use super::listing::Listing;
-use super::locate::Layout;
+use super::locate::{Layout, MANIFEST};
 use super::reading::{ReadError, read_bytes, read_text};
 use super::template::Template;
 use crate::blame::{self, Blame};
@@ -49,9 +49,13 @@ pub(super) fn read(
         };
         sources.insert(name.clone(), text);
     }
+    let is_untouched = template.student.iter().all(|(name, text)| sources[name] == *text);
     sources.retain(|name, _| name.starts_with("src/"));
     let digest = digest(sources.iter().map(|(name, text)| (name.as_str(), text.as_bytes())));
-    let others = files.iter().filter_map(|path| place.other(top, path, template).transpose());
+    let own = own_folders(&files);
+    let is_own = |path: &&String| own.iter().any(|folder| path.starts_with(folder));
+    let others = files.iter().filter(|path| !is_own(path));
+    let others = others.filter_map(|path| place.other(top, path, template).transpose());
     let others = others.collect::<Result<Vec<Other>, SubmissionError>>()?;
     let (code, others): (Vec<Other>, Vec<Other>) =
         others.into_iter().partition(|other| other.is_code);
@@ -62,6 +66,12 @@ pub(super) fn read(
         .chain(aside.iter().map(Aside::to_string))
         .collect();
     let mut ignored = [unused.clone(), missing, abridged(others)].concat();
+    if is_untouched {
+        ignored.extend(own.iter().map(|folder| {
+            let name = plain::name(folder.trim_end_matches('/').as_bytes());
+            format!("{name}: a submission in another language; grade this folder by itself")
+        }));
+    }
     if !unused.is_empty() {
         let used: Vec<&str> = template.student.keys().map(String::as_str).collect();
         ignored.push(format!("all but the files that you write, which are {}", used.join(", ")));
@@ -72,6 +82,13 @@ pub(super) fn read(
         ignored,
         _unpacked: vec![],
     })
+}
+
+/// Returns the folders with a manifest of their own, each with a `/` at its end: the templates in
+/// other languages are handed out below the one in Rust.
+fn own_folders(files: &[String]) -> Vec<&str> {
+    let folders = files.iter().filter_map(|path| path.strip_suffix(MANIFEST));
+    folders.filter(|folder| folder.ends_with('/')).collect()
 }
 
 /// The place of the template in the hand-in.

@@ -104,6 +104,21 @@ fn a_file_that_is_missing_comes_from_the_template() {
 }
 
 #[test]
+fn templates_in_other_languages_are_named_only_if_nothing_else_is_written() {
+    let others: [(&str, &[u8]); 3] =
+        [("cpp/submission.toml", b""), ("cpp/src/sphere.cpp", b""), ("cpp/src/old.rs", b"")];
+    let with = |mine: &'static [u8]| [&[("src/sphere.rs", mine)][..], &others].concat();
+    check(&with(b"mine"), Ok(&[]));
+    let remark = "cpp: a submission in another language; grade this folder by itself";
+    check(&with(b"// todo"), Ok(&[remark]));
+    let nested = [("hw/src/sphere.rs", &b"mine"[..]), ("hw/cpp/submission.toml", b"")];
+    check(
+        &nested,
+        Ok(&["everything outside of the folder `hw`: the submission is taken from there"]),
+    );
+}
+
+#[test]
 fn flat_and_nested_submissions_are_the_same_as_plain_ones() {
     let plain = read(submission(&[("src/sphere.rs", b"mine")]).path(), &template()).unwrap();
     for (files, remark) in [
@@ -163,6 +178,10 @@ fn what_is_none_is_refused_in_plain_words() {
     );
     check(&[("submission.toml", b"[run]\ncomand = ['x']")], Err("unknown field `comand`"));
     check(&[("submission.toml", b"[build]\ncommand = ['make']")], Err("missing field `run`"));
+    check(
+        &[("submission.toml", b"template = 'java'\n[run]\ncommand = ['x']")],
+        Err("unknown variant `java`, expected one of `rust`, `cpp`, `python`"),
+    );
     check(
         &[("submission.toml", &[b'#'; 65 << 10])],
         Err("submission.toml: has 65 KiB; at most 64 KiB are read"),
@@ -286,6 +305,19 @@ fn another_language_says_how_it_is_run() {
     let Kind::Own(own) = nested.kind else { panic!("{nested:?}") };
     assert_eq!((own.build, own.run), (None, vec!["python3".to_owned(), "./t.py".to_owned()]));
     assert_eq!(own.files, ["submission.toml", "t.py"]);
+    assert_eq!(own.template, None);
+}
+
+#[test]
+fn the_template_that_a_submission_is_made_from_is_read() {
+    for (name, language) in [("cpp", Language::Cpp), ("python", Language::Python)] {
+        let manifest = format!("template = '{name}'\n[run]\ncommand = ['x']");
+        let folder = submission(&[("submission.toml", manifest.as_bytes())]);
+        let Kind::Own(own) = read(folder.path(), &template()).unwrap().kind else {
+            panic!("{name} is read as Rust")
+        };
+        assert_eq!(own.template, Some(language));
+    }
 }
 
 proptest! {

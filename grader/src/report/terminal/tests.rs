@@ -4,6 +4,7 @@ use super::*;
 use crate::functions;
 use crate::record::*;
 use crate::report::sample;
+use crate::submission::Language;
 
 fn text(record: &Record, is_verbose: bool) -> String {
     let look = Look { is_verbose, columns: 100 };
@@ -141,7 +142,7 @@ fn what_is_still_to_be_written_is_named_by_function_and_file() {
         let mut check = check("shade/dark", name);
         let finding = check.finding.as_mut().expect("it waits");
         finding.asked = Some(serde_json::json!({ "fn": key }));
-        finding.message = functions::still_to_be_written(key, true);
+        finding.message = functions::still_to_be_written(key, Some(Language::Rust));
         check
     };
     let mut picture = check("ball", "boxes");
