@@ -58,10 +58,11 @@ fn stored(id: &str) -> Vec<Image> {
             return answer.expected.clone();
         };
         let light = |levels: Levels| DVec3::from(levels.map(f64::from)) / 255.0;
-        let pixels = wrong.changes.iter().zip(answer.expected.pixels());
-        let pixels = pixels
-            .map(|(change, right)| light(change.unwrap_or_else(|| right.to_array().map(byte))))
-            .collect();
+        let right = answer.expected.pixels().iter().map(|right| right.to_array().map(byte));
+        let mut pixels: Vec<DVec3> = right.map(light).collect();
+        for (n, levels) in wrong.pixels.iter().zip(&wrong.colours) {
+            pixels[*n as usize] = light(*levels);
+        }
         Image::from_pixels(answer.expected.width(), answer.expected.height(), pixels).unwrap()
     };
     LAYERS.iter().zip(DESK.cases()).map(picture).collect()
@@ -123,7 +124,9 @@ fn a_right_program_with_spoilt_pictures_is_given_no_mistake_of_a_tracer() {
             Some(film) => named == [[film]],
             None => {
                 let mistakes = explanation.diagnoses.iter().flat_map(|one| &one.mistakes);
-                mistakes.into_iter().all(|mistake| mistake.rule == 0)
+                mistakes
+                    .into_iter()
+                    .all(|mistake| mistake.rule == 0 && mistake.id != "last_rows_missing")
             }
         };
         (!is_right).then(|| format!("{}: {named:?}", nuisance.name))

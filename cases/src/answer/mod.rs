@@ -6,6 +6,7 @@ mod digest;
 pub mod load;
 mod mistake;
 mod picture;
+mod wrong;
 
 use std::path::{Path, PathBuf};
 
@@ -14,7 +15,8 @@ pub use cluster::{Clusters, largest_cluster, neighbours};
 pub use digest::{Digest, RULES_VERSION};
 pub use load::AnswerError;
 pub use mistake::{Mistake, mistakes_from_str, mistakes_to_string};
-pub use picture::{ImageAnswer, Levels, Limits, Wrong, full_light};
+pub use picture::{ImageAnswer, Levels, Limits, full_light};
+pub use wrong::Wrong;
 
 /// Returns the path of the answer to the case `id` below `stages`.
 pub fn image_answer_path(stages: &Path, id: &str) -> PathBuf {

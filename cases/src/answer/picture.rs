@@ -4,7 +4,7 @@
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use super::Digest;
+use super::{Digest, Wrong};
 use crate::film::exr::{self, Depth, Part, Plane, plane_name};
 use crate::film::{Image, PictureError, byte, level};
 
@@ -55,29 +55,14 @@ struct Notes {
     limits: Limits,
 }
 
-/// The pixels that a known mistake changes in the picture.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Wrong {
-    /// The id of the mistake.
-    pub id: String,
-    /// Colours that the mistake gives, row by row from the top; `None` where the picture stays
-    /// right. The file stores every eighth level.
-    pub changes: Vec<Option<Levels>>,
-}
-
 /// Width in levels beyond which the envelope of a pixel makes it contested: correct tracers do not
 /// agree on it.
 const CONTESTED: u8 = 4;
-/// Step in levels to which the colours of mistakes are rounded in the file.
-const COARSE: u16 = 8;
-/// Greatest difference in levels between a colour and that of a mistake that counts as equal. It
-/// covers what the file rounds away, and the quantiser.
-const ALIKE: f64 = 6.0;
 /// Number of stored units in a sample of 1. A 256th is exact in half precision, unlike a 255th, and
 /// half the size when packed.
-const UNIT: f32 = 256.0;
+pub(super) const UNIT: f32 = 256.0;
 const ANSWER: &str = "answer";
-const MISTAKES: &str = "mistakes";
+pub(super) const MISTAKES: &str = "mistakes";
 const WEIGHT: &str = "weight.Y";
 
 impl ImageAnswer {
@@ -169,7 +154,10 @@ impl ImageAnswer {
         planes.push(byte_plane(WEIGHT.to_owned(), self.weight.iter().copied()));
         let mut parts = vec![Part { name: ANSWER.to_owned(), planes }];
         if !wrong.is_empty() {
-            let planes = wrong.iter().flat_map(|wrong| layer(&wrong.id, &wrong.stored())).collect();
+            let planes = wrong
+                .iter()
+                .flat_map(|wrong| layer(&wrong.id, &wrong.stored(expected.len())))
+                .collect();
             parts.push(Part { name: MISTAKES.to_owned(), planes });
         }
         exr::encode((self.expected.width(), self.expected.height()), &parts, &notes)
@@ -217,68 +205,12 @@ pub fn full_light(part: &str) -> f64 {
     if part == ANSWER { 255.0 / f64::from(UNIT) } else { 1.0 }
 }
 
-impl Wrong {
-    /// Returns the ids of the mistakes in a stored answer, without decompressing their pictures. A
-    /// mistake with which the case passes is not stored.
-    ///
-    /// # Errors
-    /// See [`ImageAnswer::decode`].
-    pub fn ids(bytes: &[u8], width: u32, height: u32) -> Result<Vec<String>, PictureError> {
-        let parts = exr::plane_names(bytes, width, height)?;
-        let names =
-            parts.into_iter().filter(|(part, _)| part == MISTAKES).flat_map(|(_, names)| names);
-        Ok(names.filter_map(|name| name.strip_suffix(".R").map(str::to_owned)).collect())
-    }
-
-    /// Returns whether `colour` at the pixel with index `n` is about what the mistake gives there.
-    /// It is false where the mistake changes nothing, and for NaN.
-    pub fn explains(&self, n: usize, colour: DVec3) -> bool {
-        let is_near = |levels: Levels| {
-            (0..3).all(|at| (level(colour[at]) - f64::from(levels[at])).abs() <= ALIKE)
-        };
-        self.changes[n].is_some_and(is_near) // false for NaN
-    }
-
-    /// Returns the levels to store: black where nothing changes. A change that rounds to black is
-    /// stored as (1, 1, 1).
-    fn stored(&self) -> Vec<Levels> {
-        let coarse = |level: u8| {
-            u8::try_from((u16::from(level) + COARSE / 2) / COARSE * COARSE).unwrap_or(u8::MAX)
-        };
-        let stored = |change: &Option<Levels>| match change.map(|levels| levels.map(coarse)) {
-            None => [0; 3],
-            Some([0, 0, 0]) => [1; 3],
-            Some(levels) => levels,
-        };
-        self.changes.iter().map(stored).collect()
-    }
-
-    /// Decodes the pictures of all mistakes in a stored answer, ordered by id. A file without
-    /// mistakes gives an empty list.
-    ///
-    /// # Errors
-    /// See [`ImageAnswer::decode`].
-    pub fn decode_all(bytes: &[u8], width: u32, height: u32) -> Result<Vec<Self>, PictureError> {
-        let (parts, _) = exr::decode(bytes, width, height)?;
-        let Some(part) = parts.into_iter().find(|part| part.name == MISTAKES) else {
-            return Ok(vec![]);
-        };
-        let ids = part.planes.iter().filter_map(|plane| plane.name.strip_suffix(".R"));
-        let change = |levels: Levels| (levels != [0; 3]).then_some(levels);
-        let wrong = |id: &str| {
-            let changes = levels_of(&part, id)?.into_iter().map(change).collect();
-            Ok(Self { id: id.to_owned(), changes })
-        };
-        ids.map(wrong).collect()
-    }
-}
-
 /// Converts light to levels and rounds them with `round`.
 fn levels(light: DVec3, round: fn(f64) -> f64) -> Levels {
     light.to_array().map(|channel| round(level(channel)) as u8)
 }
 
-fn layer(name: &str, levels: &[Levels]) -> [Plane; 3] {
+pub(super) fn layer(name: &str, levels: &[Levels]) -> [Plane; 3] {
     let plane = |channel: &str, at: usize| {
         byte_plane(plane_name(name, channel), levels.iter().map(|pixel| pixel[at]))
     };
@@ -289,8 +221,9 @@ fn byte_plane(name: String, bytes: impl Iterator<Item = u8>) -> Plane {
     Plane { name, samples: bytes.map(|byte| f32::from(byte) / UNIT).collect(), depth: Depth::Half }
 }
 
-fn to_byte(share: f32) -> u8 {
-    (share * UNIT).round() as u8
+pub(super) fn to_byte(share: f32) -> u8 {
+    // Adding a half and cutting is rounding, for a share of at least 0.
+    (share * UNIT + 0.5) as u8
 }
 
 fn levels_of(part: &Part, name: &str) -> Result<Vec<Levels>, PictureError> {
@@ -322,7 +255,7 @@ mod tests {
 
     #[test]
     fn an_answer_and_its_mistakes_come_back() {
-        let wrong = Wrong { id: "no_shadows".to_owned(), changes: (0..512).map(change).collect() };
+        let wrong = Wrong::new("no_shadows", (0..512).map(change));
         let made_from = Digest::of_mistakes(&Course::default());
         let bytes = answer().encode(&made_from, std::slice::from_ref(&wrong)).unwrap();
         assert_eq!(ImageAnswer::made_from(&bytes).unwrap(), Some(made_from.clone()));
@@ -334,33 +267,6 @@ mod tests {
             []
         );
         assert!(ImageAnswer::decode(&bytes, 2, 256).is_err());
-    }
-
-    #[test]
-    fn what_a_mistake_gives_is_known_again_when_it_was_stored() {
-        let given = [[0, 0, 0], [1, 2, 3], [254, 255, 253], [130, 129, 127]];
-        let wrong = Wrong {
-            id: "x".to_owned(),
-            changes: given.map(Some).into_iter().chain([None]).collect(),
-        };
-        let stored = wrong.stored();
-        assert_eq!(stored[4], [0; 3]);
-        let back = Wrong {
-            changes: stored
-                .into_iter()
-                .map(|levels| (levels != [0; 3]).then_some(levels))
-                .collect(),
-            ..wrong
-        };
-        for (n, levels) in given.into_iter().enumerate() {
-            let colour = DVec3::from(levels.map(f64::from)) / 255.0;
-            assert!(back.explains(n, colour), "{levels:?} as {:?}", back.changes[n]);
-            assert!(!back.explains(
-                n,
-                colour + 20.0 / 255.0 * if levels[0] > 127 { -DVec3::X } else { DVec3::X }
-            ));
-        }
-        assert!(!back.explains(4, DVec3::ZERO) && !back.explains(0, DVec3::NAN));
     }
 
     #[test]

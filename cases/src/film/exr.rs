@@ -20,6 +20,10 @@ use glam::DVec3;
 
 use super::{Image, PictureError};
 
+mod sparse;
+
+pub use sparse::{Sparse, decode_sparse};
+
 /// Largest number of parts of a file, and of planes. A file with more is refused before anything is
 /// decoded.
 const MOST: usize = 1024;

@@ -2,7 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::counts::CHECK;
+use layers::counts::CHECK;
+
 use super::place::{Evidence, Place};
 use super::score::{self, Fields, Score, Table};
 
@@ -152,8 +153,10 @@ mod tests {
 
     #[test]
     fn what_is_right_speaks_against_a_mistake() {
-        check(&[(2.0, &[("a", 2.0)]), (1.0, &[("a", 2.0)])], &[&["a"]]);
-        check(&[(2.0, &[("a", 2.0)]), (1.0, &[("a", 2.0)]), (1.0, &[("a", 3.0)])], &[]);
+        let right: Line = (1.0, &[("a", 2.0)]);
+        check(&[(2.0, &[("a", 2.0)]), right], &[]);
+        check(&[(2.0, &[("a", 2.0)]), (3.0, &[("a", 3.0)]), right], &[&["a"]]);
+        check(&[(2.0, &[("a", 2.0)]), (3.0, &[("a", 3.0)]), right, right, right], &[]);
     }
 
     #[test]

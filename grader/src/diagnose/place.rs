@@ -1,9 +1,9 @@
 //! The places where a mistake can show: pictures and unit checks.
 
-use super::counts::Counts;
+use layers::counts::Counts;
+use layers::{Shot, speckle};
+
 use super::reply::Reply;
-use super::shot::Shot;
-use super::speckle;
 
 /// A picture or an answer of the program. Correct ones are places too, because they speak against
 /// mistakes.

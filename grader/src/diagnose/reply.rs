@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use cases::answer::CheckAnswer;
 use cases::probe::Answer;
+use layers::counts::{CHECK, Counts};
 
-use super::counts::{CHECK, Counts};
 use crate::judge;
 
 /// The evidence of one unit check.

@@ -3,13 +3,12 @@
 use std::collections::BTreeMap;
 
 use cases::answer::Mistake;
+use layers::film::FilmMistake;
+use layers::{STRONG, Shot, regions};
 
 use super::choose::Choice;
-use super::film::FilmMistake;
+use super::film_names;
 use super::place::Place;
-use super::regions;
-use super::sheet::STRONG;
-use super::shot::Shot;
 use crate::record::{Confidence, Diagnosis, Explained, Unexplained, WorstPixel};
 
 /// The value and the trust from which a mistake is named without a doubt.
@@ -27,7 +26,7 @@ pub(super) fn of_film(film: &FilmMistake, known: &[Mistake]) -> Diagnosis {
     let explained =
         |(id, n): &(String, usize)| Explained { id: id.clone(), pixels: *n as u64, region: None };
     Diagnosis {
-        mistakes: vec![film.kind.mistake(known)],
+        mistakes: vec![film_names::mistake(film.kind, known)],
         confidence: confidence(film.share >= SURE_SHARE),
         explains: film.cases.iter().map(explained).collect(),
     }

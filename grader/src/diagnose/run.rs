@@ -4,16 +4,15 @@ use std::collections::BTreeMap;
 
 use cases::answer::Mistake;
 use cases::film::Image;
+use layers::film::{self, Frame, Undone};
+use layers::{Sheet, Shot};
 
 use super::choose::choose;
-use super::film::{self, Frame, Undone};
 use super::place::Place;
 use super::reply::Reply;
 use super::result;
 use super::score::Fields;
 use super::second_look::second_look;
-use super::sheet::Sheet;
-use super::shot::Shot;
 use crate::record::{Diagnosis, Unexplained};
 
 /// The explanation of what is wrong with a submission.

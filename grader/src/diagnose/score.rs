@@ -2,10 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use layers::ring;
 use rayon::prelude::*;
 
 use super::place::{Evidence, Place};
-use super::ring;
 
 /// The value from which a mistake may be named.
 pub(super) const ENOUGH: f64 = 4.0;
@@ -102,7 +102,7 @@ pub(super) fn within_rings(places: &[Place], table: &Table, id: &str, score: &Sc
         })
         .collect();
     let is_weak = match kept.as_slice() {
-        [(at, _)] => !is_enough_alone(&places[*at], &table[*at][id]),
+        [(at, _)] => !is_enough_alone(&places[*at], &table[*at][id], score.contra),
         _ => false,
     };
     let kept = if is_weak { vec![] } else { kept };
@@ -118,10 +118,14 @@ fn wrong_around(place: &Place, id: &str, evidence: &Evidence) -> f64 {
     shot.sheet.layer(id).map_or(0.0, |layer| ring::wrong_share(shot, layer, &evidence.hits))
 }
 
-/// Returns whether a mistake may be named for this place alone.
-fn is_enough_alone(place: &Place, evidence: &Evidence) -> bool {
+/// Returns whether a mistake may be named for this place alone, where all evidence against it has
+/// the weight `contra`.
+///
+/// One wrong answer to a unit check is a number that other bugs may give as well. It is enough only
+/// if nothing speaks against the mistake.
+fn is_enough_alone(place: &Place, evidence: &Evidence, contra: f64) -> bool {
     let share = evidence.counts.share();
-    let Place::Picture(shot) = place else { return share >= SINGLE };
+    let Place::Picture(shot) = place else { return share >= SINGLE && contra == 0.0 };
     share >= WHOLE || share >= SINGLE && n_colours(shot.seen.as_slice(), &evidence.hits) >= COLOURS
 }
 
@@ -137,9 +141,12 @@ fn n_colours(seen: &[[i16; 3]], hits: &[u32]) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use cases::answer::{ImageAnswer, Wrong};
+    use cases::film::Image;
+    use cases::glam::DVec3;
+    use layers::{Sheet, Shot};
+
     use super::super::reply::tests::reply;
-    use super::super::sheet::tests::sheet;
-    use super::super::shot::Shot;
     use super::*;
 
     #[test]
@@ -159,8 +166,9 @@ mod tests {
 
     #[test]
     fn a_single_picture_of_few_colours_supports_a_mistake_only_if_it_fits_wholly() {
-        let levels: Vec<u8> = vec![40; 100];
-        let sheet = sheet("a", 10, &[100; 100], &[("m", &levels)]);
+        let grey = Image::from_fn(10, 10, |_, _| DVec3::splat(100.0 / 255.0));
+        let wrong = Wrong::new("m", vec![Some([40; 3]); 100]);
+        let sheet = Sheet::new("a", &ImageAnswer::exact(grey, 1.0, 0), &[wrong]);
         let support = |seen: &dyn Fn(usize) -> i16| {
             let seen = (0..100).map(|n| [seen(n); 3]).collect();
             let places = [Place::Picture(Shot::new(&sheet, seen, 100))];

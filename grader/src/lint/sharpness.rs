@@ -64,9 +64,8 @@ fn blunt(
     let rule_of =
         |id: &str| mistakes.iter().find(|mistake| mistake.id == id).map(|mistake| mistake.rule);
     let width = answer.expected.width();
-    let cluster = |wrong: &Wrong| {
-        largest_cluster(&wrong.changes.iter().map(Option::is_some).collect::<Vec<_>>(), width)
-    };
+    let n_pixels = answer.lo.len();
+    let cluster = |wrong: &Wrong| largest_cluster(&wrong.mask(n_pixels), width);
     let targets = wrong.iter().filter_map(|wrong| Some((wrong, rule_of(&wrong.id)?)));
     let shown = targets
         .filter(|(_, rule)| case.rules.contains(rule))
@@ -116,8 +115,7 @@ mod tests {
 
     /// Returns a mistake that changes the first `n` pixels of the first row.
     fn wrong(id: &str, n: usize) -> Wrong {
-        let changes = (0..SIDE * SIDE).map(|at| (at < n).then_some([255; 3])).collect();
-        Wrong { id: id.to_owned(), changes }
+        Wrong::new(id, (0..SIDE * SIDE).map(|at| (at < n).then_some([255; 3])))
     }
 
     fn check(n_contested: usize, wrong: &[Wrong], expected: &[&str]) {

@@ -75,8 +75,7 @@ impl Set {
             let count = out.iter().filter(|out| **out).count() as u32;
             let fails = !answer.allows(largest_cluster(&out, image.width()), count);
             let change = |(light, out): (&DVec3, &bool)| out.then(|| light.to_array().map(byte));
-            let changes = || image.pixels().iter().zip(&out).map(change).collect();
-            fails.then(|| Wrong { id: wrong.id.to_owned(), changes: changes() })
+            fails.then(|| Wrong::new(wrong.id, image.pixels().iter().zip(&out).map(change)))
         };
         misconceptions::of(&self.rules).par_iter().filter_map(render).collect()
     }

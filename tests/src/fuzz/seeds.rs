@@ -109,10 +109,7 @@ pub fn exrs() -> Vec<Vec<u8>> {
     let answer = ImageAnswer::exact(picture(), 2.0, 3);
     let digest = Digest::of_mistakes(&Course::default());
     let n = (SIZE.0 * SIZE.1) as usize;
-    let wrong = Wrong {
-        id: "no_shadows".to_owned(),
-        changes: (0..n).map(|at| (at % 5 == 0).then_some([9; 3])).collect(),
-    };
+    let wrong = Wrong::new("no_shadows", (0..n).map(|at| (at % 5 == 0).then_some([9; 3])));
     let part = Part { name: "colour".to_owned(), planes: rgb("", &picture(), Depth::Half).into() };
     vec![
         answer.encode(&digest, &[]).expect("an answer is written"),

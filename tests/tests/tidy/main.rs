@@ -13,7 +13,16 @@ fn dependencies(crate_folder: &str) -> BTreeSet<String> {
     let text = std::fs::read_to_string(workspace().join(crate_folder).join("Cargo.toml"))
         .expect("a manifest");
     let manifest: toml::Table = text.parse().expect("TOML");
-    let ours = ["cases", "reference", "student_template", "grader", "pages", "tests", "solution"];
+    let ours = [
+        "cases",
+        "reference",
+        "student_template",
+        "grader",
+        "layers",
+        "pages",
+        "tests",
+        "solution",
+    ];
     ["dependencies", "dev-dependencies", "build-dependencies"]
         .iter()
         .filter_map(|table| manifest.get(*table)?.as_table())
@@ -30,7 +39,8 @@ fn crates_depend_only_on_allowed_crates() {
         ("reference", &["cases", "pages"]),
         ("student_template", &["cases"]),
         ("tests/solution", &["cases"]),
-        ("grader", &["cases", "pages"]),
+        ("grader/layers", &["cases"]),
+        ("grader", &["cases", "layers", "pages"]),
     ] {
         let knows = dependencies(crate_folder);
         assert!(
@@ -149,7 +159,9 @@ fn text_errors(path: &std::path::Path) -> Vec<String> {
 #[test]
 fn errors_of_public_functions_are_types() {
     let mut found = BTreeSet::new();
-    for folder in ["cases/src", "reference/src", "grader/src", "grader/pages/src"] {
+    for folder in
+        ["cases/src", "reference/src", "grader/src", "grader/layers/src", "grader/pages/src"]
+    {
         found.extend(files(folder, "rs").iter().flat_map(|path| text_errors(path)));
     }
     let listed: BTreeSet<String> = TEXT_ERRORS.iter().map(|(name, _)| (*name).to_owned()).collect();

@@ -2,41 +2,49 @@
 //! mistake the pixels that it changes.
 
 use cases::answer::{ImageAnswer, Wrong};
+use cases::film::Image;
 
 use super::colour::{self, Colour, apart};
 
 /// Difference in levels between the mistaken and the right colour from which a pixel counts. The
 /// answer file rounds mistaken colours by up to 4 levels, so fainter changes cannot be recognised.
-pub(super) const STRONG: i16 = 12;
+pub const STRONG: i16 = 12;
+
+/// Levels by which a pixel may differ from a mistaken colour and still count as that colour.
+pub(crate) const LIKE: i16 = 5;
 
 /// The expected picture of a case with its envelope, and the layers of all mistakes that change it.
 #[derive(Clone, Debug)]
 pub struct Sheet {
     /// The id of the case.
-    pub(super) id: String,
-    pub(super) width: usize,
-    pub(super) expected: Vec<Colour>,
-    pub(super) lo: Vec<Colour>,
-    pub(super) hi: Vec<Colour>,
+    pub id: String,
+    /// The number of columns.
+    pub width: usize,
+    /// The expected colours, row by row from the top.
+    pub expected: Vec<Colour>,
+    /// The least level of each channel of each pixel.
+    pub lo: Vec<Colour>,
+    /// The greatest level of each channel of each pixel.
+    pub hi: Vec<Colour>,
     /// Levels by which a channel may lie beyond the envelope.
-    pub(super) slack: i16,
+    pub slack: i16,
     /// Largest cluster and largest count of out pixels with which a picture passes.
-    pub(super) allowed: (u32, u32),
+    pub allowed: (u32, u32),
     /// The layers, ordered by the ids of their mistakes.
-    pub(super) layers: Vec<Layer>,
+    pub layers: Vec<Layer>,
 }
 
 /// The pixels that a mistake changes in a picture.
 #[derive(Clone, Debug)]
-pub(super) struct Layer {
+pub struct Layer {
     /// The id of the mistake.
-    pub(super) id: String,
+    pub id: String,
     /// Indices of the pixels, ascending.
-    pub(super) pixels: Vec<u32>,
+    pub pixels: Vec<u32>,
     /// The mistaken colour of each of the pixels.
-    pub(super) colours: Vec<Colour>,
+    pub colours: Vec<Colour>,
     /// Whether the mistaken colour of each of the pixels differs by [`STRONG`] levels or more.
-    pub(super) is_strong: Vec<bool>,
+    pub is_strong: Vec<bool>,
 }
 
 impl Sheet {
@@ -46,14 +54,11 @@ impl Sheet {
             answer.expected.pixels().iter().map(|light| colour::of_light(*light)).collect();
         let mut layers: Vec<Layer> = mistakes
             .iter()
+            .filter(|wrong| !wrong.pixels.is_empty())
             .map(|wrong| {
-                let changed = wrong.changes.iter().enumerate();
-                let changed = changed.filter_map(|(n, levels)| Some((n, (*levels)?)));
-                let (pixels, colours) =
-                    changed.map(|(n, levels)| (n as u32, colour::signed(levels))).unzip();
-                Layer::new(&wrong.id, pixels, colours, &expected)
+                let colours = wrong.colours.iter().map(|levels| colour::signed(*levels)).collect();
+                Layer::new(&wrong.id, wrong.pixels.clone(), colours, &expected)
             })
-            .filter(|layer| !layer.pixels.is_empty())
             .collect();
         layers.sort_by(|a, b| a.id.cmp(&b.id));
         Self {
@@ -69,24 +74,40 @@ impl Sheet {
     }
 
     /// Returns the layer of a mistake, or `None` if the mistake changes nothing here.
-    pub(super) fn layer(&self, id: &str) -> Option<&Layer> {
+    pub fn layer(&self, id: &str) -> Option<&Layer> {
         let at = self.layers.binary_search_by(|layer| layer.id.as_str().cmp(id)).ok()?;
         Some(&self.layers[at])
     }
 
+    /// Returns, for each pixel of a picture of the same size, whether a mistake of `by` explains its
+    /// colour. A pixel that a mistake of `except` changes counts as not explained.
+    pub fn explained(&self, actual: &Image, by: &[&str], except: &[&str]) -> Vec<bool> {
+        let mut explained = vec![false; self.expected.len()];
+        for layer in by.iter().filter_map(|id| self.layer(id)) {
+            for (n, mistaken) in layer.pixels.iter().zip(&layer.colours) {
+                let seen = actual.pixels().get(*n as usize).map(|one| colour::of_light(*one));
+                explained[*n as usize] |= seen.is_some_and(|seen| apart(seen, *mistaken) <= LIKE);
+            }
+        }
+        for layer in except.iter().filter_map(|id| self.layer(id)) {
+            layer.pixels.iter().for_each(|n| explained[*n as usize] = false);
+        }
+        explained
+    }
+
     /// Returns whether `seen` lies outside the envelope of pixel `n` by more than the slack.
-    pub(super) fn is_out(&self, n: usize, seen: Colour) -> bool {
+    pub fn is_out(&self, n: usize, seen: Colour) -> bool {
         (0..3).any(|at| (self.lo[n][at] - seen[at]).max(seen[at] - self.hi[n][at]) > self.slack)
     }
 
     /// Returns the number of out pixels of a picture.
-    pub(super) fn n_out(&self, seen: &[Colour]) -> usize {
+    pub fn n_out(&self, seen: &[Colour]) -> usize {
         seen.iter().enumerate().filter(|(n, one)| self.is_out(*n, **one)).count()
     }
 
     /// Returns the sheet of pictures whose levels pass through `curve`, which maps each channel.
     /// The envelope becomes a level wider on both sides, because the curve rounds.
-    pub(super) fn through(&self, curve: impl Fn(Colour) -> Colour) -> Self {
+    pub fn through(&self, curve: impl Fn(Colour) -> Colour) -> Self {
         let expected: Vec<Colour> = self.expected.iter().map(|one| curve(*one)).collect();
         let ends = |at: usize| (curve(self.lo[at]), curve(self.hi[at]));
         let bound = |pick: fn(i16, i16) -> i16, wider: i16| {
@@ -121,7 +142,6 @@ impl Layer {
 
 #[cfg(test)]
 pub(super) mod tests {
-    use cases::film::Image;
     use cases::glam::DVec3;
 
     use super::*;
@@ -134,9 +154,8 @@ pub(super) mod tests {
         let expected = Image::from_fn(width, right.len() as u32 / width, light);
         let wrong: Vec<Wrong> = mistakes
             .iter()
-            .map(|(id, greys)| Wrong {
-                id: (*id).to_owned(),
-                changes: greys.iter().map(|grey| (*grey > 0).then_some([*grey; 3])).collect(),
+            .map(|(id, greys)| {
+                Wrong::new(id, greys.iter().map(|grey| (*grey > 0).then_some([*grey; 3])))
             })
             .collect();
         Sheet::new(id, &ImageAnswer::exact(expected, 1.0, 0), &wrong)
@@ -150,6 +169,17 @@ pub(super) mod tests {
         assert_eq!((&layer.pixels, &layer.is_strong), (&vec![1, 3], &vec![true, false]));
         assert_eq!(layer.colours, [[40; 3], [104; 3]]);
         assert!(sheet.layer("a").is_none() && sheet.layer("c").is_none());
+    }
+
+    #[test]
+    fn what_a_mistake_explains_has_its_colour_where_no_other_shows() {
+        let layers: [(&str, &[u8]); 2] = [("m", &[40, 40, 40, 0]), ("o", &[0, 0, 80, 80])];
+        let sheet = sheet("a", 4, &[100; 4], &layers);
+        let seen = [45, 46, 40, 40];
+        let actual = Image::from_fn(4, 1, |i, _| DVec3::splat(f64::from(seen[i as usize]) / 255.0));
+        assert_eq!(sheet.explained(&actual, &["m"], &[]), [true, false, true, false]);
+        assert_eq!(sheet.explained(&actual, &["m"], &["o"]), [true, false, false, false]);
+        assert_eq!(sheet.explained(&actual, &["x"], &[]), [false; 4]);
     }
 
     #[test]

@@ -22,11 +22,11 @@ const ENOUGH: u32 = 50;
 
 /// The level that each level of each channel becomes.
 #[derive(Clone, Debug, PartialEq)]
-pub(in super::super) struct Curve([Vec<i16>; 3]);
+pub(crate) struct Curve([Vec<i16>; 3]);
 
 impl Curve {
     /// Returns the curve of these pictures, or `None` if there is none or too little is wrong.
-    pub(super) fn find(frames: &[Frame]) -> Option<Self> {
+    pub(crate) fn find(frames: &[Frame]) -> Option<Self> {
         let n_out: usize = frames.par_iter().map(Frame::n_out).sum();
         let n_pixels: usize = frames.iter().map(|frame| frame.end).sum();
         if frames.len() < FEW || (n_out as f64) < OUT * n_pixels as f64 {
@@ -53,12 +53,12 @@ impl Curve {
     }
 
     /// Returns the colour that the curve makes of a right colour.
-    pub(in super::super) fn of(&self, colour: Colour) -> Colour {
+    pub(crate) fn of(&self, colour: Colour) -> Colour {
         [0, 1, 2].map(|at| self.0[at][colour[at].clamp(0, 255) as usize])
     }
 
     /// Returns the numbers of wrong pixels that the curve explains, and of all wrong ones.
-    pub(super) fn explained(&self, frame: &Frame) -> (usize, usize) {
+    pub(crate) fn explained(&self, frame: &Frame) -> (usize, usize) {
         let (mut n_explained, mut n_wrong) = (0, 0);
         for (seen, right) in frame.seen.iter().zip(&frame.sheet.expected).take(frame.end) {
             if apart(*seen, *right) > 1 {

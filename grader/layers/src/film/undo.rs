@@ -3,23 +3,25 @@
 use super::super::sheet::Sheet;
 use super::curve::Curve;
 use super::frame::Frame;
+use super::kind::{FilmMistake, Kind};
 use super::moves::Move;
-use super::names::{FilmMistake, Kind};
 use super::{find_move, rows, wrap};
 
 /// The pictures without their film mistakes.
-pub(in super::super) struct Undone<'a> {
-    pub(in super::super) frames: Vec<Frame<'a>>,
+pub struct Undone<'a> {
+    /// The pictures.
+    pub frames: Vec<Frame<'a>>,
     /// The sheets of the frames behind a curve, if there is one.
-    pub(in super::super) curved: Option<Vec<Sheet>>,
+    pub curved: Option<Vec<Sheet>>,
     /// The move that was undone.
-    pub(in super::super) moved: Option<Move>,
-    pub(in super::super) mistakes: Vec<FilmMistake>,
+    pub moved: Option<Move>,
+    /// The mistakes that were undone, in order.
+    pub mistakes: Vec<FilmMistake>,
 }
 
 /// Finds and undoes film mistakes: missing rows, then a move, then either levels that wrap or a
 /// curve.
-pub(in super::super) fn undo(frames: Vec<Frame<'_>>) -> Undone<'_> {
+pub fn undo(frames: Vec<Frame<'_>>) -> Undone<'_> {
     let mut undone = Undone { frames, curved: None, moved: None, mistakes: vec![] };
     if let Some(n_rows) = rows::missing(&undone.frames) {
         undone.change(Kind::RowsMissing(n_rows), |frame| {

@@ -8,7 +8,7 @@ use super::ring;
 use super::shot::Shot;
 
 /// The id of the mistake.
-pub(super) const MISTAKE: &str = "no_epsilon";
+pub const MISTAKE: &str = "no_epsilon";
 
 /// The part of the hits that must lie beside a right pixel.
 const SPECKLED: usize = 2;
@@ -19,7 +19,7 @@ const SPECKLED: usize = 2;
 /// Which pixels of a surface are wrong depends on the rounding of the program. A right pixel near a
 /// hit is therefore no evidence. Hits are hits only if at least half of them lie beside a right
 /// pixel: a region that is wrong as a whole is no speckle.
-pub(super) fn count(shot: &Shot) -> Option<(Counts, Vec<u32>)> {
+pub fn count(shot: &Shot) -> Option<(Counts, Vec<u32>)> {
     let layer = shot.sheet.layer(MISTAKE)?;
     let (mut counts, hits) = shot.count(layer);
     if hits.is_empty() {

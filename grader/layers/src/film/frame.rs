@@ -6,39 +6,40 @@ use cases::film::Image;
 
 /// A program's picture of a case.
 #[derive(Clone, Debug)]
-pub(in super::super) struct Frame<'a> {
-    pub(in super::super) sheet: &'a Sheet,
-    pub(in super::super) seen: Vec<Colour>,
+pub struct Frame<'a> {
+    /// The answer.
+    pub sheet: &'a Sheet,
+    /// The picture, row by row from the top.
+    pub seen: Vec<Colour>,
     /// The pixels from this index on are not written.
-    pub(in super::super) end: usize,
+    pub end: usize,
 }
 
 impl<'a> Frame<'a> {
     /// Returns the picture beside its sheet, or `None` if their sizes differ.
-    pub(in super::super) fn new(sheet: &'a Sheet, actual: &Image) -> Option<Self> {
-        let seen: Vec<Colour> =
-            actual.pixels().iter().map(|light| colour::of_light(*light)).collect();
+    pub fn new(sheet: &'a Sheet, actual: &Image) -> Option<Self> {
+        let seen = colour::colours(actual);
         let is_alike = seen.len() == sheet.expected.len() && actual.width() as usize == sheet.width;
         is_alike.then_some(Self { sheet, end: seen.len(), seen })
     }
 
     /// Returns whether the picture has one colour all over, so that it is no evidence.
-    pub(in super::super) fn is_mute(&self) -> bool {
+    pub fn is_mute(&self) -> bool {
         self.seen.iter().all(|one| *one == self.seen[0])
     }
 
     /// Returns the number of rows.
-    pub(super) fn height(&self) -> usize {
+    pub fn height(&self) -> usize {
         self.seen.len() / self.sheet.width.max(1)
     }
 
     /// Returns the indices of the out pixels that are written.
-    pub(in super::super) fn out(&self) -> impl Iterator<Item = usize> {
+    pub fn out(&self) -> impl Iterator<Item = usize> {
         (0..self.end).filter(|n| self.sheet.is_out(*n, self.seen[*n]))
     }
 
     /// Returns the number of out pixels that are written.
-    pub(super) fn n_out(&self) -> usize {
+    pub fn n_out(&self) -> usize {
         self.out().count()
     }
 }

@@ -1,48 +1,53 @@
 //! Colours in whole levels, with signs, so that they can be subtracted.
 
 use cases::answer::Levels;
-use cases::film::byte;
+use cases::film::{Image, byte};
 use cases::glam::DVec3;
 
 /// Red, green and blue in levels, 0 to 255; [`NONE`] for a pixel that is no colour.
-pub(super) type Colour = [i16; 3];
+pub type Colour = [i16; 3];
 
 /// A pixel that is not finite. No colour is near it.
-pub(super) const NONE: Colour = [-1000; 3];
+pub(crate) const NONE: Colour = [-1000; 3];
 
 /// Returns light in levels, or [`NONE`] if a channel is not finite.
-pub(super) fn of_light(light: DVec3) -> Colour {
+pub(crate) fn of_light(light: DVec3) -> Colour {
     if light.is_finite() { signed(light.to_array().map(byte)) } else { NONE }
 }
 
+/// Returns the colours of a picture, row by row from the top.
+pub fn colours(image: &Image) -> Vec<Colour> {
+    image.pixels().iter().map(|light| of_light(*light)).collect()
+}
+
 /// Returns levels as a colour.
-pub(super) fn signed(levels: Levels) -> Colour {
+pub(crate) fn signed(levels: Levels) -> Colour {
     levels.map(i16::from)
 }
 
 /// Returns the greatest difference over the channels, in levels.
-pub(super) fn apart(one: Colour, other: Colour) -> i16 {
+pub fn apart(one: Colour, other: Colour) -> i16 {
     let channel = |at: usize| (one[at] - other[at]).abs();
     channel(0).max(channel(1)).max(channel(2))
 }
 
 /// Returns the sum of two colours, channel by channel.
-pub(super) fn sum(one: Colour, other: Colour) -> Colour {
+pub(crate) fn sum(one: Colour, other: Colour) -> Colour {
     [0, 1, 2].map(|at| one[at] + other[at])
 }
 
 /// Returns the difference of two colours, channel by channel.
-pub(super) fn difference(one: Colour, other: Colour) -> Colour {
+pub(crate) fn difference(one: Colour, other: Colour) -> Colour {
     [0, 1, 2].map(|at| one[at] - other[at])
 }
 
 /// Returns the colour cut at 0 and 255.
-pub(super) fn clamped(colour: Colour) -> Colour {
+pub(crate) fn clamped(colour: Colour) -> Colour {
     colour.map(|level| level.clamp(0, 255))
 }
 
 /// Returns the colour times a factor for each channel, cut at 0 and 255.
-pub(super) fn scaled(colour: Colour, factors: [f32; 3]) -> Colour {
+pub(crate) fn scaled(colour: Colour, factors: [f32; 3]) -> Colour {
     [0, 1, 2].map(|at| (f32::from(colour[at]) * factors[at]).clamp(0.0, 255.0) as i16)
 }
 

@@ -5,7 +5,7 @@ use super::frame::Frame;
 
 /// A move, by which each pixel of the right picture stands in another place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in super::super) enum Move {
+pub enum Move {
     /// The rows are in reverse order. The number is added to the row, because a picture whose rays
     /// go through corners is off by one row.
     UpsideDown(isize),
@@ -22,7 +22,7 @@ pub(in super::super) enum Move {
 }
 
 /// All moves that are tried.
-pub(super) fn all() -> Vec<Move> {
+pub(crate) fn all() -> Vec<Move> {
     let mut all = vec![Move::Mirrored, Move::Turned, Move::Exchanged];
     all.extend([0, -1, 1].map(Move::UpsideDown));
     let near = [-1, 0, 1];
@@ -36,7 +36,7 @@ pub(super) fn all() -> Vec<Move> {
 impl Move {
     /// Returns the index of the place where pixel `n` of the right picture stands in the program's
     /// picture of this size; `None` if that place lies outside.
-    pub(in super::super) fn place(self, n: usize, width: usize, height: usize) -> Option<usize> {
+    pub fn place(self, n: usize, width: usize, height: usize) -> Option<usize> {
         let (i, j) = ((n % width) as isize, (n / width) as isize);
         let (w, h) = (width as isize, height as isize);
         let (column, row) = match self {
@@ -53,7 +53,7 @@ impl Move {
 
     /// Returns the picture of `frame` without the move. Pixels that it moves out of the picture get
     /// their right colour.
-    pub(super) fn undone(self, frame: &Frame) -> Vec<Colour> {
+    pub fn undone(self, frame: &Frame) -> Vec<Colour> {
         let (width, height) = (frame.sheet.width, frame.height());
         let colour = |n: usize| match self.place(n, width, height) {
             Some(place) => self.channels(frame.seen[place]),

@@ -9,18 +9,19 @@
 //! | `find_move.rs` | the move that puts most pixels right |
 //! | `wrap.rs` | light above full becomes dark |
 //! | `curve.rs` | all levels pass through a curve |
-//! | `names.rs` | the names and sentences |
+//! | `kind.rs` | the film mistakes that are found |
 //! | `undo.rs` | all of these in order |
 
 mod curve;
 mod find_move;
 mod frame;
+mod kind;
 mod moves;
-mod names;
 mod rows;
 mod undo;
 mod wrap;
 
-pub(super) use frame::Frame;
-pub(super) use names::FilmMistake;
-pub(super) use undo::{Undone, undo};
+pub use frame::Frame;
+pub use kind::{FilmMistake, Kind};
+pub use moves::Move;
+pub use undo::{Undone, undo};

@@ -8,23 +8,23 @@ const DARK: i16 = 4;
 
 /// For each pixel of a picture, whether and how named mistakes change it.
 #[derive(Clone, Debug)]
-pub(super) struct Marks {
+pub struct Marks {
     /// Whether a named mistake explains the pixel.
-    pub(super) explained: Vec<bool>,
+    pub explained: Vec<bool>,
     /// Whether a named mistake changes the pixel, if alone.
-    pub(super) touched: Vec<bool>,
+    pub touched: Vec<bool>,
     /// The sum of the changes that the named mistakes make, in levels.
     sums: Vec<Colour>,
     /// The product of the factors by which the named mistakes change each channel.
     products: Vec<[f32; 3]>,
     /// The distance of the pixel from the nearest colour that named mistakes give; from the right
     /// colour if none changes it.
-    pub(super) off: Vec<i16>,
+    pub off: Vec<i16>,
 }
 
 impl Marks {
     /// Returns marks of no mistake. `off` is the distance of each pixel from its right colour.
-    pub(super) fn none(off: &[i16]) -> Self {
+    pub fn none(off: &[i16]) -> Self {
         let n = off.len();
         Self {
             explained: vec![false; n],
@@ -36,7 +36,7 @@ impl Marks {
     }
 
     /// Adds the mistake of `layer`, which explains the pixels `hits` of the picture `seen`.
-    pub(super) fn add(&mut self, sheet: &Sheet, seen: &[Colour], layer: &Layer, hits: &[u32]) {
+    pub fn add(&mut self, sheet: &Sheet, seen: &[Colour], layer: &Layer, hits: &[u32]) {
         hits.iter().for_each(|n| self.explained[*n as usize] = true);
         for (n, mistaken) in layer.pixels.iter().zip(&layer.colours) {
             let n = *n as usize;
@@ -54,7 +54,7 @@ impl Marks {
 
     /// Returns the distance of `seen` from the colour that the named mistakes and a further one,
     /// which alone gives `mistaken`, give pixel `n` together: their changes added, or multiplied.
-    pub(super) fn off_with(&self, n: usize, seen: Colour, mistaken: Colour) -> i16 {
+    pub fn off_with(&self, n: usize, seen: Colour, mistaken: Colour) -> i16 {
         let added = colour::clamped(colour::sum(mistaken, self.sums[n]));
         let multiplied = colour::scaled(mistaken, self.products[n]);
         apart(seen, added).min(apart(seen, multiplied))

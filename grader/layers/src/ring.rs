@@ -15,7 +15,7 @@ const TOUCHED: f64 = 0.3;
 ///
 /// Pixels that the mistake changes, and pixels that named mistakes explain, are left out. A pixel
 /// is wrong here if it is out by at least half of the median error of the hits.
-pub(super) fn wrong_share(shot: &Shot, layer: &Layer, hits: &[u32]) -> f64 {
+pub fn wrong_share(shot: &Shot, layer: &Layer, hits: &[u32]) -> f64 {
     if hits.is_empty() {
         return 0.0;
     }
@@ -36,7 +36,7 @@ pub(super) fn wrong_share(shot: &Shot, layer: &Layer, hits: &[u32]) -> f64 {
 
 /// Returns, for each of `n` pixels in rows of `width`, whether it lies at most [`WIDTH`] columns
 /// and rows from a hit.
-pub(super) fn around(hits: &[u32], width: usize, n: usize) -> Vec<bool> {
+pub fn around(hits: &[u32], width: usize, n: usize) -> Vec<bool> {
     let mut mask = vec![false; n];
     hits.iter().for_each(|at| mask[*at as usize] = true);
     for row in mask.chunks_mut(width.max(1)) {

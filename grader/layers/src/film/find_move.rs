@@ -17,7 +17,7 @@ const FEW: usize = 3;
 const SAMPLE: usize = 10;
 
 /// Returns the move that leaves the fewest out pixels, if it leaves less than half of them.
-pub(super) fn find(frames: &[Frame]) -> Option<Move> {
+pub(crate) fn find(frames: &[Frame]) -> Option<Move> {
     let before: Vec<usize> = frames.par_iter().map(Frame::n_out).collect();
     let n_pixels: usize = frames.iter().map(|frame| frame.end).sum();
     let (n_out, n_wrong) =

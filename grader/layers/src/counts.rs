@@ -1,7 +1,7 @@
 //! The evidence that one place gives about a mistake: pixels for and against it, and their weight.
 
 /// The worth of a unit check, in pixels.
-pub(super) const CHECK: u32 = 100;
+pub const CHECK: u32 = 100;
 
 /// Weight beyond which more pixels make no better evidence. The pixels of a region depend on each
 /// other: 10,000 of them are not a hundred times as good as 100.
@@ -18,33 +18,33 @@ const SHARE: f64 = 0.35;
 
 /// Numbers of the pixels that a mistake changes, by what the program shows there.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Counts {
+pub struct Counts {
     /// The colour of the mistake, which no named mistake explains.
-    pub(super) hits: u32,
+    pub hits: u32,
     /// The right colour.
-    pub(super) right: u32,
+    pub right: u32,
     /// Another wrong colour, where no named mistake changes the pixel.
-    pub(super) open: u32,
+    pub open: u32,
     /// Another wrong colour, where a named mistake changes the pixel too.
-    pub(super) mixed: u32,
+    pub mixed: u32,
     /// The colour of a named mistake, which is not that of this one.
-    pub(super) other: u32,
+    pub other: u32,
 }
 
 impl Counts {
     /// Returns the number of all pixels.
-    pub(super) fn all(&self) -> u32 {
+    pub fn all(&self) -> u32 {
         self.hits + self.right + self.open + self.mixed + self.other
     }
 
     /// Returns the share of hits among all pixels, 0 if there are none.
-    pub(super) fn share(&self) -> f64 {
+    pub fn share(&self) -> f64 {
         f64::from(self.hits) / f64::from(self.all().max(1))
     }
 
     /// Returns the weight of the evidence: positive for the mistake, negative against it, and 0 for
     /// no pixels.
-    pub(super) fn weight(&self) -> f64 {
+    pub fn weight(&self) -> f64 {
         let all = f64::from(self.all());
         if all == 0.0 {
             return 0.0;

@@ -5,7 +5,7 @@ use cases::answer::neighbours;
 /// Returns the indices of the pixels in the largest 8-connected region of `mask`, in rows of
 /// `width`, ascending. Of equally large regions the first one is returned; empty if no pixel is
 /// set.
-pub(super) fn largest(mask: &[bool], width: usize) -> Vec<u32> {
+pub fn largest(mask: &[bool], width: usize) -> Vec<u32> {
     let mut left = mask.to_vec();
     let mut largest = vec![];
     for start in 0..left.len() {
@@ -39,7 +39,7 @@ fn flood(left: &mut [bool], width: usize, start: usize) -> Vec<u32> {
 
 /// Returns the smallest rectangle around pixels: left, top, right and bottom, all included. `None`
 /// for no pixel.
-pub(super) fn bounds(pixels: &[u32], width: usize) -> Option<[u32; 4]> {
+pub fn bounds(pixels: &[u32], width: usize) -> Option<[u32; 4]> {
     let width = width as u32;
     let (columns, rows) = (pixels.iter().map(|n| n % width), pixels.iter().map(|n| n / width));
     Some([columns.clone().min()?, rows.clone().min()?, columns.max()?, rows.max()?])

@@ -3,33 +3,33 @@
 use super::colour::{Colour, apart};
 use super::counts::Counts;
 use super::marks::Marks;
-use super::sheet::{Layer, Sheet};
+use super::sheet::{LIKE, Layer, Sheet};
 
-/// Levels by which a pixel may differ from a mistaken colour and still count as a hit.
-const LIKE: i16 = 5;
 /// Levels by which a pixel may differ from the colour of two mistakes together, whose stored
 /// colours are rounded twice.
 const LIKE_BOTH: i16 = 9;
 
 /// A picture, the pixels of it that are wrong, and what the named mistakes do to it.
 #[derive(Clone, Debug)]
-pub(super) struct Shot<'a> {
-    pub(super) sheet: &'a Sheet,
+pub struct Shot<'a> {
+    /// The answer.
+    pub sheet: &'a Sheet,
     /// The picture, row by row from the top.
-    pub(super) seen: Vec<Colour>,
+    pub seen: Vec<Colour>,
     /// Whether each pixel is out.
-    pub(super) out: Vec<bool>,
+    pub out: Vec<bool>,
     /// The distance of each pixel from its right colour.
-    pub(super) off: Vec<i16>,
+    pub off: Vec<i16>,
     /// The pixels from this index on are not written, and are no evidence.
     end: usize,
-    pub(super) marks: Marks,
+    /// What the named mistakes do to the picture.
+    pub marks: Marks,
 }
 
 impl<'a> Shot<'a> {
     /// Returns the picture `seen`, of which the pixels from `end` on are not written. Its size is
     /// that of the sheet.
-    pub(super) fn new(sheet: &'a Sheet, seen: Vec<Colour>, end: usize) -> Self {
+    pub fn new(sheet: &'a Sheet, seen: Vec<Colour>, end: usize) -> Self {
         let is_out = |(n, one): (usize, &Colour)| n < end && sheet.is_out(n, *one);
         let out = seen.iter().enumerate().map(is_out).collect();
         let off: Vec<i16> =
@@ -38,18 +38,18 @@ impl<'a> Shot<'a> {
     }
 
     /// Forgets all named mistakes.
-    pub(super) fn clear(&mut self) {
+    pub fn clear(&mut self) {
         self.marks = Marks::none(&self.off);
     }
 
     /// Marks the mistake of a layer as named. It explains the pixels `hits`.
-    pub(super) fn mark(&mut self, layer: &Layer, hits: &[u32]) {
+    pub fn mark(&mut self, layer: &Layer, hits: &[u32]) {
         self.marks.add(self.sheet, &self.seen, layer, hits);
     }
 
     /// Returns the counts for and against the mistake of a layer beside the named ones, and the
     /// indices of the pixels that it explains. Only strong pixels are counted.
-    pub(super) fn count(&self, layer: &Layer) -> (Counts, Vec<u32>) {
+    pub fn count(&self, layer: &Layer) -> (Counts, Vec<u32>) {
         let mut counts = Counts::default();
         let mut hits = vec![];
         for (at, pixel) in layer.pixels.iter().enumerate() {

@@ -15,7 +15,7 @@ const DARK: i16 = 128;
 const FULL: i16 = 255;
 
 /// Returns whether light above full becomes dark in all pictures, and little else is wrong.
-pub(super) fn is_wrapped(frames: &[Frame]) -> bool {
+pub(crate) fn is_wrapped(frames: &[Frame]) -> bool {
     let (mut n_out, mut n_full, mut n_wrapped, mut n_dark) = (0, 0, 0, 0);
     for frame in frames {
         n_out += frame.n_out();
@@ -32,7 +32,7 @@ pub(super) fn is_wrapped(frames: &[Frame]) -> bool {
 }
 
 /// Returns the out pixels that are out in channels of full light only.
-pub(super) fn wrapped<'a>(frame: &'a Frame) -> impl Iterator<Item = usize> + 'a {
+pub(crate) fn wrapped<'a>(frame: &'a Frame) -> impl Iterator<Item = usize> + 'a {
     frame.out().filter(|n| {
         let right: Colour = frame.sheet.expected[*n];
         let rest = [0, 1, 2].map(|at| if right[at] == FULL { FULL } else { frame.seen[*n][at] });
