@@ -191,6 +191,10 @@ pub struct CheckRecord {
     pub earned: u64,
     /// Points that could have been earned, in thousandths.
     pub possible: u64,
+    /// The part of the earned points that is given for what known mistakes explain; missing if that
+    /// is nothing.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub credit: Option<Credit>,
     /// The reason for the verdict, if the check does not pass; also a remark on a pass.
     pub finding: Option<Finding>,
     /// Wall time of the program, in seconds; unit checks of a stage share one process and its time.
@@ -200,6 +204,15 @@ pub struct CheckRecord {
     pub cpu_s: Option<f64>,
     /// Largest resident size of the program, in bytes.
     pub peak_bytes: u64,
+}
+
+/// Points for what known mistakes explain that are paid for in another stage.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Credit {
+    /// The points, in thousandths. They are among the earned points of the check.
+    pub points: u64,
+    /// Ids of the mistakes, as the list of known mistakes has them.
+    pub mistakes: Vec<String>,
 }
 
 /// The kinds of check.

@@ -115,6 +115,7 @@ fn stage(folder: &Path, before: &[String], course: &Course) -> Result<Stage, Pro
         base: Base::Background,
         needs: raw.needs.into_iter().map(|name| name.value).collect(),
         unit_points: raw.unit_points.0,
+        explained_share: (raw.explained_share.get() * 1000.0).round() as u32,
         cases,
         checks,
     })

@@ -40,6 +40,9 @@ pub struct Stage {
     pub needs: Vec<String>,
     /// Points for all unit checks together, in thousandths.
     pub unit_points: u64,
+    /// The thousandths of a case's points up to which counts as right what a known mistake explains
+    /// whose rule another stage teaches.
+    pub explained_share: u32,
     /// Image cases, ordered by id.
     pub cases: Vec<Case>,
     /// Unit checks, in file order.

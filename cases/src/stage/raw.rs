@@ -1,7 +1,7 @@
 //! `stage.toml` and case files as they are written.
 
 use crate::scene::raw::effect::EffectName;
-use crate::scene::raw::numbers::{Points, Rule};
+use crate::scene::raw::numbers::{PartialShare, Points, Rule};
 use crate::scene::raw::read::{At, Maybe, table};
 use crate::scene::raw::vary::RawVary;
 use crate::scene::raw::{RawRender, RawScene};
@@ -19,6 +19,9 @@ table! {
         needs: Vec<At<String>> = "[]",
         /// Points for all unit checks together, with at most three decimals.
         unit_points: Points,
+        /// The share of a case's points up to which counts as right what a known mistake explains
+        /// whose rule another stage teaches.
+        explained_share: PartialShare = "0.8",
     }
 }
 

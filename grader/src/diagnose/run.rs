@@ -23,6 +23,9 @@ pub struct Explanation {
     pub diagnoses: Vec<Diagnosis>,
     /// What no mistake explains, or `None` if that is nothing.
     pub unexplained: Option<Unexplained>,
+    /// Whether a mistake of whole pictures was undone first. The pictures then do not show what the
+    /// layers of the other mistakes hold.
+    pub is_undone: bool,
 }
 
 /// Explains pictures and answers of a program by the mistakes in `known`.
@@ -63,5 +66,9 @@ pub fn diagnose(
     diagnoses.extend(result::of_choices(&mut places, &choices, &by_id, &origin));
     let mute = mute.into_iter().map(|one| Place::Picture(Shot::new(one.sheet, one.seen, one.end)));
     places.extend(mute);
-    Explanation { diagnoses, unexplained: result::rest(&places, &origin) }
+    Explanation {
+        diagnoses,
+        unexplained: result::rest(&places, &origin),
+        is_undone: !mistakes.is_empty(),
+    }
 }

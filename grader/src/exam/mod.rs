@@ -152,7 +152,8 @@ fn hash(folder: &Path, course: &Course, stages: &[Stage]) -> String {
     };
     let mut files = vec![mistakes_path(folder)];
     for stage in stages {
-        add(&[stage.id.as_bytes(), &stage.unit_points.to_le_bytes()]);
+        let (units, explained) = (stage.unit_points, stage.explained_share);
+        add(&[stage.id.as_bytes(), &units.to_le_bytes(), &explained.to_le_bytes()]);
         files.push(check_answers_path(folder, &stage.id));
         for case in &stage.cases {
             let made_from = Digest::of_case(course, stage.base, case).to_string();

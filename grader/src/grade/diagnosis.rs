@@ -7,6 +7,7 @@ use cases::answer::{Mistake, Wrong, image_answer_path, load};
 use cases::stage::{Case, Check};
 use rayon::prelude::*;
 
+use super::credit;
 use super::perform::{Answers, Done};
 use super::plan::{Part, Plan};
 use crate::diagnose::{self, Explanation, Reply, Sheet};
@@ -15,8 +16,9 @@ use crate::record::{Diagnosis, FindingKind, Verdict};
 use crate::submission::Language;
 
 /// Returns the known mistakes that explain the errors in `answers`, and what they leave
-/// unexplained. Also writes the ids of the mistakes to the findings that they explain most of. The
-/// layers of the mistakes are unpacked only if an answer is wrong.
+/// unexplained. Also writes the ids of the mistakes to the findings that they explain most of, and
+/// raises the shares of pictures that earn more because of them. The layers of the mistakes are
+/// unpacked only if an answer is wrong.
 ///
 /// The place to look at names a file only if the program is made from a `template`.
 pub(super) fn diagnose(
@@ -33,15 +35,16 @@ pub(super) fn diagnose(
         .iter()
         .flat_map(|part| part.cases.iter().map(move |one| (part, *one)))
         .collect();
-    let sheets: Vec<(Sheet, &Done)> = cases
+    let sheets: Vec<(Sheet, &Case)> = cases
         .par_iter()
         .filter_map(|(part, case)| {
-            let done = answers.done.get(&case.id).filter(|done| state(done) != State::Undecided)?;
-            Some((sheet(exam, part, case)?, done))
+            answers.done.get(&case.id).filter(|done| state(done) != State::Undecided)?;
+            Some((sheet(exam, part, case)?, *case))
         })
         .collect();
+    let picture = |id: &str| answers.done.get(id)?.picture.as_ref();
     let pictures: Vec<_> =
-        sheets.iter().filter_map(|(sheet, done)| Some((sheet, done.picture.as_ref()?))).collect();
+        sheets.iter().filter_map(|(sheet, case)| Some((sheet, picture(&case.id)?))).collect();
     let checks = plan
         .stages
         .iter()
@@ -51,6 +54,9 @@ pub(super) fn diagnose(
     let known: Vec<Mistake> =
         exam.mistakes.iter().map(|mistake| addressed(mistake, template)).collect();
     let explanation = diagnose::diagnose(&pictures, replies.collect(), &known);
+    let all: Vec<&Sheet> = sheets.iter().map(|(sheet, _)| sheet).collect();
+    let credits = credit::credits(exam, plan, answers, &all, &explanation);
+    credit::give(answers, credits);
     label(answers, &explanation.diagnoses);
     explanation
 }
@@ -98,6 +104,11 @@ enum State {
     /// The result could not be judged, or only a person can judge it. Code that is still to be
     /// written belongs here: it is no mistake.
     Undecided,
+}
+
+/// Returns whether an answer is wrong, so that a mistake may explain it.
+pub(super) fn is_wrong(done: &Done) -> bool {
+    state(done) == State::Wrong
 }
 
 fn state(done: &Done) -> State {

@@ -1,6 +1,7 @@
 //! Grades one submission, from its folder to its record.
 
 mod bounds;
+mod credit;
 mod diagnosis;
 mod error;
 mod perform;

@@ -10,6 +10,7 @@ use cases::probe::{Answer, Question};
 use cases::stage::{Case, Check};
 
 use super::pictures;
+use super::credit::Credit;
 use super::plan::{Part, Plan};
 use super::progress::Progress;
 use super::thrift::{self, Share, Taken};
@@ -41,6 +42,8 @@ pub(super) struct Answers {
     pub(super) done: BTreeMap<String, Done>,
     /// Remarks by the id of the stage.
     pub(super) remarks: BTreeMap<String, Vec<String>>,
+    /// Pictures that earn more because of known mistakes.
+    pub(super) credits: Vec<Credit>,
 }
 
 impl Done {
@@ -305,7 +308,8 @@ pub(super) fn nothing(plan: &Plan, finding: Option<&Finding>) -> Answers {
     };
     let done = || Done::unmeasured(Judgement::not_run(Finding::new(kind, why)), None);
     let ids = plan.stages.iter().flat_map(Part::ids);
-    Answers { done: ids.map(|id| (id.to_owned(), done())).collect(), remarks: BTreeMap::new() }
+    let done = ids.map(|id| (id.to_owned(), done())).collect();
+    Answers { done, ..Answers::default() }
 }
 
 fn picture(

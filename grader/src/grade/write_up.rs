@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use cases::front::FrontPoint;
 
 use super::bounds;
+use super::credit;
 use super::perform::{Answers, Done};
 use super::plan::{Part, Plan};
 use crate::diagnose::Explanation;
@@ -13,8 +14,8 @@ use crate::functions;
 use crate::graded::{Front, Pictures};
 use crate::judge::Judgement;
 use crate::record::{
-    Build, CheckKind, CheckRecord, FindingKind, Record, SCHEMA, Score, StageRecord, Submission,
-    Verdict,
+    Build, CheckKind, CheckRecord, Credit, FindingKind, Record, SCHEMA, Score, StageRecord,
+    Submission, Verdict,
 };
 use crate::score;
 use crate::submission::Language;
@@ -113,13 +114,11 @@ fn stage(
             let (answer, actual) = (answer.clone(), done.picture.take());
             pictures.insert(case.id.clone(), Pictures { answer, actual, front: None });
         }
-        checks.push(check(
-            &case.id,
-            CheckKind::Image,
-            (&case.about, &case.rules),
-            case.points,
-            done,
-        ));
+        let about = (case.about.as_str(), case.rules.as_slice());
+        let mut record = check(&case.id, CheckKind::Image, about, case.points, done);
+        let credit = answers.credits.iter().find(|credit| credit.id == case.id);
+        record.credit = credit.map(|credit| credited(credit, record.earned, case.points));
+        checks.push(record);
     }
     for (unit, points) in &part.checks {
         let done = take(answers, &unit.id);
@@ -137,6 +136,12 @@ fn stage(
         checks,
         remarks,
     }
+}
+
+/// Returns the part of the points that a picture earns only because of its credit.
+fn credited(credit: &credit::Credit, earned: u64, points: u64) -> Credit {
+    let before = score::score(Verdict::Partial, credit.before, points).earned;
+    Credit { points: earned.saturating_sub(before), mistakes: credit.mistakes.clone() }
 }
 
 fn take(answers: &mut Answers, id: &str) -> Done {
@@ -163,6 +168,7 @@ fn check(
         verdict,
         earned,
         possible,
+        credit: None,
         finding,
         time_s: done.time_s,
         cpu_s: done.cpu_s,

@@ -8,5 +8,5 @@ mod unit;
 
 pub use ending::{ending, todo};
 pub use judgement::Judgement;
-pub use picture::{Comparison, Difference, RowsCompared, compare, picture};
+pub use picture::{Comparison, Difference, RowsCompared, compare, earned, picture};
 pub use unit::{equal, lines, unit};

@@ -1,8 +1,12 @@
 //! A diagnosis in words: the likely mistake, the place to look at, the broken rule, the number of
 //! failures that it explains, and what remains unexplained.
 
-use cases::answer::Mistake;
+use std::collections::BTreeMap;
 
+use cases::answer::Mistake;
+use pages::lines::count;
+
+use super::words;
 use crate::plain::shown;
 use crate::record::{CheckKind, Confidence, Diagnosis, Explained, Record, Unexplained, Verdict};
 
@@ -116,6 +120,31 @@ pub fn rest(record: &Record, rest: &Unexplained) -> String {
         .to_owned()
 }
 
+/// Returns what known mistakes earn, a sentence for each set of mistakes, such as
+/// ``2.1 points for what `no_ambient` explains in 3 pictures of other stages``.
+pub fn credits(record: &Record) -> Vec<String> {
+    let mut sums: BTreeMap<Vec<&str>, (u64, usize)> = BTreeMap::new();
+    let checks = record.stages.iter().flat_map(|stage| &stage.checks);
+    for credit in checks.filter_map(|check| check.credit.as_ref()) {
+        let ids = credit.mistakes.iter().map(String::as_str).collect();
+        let (points, n) = sums.entry(ids).or_default();
+        *points += credit.points;
+        *n += 1;
+    }
+    let sentence = |(ids, (points, n)): (Vec<&str>, (u64, usize))| {
+        let names: Vec<String> = ids.iter().map(|id| format!("`{}`", shown(id))).collect();
+        let verb = if ids.len() == 1 { "explains" } else { "explain" };
+        let s = if points == 1000 { "" } else { "s" };
+        format!(
+            "{} point{s} for what {} {verb} in {} of other stages",
+            words::points(points),
+            names.join(" and "),
+            count(n, "picture")
+        )
+    };
+    sums.into_iter().map(sentence).collect()
+}
+
 /// Returns the sentence on the mistake `id` among the diagnoses of the record, with the words that
 /// stand before it. `None` if no diagnosis has it.
 pub fn says<'a>(record: &'a Record, id: &str) -> Option<(&'static str, &'a str)> {
@@ -128,6 +157,7 @@ pub fn says<'a>(record: &'a Record, id: &str) -> Option<(&'static str, &'a str)>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::record::Credit;
     use crate::report::sample;
 
     #[test]
@@ -155,6 +185,24 @@ mod tests {
         assert_eq!(
             extent(&record, &Diagnosis { explains, ..diagnosis }),
             "1 of 1 failed unit check"
+        );
+    }
+
+    #[test]
+    fn credits_are_summed_by_mistake() {
+        let mut record = sample::record("somebody");
+        let one = "0.25 points for what `one` explains in 1 picture of other stages";
+        assert_eq!(credits(&record), [one]);
+        let checks = &mut record.stages[0].checks;
+        let both = ["one".to_owned(), "other".to_owned()];
+        checks[0].credit = Some(Credit { points: 1000, mistakes: both.into() });
+        checks[1].credit = checks[2].credit.clone();
+        assert_eq!(
+            credits(&record),
+            [
+                "0.5 points for what `one` explains in 2 pictures of other stages",
+                "1 point for what `one` and `other` explain in 1 picture of other stages",
+            ]
         );
     }
 

@@ -93,6 +93,12 @@ numbers! {
         |x| x > 0.0 && x < 1.0,
         { "type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 1 }
     ),
+    /// A share of the points of a wrong picture.
+    PartialShare(
+        "a share from 0 to 0.9",
+        |x| (0.0..=0.9).contains(&x),
+        { "type": "number", "minimum": 0, "maximum": 0.9 }
+    ),
     /// An angle of view.
     ViewAngle(
         "an angle above 0 and below 180 degrees",

@@ -19,6 +19,7 @@ use difference::measure;
 
 pub use difference::{Difference, compare};
 pub use raster::{Comparison, RowsCompared};
+pub use share::earned;
 
 /// The advice on an anti-aliased picture.
 const ONE_RAY: &str = "graded pictures take one ray a pixel, through its centre [rule 1]: turn \

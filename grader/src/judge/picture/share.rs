@@ -13,7 +13,7 @@ pub(super) const MOST: u32 = 900;
 ///
 /// where f0 is the share of a picture without the effect. The result is 0 if no pixel has a weight,
 /// or if f0 is NaN or at least 1.
-pub(super) fn earned(answer: &ImageAnswer, out: &[bool]) -> u32 {
+pub fn earned(answer: &ImageAnswer, out: &[bool]) -> u32 {
     let unearned = answer.limits.unearned;
     if unearned.is_nan() || unearned >= 1.0 {
         return 0;

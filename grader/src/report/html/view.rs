@@ -26,6 +26,8 @@ pub(super) struct Submission {
     score: Points,
     build: BuildView,
     diagnoses: Vec<DiagnosisView>,
+    /// What known mistakes earn, in words.
+    credits: Vec<String>,
     /// What no mistake explains, in words.
     unexplained: Option<String>,
     stages: Vec<Stage>,
@@ -162,6 +164,7 @@ pub(super) fn submission(graded: &Graded) -> Submission {
         score: points(record.score),
         build: build(&record.build),
         diagnoses: record.diagnoses.iter().map(|one| diagnosis(record, one)).collect(),
+        credits: mistakes::credits(record),
         unexplained: record.unexplained.as_ref().map(|rest| mistakes::rest(record, rest)),
         stages: record.stages.iter().map(|one| stage(one, graded)).collect(),
     }

@@ -47,6 +47,9 @@ pub fn render(record: &Record, look: Look) -> String {
     }
     table::write(record, look, &mut text);
     record.diagnoses.iter().for_each(|one| diagnosis(record, one, &mut text));
+    for credit in mistakes::credits(record) {
+        line(&mut text, &format!("{BOLD}Counted as right{BOLD:#}  {credit}"));
+    }
     if let Some(rest) = &record.unexplained {
         line(&mut text, &format!("{BOLD}Unexplained{BOLD:#}  {}", mistakes::rest(record, rest)));
     }

@@ -41,7 +41,8 @@ fn names_the_mistakes_that_explain_what_is_wrong() {
         intersect_sphere; see docs/shading-model.md#rule-3-direct-light\n\
         or  the other is <wrong> [rule 14]\n    look at sphere.rs, function intersect_sphere; see \
         docs/shading-model.md#rule-14-the-sphere\n    It explains 1 of 3 failed pictures and 1 of \
-        1 failed unit check.\nUnexplained  No known mistake explains all of 1 of 3 failed \
+        1 failed unit check.\nCounted as right  0.25 points for what `one` explains in 1 picture \
+        of other stages\nUnexplained  No known mistake explains all of 1 of 3 failed \
         pictures.";
     assert!(shown.contains(end), "{shown}");
     assert!(shown.ends_with("among 120 wrong pixels side by side.\n"), "{shown}");
