@@ -21,6 +21,7 @@ pub mod report;
 pub mod sandbox;
 pub mod score;
 pub mod submission;
+pub mod tracer;
 pub mod workers;
 
 pub use pages::plain;

@@ -112,6 +112,20 @@ fn of_several_mistakes_most_are_named_and_hardly_any_other() {
     assert!(sum.found as f64 >= 0.85 * sum.parts as f64 && sum.wrong + sum.near <= 1, "{sum}");
 }
 
+/// Of the mistakes that hide each other, rendering finds at least as many, and adds no wrong name.
+#[test]
+fn rendering_the_named_mistakes_together_finds_hidden_ones() {
+    let (mut before, mut after) = (Names::default(), Names::default());
+    for mistakes in combinations(13, 4, 3) {
+        let pictures = DESK.render(&parts(&mistakes));
+        let explanation = DESK.explain(&pictures, |_, _| None);
+        before = before.plus(Names::of(&mistakes, &names(&explanation)));
+        let confirmed = DESK.confirm(&pictures, explanation);
+        after = after.plus(Names::of(&mistakes, &names(&confirmed)));
+    }
+    assert!(after.found >= before.found && after.wrong <= before.wrong, "{before}; {after}");
+}
+
 #[test]
 fn a_right_program_with_spoilt_pictures_is_given_no_mistake_of_a_tracer() {
     let of_one = |at: usize| {

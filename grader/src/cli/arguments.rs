@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use crate::cli::limit::Limit;
 use crate::cli::progress::Talk;
 use crate::grade::{GradeError, Options};
+use crate::tracer::Tracer;
 
 const CODES: &str = "\
 Exit codes:
@@ -38,6 +39,35 @@ impl Arguments {
     /// Returns how much is to be printed.
     pub(crate) fn talk(&self) -> Talk {
         Talk { is_quiet: self.quiet, is_verbose: self.verbose }
+    }
+}
+
+/// The values of `--confirm`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Confirm {
+    /// If the program is there
+    Auto,
+    /// Always
+    Always,
+    /// Never
+    Never,
+}
+
+impl Confirm {
+    /// Returns the tracer that confirms diagnoses.
+    ///
+    /// # Errors
+    /// Fails if the tracer is demanded, but is not there.
+    pub(crate) fn tracer(self) -> Result<Option<Tracer>, GradeError> {
+        match (self, Tracer::beside()) {
+            (Self::Never, _) => Ok(None),
+            (Self::Always, None) => Err(GradeError::Usage(
+                "there is no program `reference` beside the grader; build it, or leave out \
+                 --confirm"
+                    .to_owned(),
+            )),
+            (_, tracer) => Ok(tracer),
+        }
     }
 }
 
@@ -90,6 +120,12 @@ pub(crate) struct Selection {
     /// 01_ray_casting/sphere or sphere; may be repeated
     #[arg(long, value_name = "ID")]
     case: Vec<String>,
+    /// Whether the program `reference` beside the grader confirms diagnoses
+    ///
+    /// It renders the named mistakes together, which shows wrong names and hidden mistakes. Points
+    /// do not depend on it.
+    #[arg(long, value_enum, value_name = "WHEN", default_value_t = Confirm::Never)]
+    pub(crate) confirm: Confirm,
 }
 
 impl Selection {
@@ -191,6 +227,12 @@ pub(crate) struct Batch {
     pub(crate) out: PathBuf,
     #[command(flatten)]
     pub(crate) limit: Limit,
+    /// Whether the program `reference` beside the grader confirms diagnoses
+    ///
+    /// It renders the named mistakes together, which shows wrong names and hidden mistakes. Points
+    /// do not depend on it.
+    #[arg(long, value_enum, value_name = "WHEN", default_value_t = Confirm::Auto)]
+    pub(crate) confirm: Confirm,
     /// Number of submissions that are graded at once [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(crate) jobs: Option<u16>,

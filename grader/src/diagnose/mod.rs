@@ -13,8 +13,10 @@
 //! | `film_names.rs` | the names and sentences of mistakes that change whole pictures |
 //! | `result.rs` | the diagnoses, and what remains unexplained |
 //! | `run.rs` | all steps in order |
+//! | `confirm.rs` | the named mistakes, rendered together: which to drop, which are hidden |
 
 mod choose;
+mod confirm;
 mod film_names;
 mod place;
 mod reply;
@@ -23,6 +25,7 @@ mod run;
 mod score;
 mod second_look;
 
+pub use confirm::{Render, confirm};
 pub use layers::Sheet;
 pub use reply::Reply;
 pub use run::{Explanation, diagnose};

@@ -12,6 +12,7 @@ use super::perform::{Answers, Done};
 use super::plan::{Part, Plan};
 use crate::diagnose::{self, Explanation, Reply, Sheet};
 use crate::exam::Exam;
+use crate::grade::Bench;
 use crate::record::{Diagnosis, FindingKind, Verdict};
 use crate::submission::Language;
 
@@ -20,13 +21,17 @@ use crate::submission::Language;
 /// raises the shares of pictures that earn more because of them. The layers of the mistakes are
 /// unpacked only if an answer is wrong.
 ///
+/// If the bench has a tracer, it confirms the mistakes. Points do not depend on it, so that a
+/// student's own run gives the same ones.
+///
 /// The place to look at names a file only if the program is made from a `template`.
 pub(super) fn diagnose(
-    exam: &Exam,
+    bench: &Bench,
     plan: &Plan,
     answers: &mut Answers,
     template: Option<Language>,
 ) -> Explanation {
+    let exam = &bench.exam;
     if !answers.done.values().any(|done| state(done) == State::Wrong) {
         return Explanation::default();
     }
@@ -43,8 +48,10 @@ pub(super) fn diagnose(
         })
         .collect();
     let picture = |id: &str| answers.done.get(id)?.picture.as_ref();
-    let pictures: Vec<_> =
-        sheets.iter().filter_map(|(sheet, case)| Some((sheet, picture(&case.id)?))).collect();
+    let (pictures, cases): (Vec<_>, Vec<&Case>) = sheets
+        .iter()
+        .filter_map(|(sheet, case)| Some(((sheet, picture(&case.id)?), *case)))
+        .unzip();
     let checks = plan
         .stages
         .iter()
@@ -56,6 +63,14 @@ pub(super) fn diagnose(
     let explanation = diagnose::diagnose(&pictures, replies.collect(), &known);
     let all: Vec<&Sheet> = sheets.iter().map(|(sheet, _)| sheet).collect();
     let credits = credit::credits(exam, plan, answers, &all, &explanation);
+    let explanation = match &bench.tracer {
+        None => explanation,
+        Some(tracer) => {
+            let end = tracer.end();
+            let render = |at: usize, ids: &[&str]| tracer.render(&exam.folder, cases[at], ids, end);
+            diagnose::confirm(&pictures, explanation, &known, &render)
+        }
+    };
     credit::give(answers, credits);
     label(answers, &explanation.diagnoses);
     explanation

@@ -27,6 +27,7 @@ use crate::exam::Exam;
 use crate::exercise::{self, Allowance, Candidate};
 use crate::record::{Build, Finding, FindingKind, SCHEMA, Submission, Verdict};
 use crate::submission::{self, SubmissionError};
+use crate::tracer::Tracer;
 use crate::workers::guarded;
 
 /// The parts that all gradings share. They are made once and used from any number of threads.
@@ -38,6 +39,8 @@ pub struct Bench {
     pub workshop: Workshop,
     /// The limits of the programs.
     pub allowance: Allowance,
+    /// The tracer that confirms diagnoses, or `None` for diagnoses without it.
+    pub tracer: Option<Tracer>,
 }
 
 impl Bench {
@@ -47,7 +50,7 @@ impl Bench {
     /// Returns everything that is wrong with the cases, or an error if there is no workspace.
     pub fn open(stages: &Path) -> Result<Self, GradeError> {
         let (exam, workshop) = (Exam::load(stages)?, Workshop::open(stages)?);
-        Ok(Self { exam, workshop, allowance: Allowance::default() })
+        Ok(Self { exam, workshop, allowance: Allowance::default(), tracer: None })
     }
 
     /// Returns a line on the selected part of the exam, such as `` 12 checks in 3 stages match
@@ -138,7 +141,7 @@ pub fn grade(
         Err(build) => (perform::nothing(&plan, build.finding.as_ref()), build),
     };
     // A diagnosis is only a hint, so a panic of the grader in it must not cost a check.
-    let explanation = guarded(|| diagnosis::diagnose(&bench.exam, &plan, &mut answers, template))
+    let explanation = guarded(|| diagnosis::diagnose(bench, &plan, &mut answers, template))
         .unwrap_or_default();
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest };
@@ -233,7 +236,7 @@ fn rejected(verdict: Verdict, finding: Finding, ignored: Vec<String>) -> Build {
 pub fn images(bench: &Bench, folder: &Path, options: &Options) -> Result<Graded, GradeError> {
     let plan = trusted(bench, planned(bench, options)?.pictures_only())?;
     let mut answers = perform::review(&plan, folder);
-    let explanation = diagnosis::diagnose(&bench.exam, &plan, &mut answers, None);
+    let explanation = diagnosis::diagnose(bench, &plan, &mut answers, None);
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest: String::new() };
     let build = Build {

@@ -122,6 +122,7 @@ Examples:
   reference render scene.toml -o - --effects shadows,reflection > out.png
   reference render scene.toml -o - | grader compare - expected.png
   reference render - -o out.png < scene.toml               a scene on standard input
+  reference render 02_shadows/two_lamps -o a.png --mistakes no_ambient,shadow_beyond_light
 
 Where some material both reflects and transmits, each level of depth may have many times as many
 rays as the one before. From depth 8 on, such a scene is first rendered at up to 512 pixels, and a
@@ -168,6 +169,17 @@ pub(super) struct RenderArgs {
     /// `robust` is the reference's own
     #[arg(long, value_name = "FORMULAS", default_value = "robust", value_parser = formula)]
     pub formulas: Formula,
+    /// Known mistakes to make, such as `no_shadows,flat_shading`: the picture of a student's program
+    /// with all of them, by plain formulas and without a search tree
+    #[arg(
+        long,
+        value_name = "IDS",
+        value_delimiter = ',',
+        conflicts_with_all = [
+            "precision", "formulas", "samples", "adaptive", "light_cutoff", "max_rays", "stats",
+        ]
+    )]
+    pub mistakes: Vec<String>,
     /// Effects to simulate: `auto` (those the scene lists), `all`, `none`, or names such as
     /// `shadows,reflection`. Effects that are not named are left out: without `transforms` objects
     /// stay in their own space, without `attenuation` lights are as strong at any distance

@@ -6,6 +6,7 @@ use std::time::Instant;
 use cases::files;
 use cases::film::exr::{Depth, Part, rgb};
 use cases::film::{self, Image, Quantiser};
+use cases::problem::did_you_mean;
 use cases::{Course, Effect, Effects, Scene, effects};
 use pages::figures::figure;
 use pages::say;
@@ -16,8 +17,10 @@ use super::output::Talk;
 use super::progress::Bar;
 use super::stats::{LeftOut, Report, Row};
 use super::stop::{Stop, too_many_rays};
+use crate::expect::students_picture;
 use crate::numbers::real::Real;
 use crate::rules::Rules;
+use crate::rules::misconceptions::{self, Misconception};
 use crate::trace::forecast::forecast;
 use crate::trace::render::{self, Options, Stats};
 use crate::watch::work::Amounts;
@@ -44,6 +47,11 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
     if args.effects != "auto" {
         let requested = scene.effects;
         effects::simulate_only(&mut scene, requested);
+    }
+    if !args.mistakes.is_empty() {
+        let rules = mistaken(&Rules::of(&course), &args.mistakes)?;
+        let image = students_picture(&scene, &rules);
+        return files::write(out, &form.bytes(&image, rules.quantiser)?).map_err(Stop::from);
     }
     let load_s = clock.lap();
     // This thread is one of the pool, so that `--threads 1` starts no other.
@@ -89,6 +97,32 @@ pub(super) fn run(args: &RenderArgs, talk: Talk) -> Result<(), Stop> {
         write_s,
     };
     report.say(stats_form, files::is_stdout(out))
+}
+
+/// Returns the rules of a course with known mistakes, in the plain style of a student.
+fn mistaken(course: &Rules, ids: &[String]) -> Result<Rules, Stop> {
+    let known = misconceptions::of(course);
+    let mut rules = *course;
+    let mut made: Vec<&Misconception> = vec![];
+    for id in ids {
+        let Some(wrong) = known.iter().find(|one| one.id == id) else {
+            let meant = did_you_mean(id, known.iter().map(|one| one.id));
+            let help = meant.map_or(
+                "the mistakes are listed in mistakes.answers.json beside the stages".to_owned(),
+                |meant| format!("did you mean `{meant}`?"),
+            );
+            return Err(Stop::Usage(format!("there is no mistake `{id}`\nhelp: {help}")));
+        };
+        if let Some(other) = made.iter().find(|one| one.field == wrong.field) {
+            return Err(Stop::Usage(format!(
+                "`{}` and `{id}` are mistakes of the same decision, which a program takes once",
+                other.id
+            )));
+        }
+        (wrong.apply)(&mut rules);
+        made.push(wrong);
+    }
+    Ok(rules.plain())
 }
 
 /// Changes the size and the depth of a scene. A greater depth may call for effects that the depth

@@ -1,5 +1,10 @@
 //! Tests of the program from outside: exit codes, messages, files.
 
+use cases::{Course, film, stage};
+use reference::expect::students_picture;
+use reference::rules::Rules;
+use reference::rules::misconceptions;
+
 use crate::common::program::{SCENE, check, expect, folder, run};
 
 #[test]
@@ -15,6 +20,34 @@ fn renders_to_every_kind_of_file_and_to_the_stream() {
     assert_eq!(streamed.stdout, std::fs::read(folder.path().join("a.png")).unwrap());
     expect(&run(folder.path(), &["render", "scene.toml", "positional.png"], ""), 0, "");
     assert_eq!(streamed.stdout, std::fs::read(folder.path().join("positional.png")).unwrap());
+}
+
+#[test]
+fn known_mistakes_are_made_together() {
+    let folder = folder();
+    let picture = |mistakes: &[&str]| {
+        let args = [&["render", "scene.toml", "a.pfm"], mistakes].concat();
+        expect(&run(folder.path(), &args, ""), 0, "");
+        std::fs::read(folder.path().join("a.pfm")).unwrap()
+    };
+    let path = folder.path().join("scene.toml");
+    let scene = stage::load_scene(&path, &Course::default()).unwrap();
+    let mut rules = Rules::LECTURE;
+    for wrong in misconceptions::of(&Rules::LECTURE) {
+        if ["no_ambient", "upside_down"].contains(&wrong.id) {
+            (wrong.apply)(&mut rules);
+        }
+    }
+    let both = picture(&["--mistakes", "no_ambient,upside_down"]);
+    let expected = students_picture(&scene, &rules.plain());
+    assert_eq!(both, film::encode(film::Kind::Pfm, &expected).unwrap());
+    assert_ne!(both, picture(&["--mistakes", "no_ambient"]));
+    let refused = |mistakes: &str, says: &str| {
+        let args = ["render", "scene.toml", "a.pfm", "--mistakes", mistakes];
+        expect(&run(folder.path(), &args, ""), 2, says);
+    };
+    refused("no_ambiemt", "did you mean `no_ambient`?");
+    refused("no_ambient,ambient_in_shadow", "mistakes of the same decision");
 }
 
 #[test]

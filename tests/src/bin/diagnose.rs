@@ -26,6 +26,9 @@ struct Arguments {
     /// Without unit checks
     #[arg(long)]
     pictures_only: bool,
+    /// Render the named mistakes together, as `grader batch` does beside the reference
+    #[arg(long)]
+    confirm: bool,
     /// List the names of each run that lacks a part or has a wrong name
     #[arg(long)]
     verbose: bool,
@@ -79,6 +82,8 @@ fn of_one(desk: &Desk, arguments: &Arguments, mistakes: &[&'static Misconception
     let explanation = desk.explain(&pictures, |check, _| {
         (!arguments.pictures_only).then(|| answer(&rules, &check.ask))
     });
+    let explanation =
+        if arguments.confirm { desk.confirm(&pictures, explanation) } else { explanation };
     let named = names(&explanation);
     let counts = Names::of(mistakes, &named);
     if arguments.verbose && (counts.found < counts.parts || counts.near + counts.wrong > 0) {

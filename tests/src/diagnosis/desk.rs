@@ -8,13 +8,16 @@ use cases::glam::DVec3;
 use cases::probe::Answer;
 use cases::scene::Scene;
 use cases::stage::{Case, Check};
-use grader::diagnose::{Explanation, Reply, Sheet, diagnose};
+use grader::diagnose::{Explanation, Reply, Sheet, confirm, diagnose};
 use grader::exam::Exam;
 use grader::judge::{self, Judgement};
 use grader::record::{FindingKind, Verdict};
 use rayon::prelude::*;
 use reference::expect::students_picture;
 use reference::rules::Rules;
+use reference::rules::misconceptions;
+
+use super::combinations::parts;
 
 /// An exam and the sheets of its cases.
 #[derive(Debug)]
@@ -62,13 +65,9 @@ impl Desk {
         pictures: &[Image],
         reply: impl Fn(&Check, &CheckAnswer) -> Option<Answer>,
     ) -> Explanation {
-        let judged: Vec<(&Sheet, &Image)> = self
-            .cases()
-            .zip(&self.sheets)
-            .zip(pictures)
-            .filter(|(((_, answer), _), actual)| is_evidence(&judge::picture(actual, answer)))
-            .map(|((_, sheet), actual)| (sheet, actual))
-            .collect();
+        let judged = self.evidence(pictures);
+        let judged: Vec<(&Sheet, &Image)> =
+            judged.into_iter().map(|(_, sheet, actual)| (sheet, actual)).collect();
         let checks = self.exam.stages.iter().flat_map(|one| {
             one.stage.checks.iter().map(move |check| (check, &one.units[&check.id]))
         });
@@ -79,6 +78,30 @@ impl Desk {
             is_evidence(&judgement).then(|| Reply::new(&check.id, is_right, &actual, right))
         });
         diagnose(&judged, replies.collect(), &self.exam.mistakes)
+    }
+
+    /// Returns the explanation of these pictures after the named mistakes are rendered together.
+    pub fn confirm(&self, pictures: &[Image], explanation: Explanation) -> Explanation {
+        let judged = self.evidence(pictures);
+        let (scenes, judged): (Vec<&Scene>, Vec<(&Sheet, &Image)>) =
+            judged.into_iter().map(|(case, sheet, actual)| (&case.scene, (sheet, actual))).unzip();
+        let known = misconceptions::of(&Rules::LECTURE);
+        let render = |at: usize, ids: &[&str]| {
+            let made = known.iter().copied().filter(|one| ids.contains(&one.id));
+            let rules = parts(&made.collect::<Vec<_>>());
+            Some(in_bytes(&students_picture(scenes[at], &rules)))
+        };
+        confirm(&judged, explanation, &self.exam.mistakes, &render)
+    }
+
+    /// Returns the pictures that are evidence, each with its case and sheet.
+    fn evidence<'a>(&'a self, pictures: &'a [Image]) -> Vec<(&'a Case, &'a Sheet, &'a Image)> {
+        self.cases()
+            .zip(&self.sheets)
+            .zip(pictures)
+            .filter(|(((_, answer), _), actual)| is_evidence(&judge::picture(actual, answer)))
+            .map(|(((case, _), sheet), actual)| (case, sheet, actual))
+            .collect()
     }
 }
 

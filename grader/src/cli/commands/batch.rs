@@ -16,6 +16,7 @@ pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
     say_lowered(&allowance, talk);
     let mut bench = Bench { allowance, ..Bench::open(&stages(arguments.cases.as_deref())?)? };
     bench.workshop.layers = arguments.limit.layers(Level::Full)?;
+    bench.tracer = arguments.confirm.tracer()?;
     // The crates are compiled ahead, so that the first wait is explained. If that fails, the
     // submissions that need the crates report it.
     let _ = bench.workshop.sdk(&|what| {

@@ -31,6 +31,7 @@ pub(crate) fn run(arguments: &Grade, talk: &Talk) -> Outcome {
         say_lowered(&allowance, talk);
         let mut bench = Bench { allowance, ..Bench::open(&arguments.selection.stages()?)? };
         bench.workshop.layers = arguments.limit.layers(Level::Basic)?;
+        bench.tracer = arguments.selection.confirm.tracer()?;
         say_selected(&bench, &options, talk)?;
         let bar = Bar::new(talk);
         grade(&bench, &Options { jobs, ..options }, &bar)?

@@ -30,7 +30,8 @@ pub(crate) fn run(arguments: &Images, talk: &Talk) -> Outcome {
         }
     }
     publish::check(&arguments.reports)?;
-    let bench = Bench::open(&arguments.selection.stages()?)?;
+    let mut bench = Bench::open(&arguments.selection.stages()?)?;
+    bench.tracer = arguments.selection.confirm.tracer()?;
     let options = arguments.selection.options(folder);
     say_selected(&bench, &options, talk)?;
     let graded = images(&bench, folder, &options)?;
