@@ -2,6 +2,8 @@
 //! paid for in the stage that teaches its rule. Elsewhere, what it explains counts as right, up to
 //! a share of the points.
 
+use std::collections::BTreeSet;
+
 use cases::answer::Mistake;
 use cases::stage::Case;
 
@@ -11,6 +13,10 @@ use crate::diagnose::{Explanation, Sheet};
 use crate::exam::Exam;
 use crate::judge;
 use crate::record::{Confidence, Diagnosis, Verdict};
+use crate::score;
+
+/// The share of the points of a stage's pictures below which the stage gets no credit.
+const SHOWN: f64 = 0.25;
 
 /// A wrong picture that earns more because of known mistakes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -29,7 +35,8 @@ pub(super) struct Credit {
 ///
 /// A picture gets a credit only for mistakes that are named surely, that belong to another stage of
 /// the plan, and that cost points there. Film mistakes get none, because no stored picture holds
-/// them; beside one, the stored pictures of other mistakes hold nothing that was seen.
+/// them; beside one, the stored pictures of other mistakes hold nothing that was seen. A stage of
+/// which the program shows little gets none either.
 pub(super) fn credits(
     exam: &Exam,
     plan: &Plan,
@@ -65,7 +72,29 @@ pub(super) fn credits(
         let here = here.flat_map(|one| &one.mistakes).map(|mistake| mistake.id.as_str());
         of_case(answers, part, case, sheet, (&by, &here.collect::<Vec<_>>()))
     };
-    cases.filter_map(credit).collect()
+    let credits: Vec<Credit> = cases.filter_map(credit).collect();
+    let shown = plan.stages.iter().filter(|part| is_shown(answers, part, &credits));
+    let shown: BTreeSet<&str> = shown.flat_map(Part::ids).collect();
+    credits.into_iter().filter(|credit| shown.contains(credit.id.as_str())).collect()
+}
+
+/// Returns whether the program shows what a stage teaches: with the credits, its pictures earn at
+/// least [`SHOWN`] of their points.
+///
+/// Some mistakes resemble a program without the stage: with one bounce too few, a case of a single
+/// bounce shows none. Without this condition, a program of an earlier stage would earn points here.
+fn is_shown(answers: &Answers, part: &Part, credits: &[Credit]) -> bool {
+    let earned = |case: &&Case| {
+        let credit = credits.iter().find(|credit| credit.id == case.id);
+        let judgement = answers.done.get(&case.id).map(|done| &done.judgement);
+        match (credit, judgement) {
+            (Some(credit), _) => score::score(Verdict::Partial, credit.share, case.points).earned,
+            (None, Some(one)) => score::score(one.verdict, one.share, case.points).earned,
+            (None, None) => 0,
+        }
+    };
+    let possible: u64 = part.cases.iter().map(|case| case.points).sum();
+    part.cases.iter().map(earned).sum::<u64>() as f64 >= SHOWN * possible as f64
 }
 
 /// Returns the credit of a picture for the mistakes `by`, or `None` if it earns no more with them.
