@@ -63,6 +63,7 @@ mod tests {
             earned: 0,
             possible: 1,
             finding: Some(finding),
+            credit: None,
             time_s: 0.0,
             cpu_s: None,
             peak_bytes: 0,

@@ -141,8 +141,8 @@ pub fn grade(
         Err(build) => (perform::nothing(&plan, build.finding.as_ref()), build),
     };
     // A diagnosis is only a hint, so a panic of the grader in it must not cost a check.
-    let explanation = guarded(|| diagnosis::diagnose(bench, &plan, &mut answers, template))
-        .unwrap_or_default();
+    let explanation =
+        guarded(|| diagnosis::diagnose(bench, &plan, &mut answers, template)).unwrap_or_default();
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest };
     let mut record = write_up::record(epoch, submission, build, stages, explanation);

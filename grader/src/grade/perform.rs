@@ -9,8 +9,8 @@ use cases::film::Image;
 use cases::probe::{Answer, Question};
 use cases::stage::{Case, Check};
 
-use super::pictures;
 use super::credit::Credit;
+use super::pictures;
 use super::plan::{Part, Plan};
 use super::progress::Progress;
 use super::thrift::{self, Share, Taken};

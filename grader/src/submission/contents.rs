@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use super::language::Language;
 use super::limits::SOURCE_BYTES;
 use super::reading::read_text;
-use super::language::Language;
 use crate::sandbox::Folder;
 
 /// A submission whose files have been read or listed.
