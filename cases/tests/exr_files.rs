@@ -35,7 +35,8 @@ fn words(bytes: &[u8]) -> Result<Vec<f64>, String> {
 
 #[test]
 fn a_rendered_file_is_read_as_it_was_written() {
-    let part = |name: &str, planes: Vec<Plane>| Part { name: name.to_owned(), planes };
+    let part =
+        |name: &str, planes: Vec<Plane>| Part { name: name.to_owned(), planes, attached: vec![] };
     let expected: Vec<f64> = picture()
         .pixels()
         .iter()

@@ -16,7 +16,11 @@ fn good() -> Vec<(&'static str, Vec<u8>)> {
     let image = Image::from_fn(SIZE.0, SIZE.1, |i, j| {
         DVec3::new(f64::from(i * j) / 130.0, f64::from(i) / 12.0, 0.5)
     });
-    let part = Part { name: "colour".to_owned(), planes: rgb("", &image, Depth::Float).into() };
+    let part = Part {
+        name: "colour".to_owned(),
+        planes: rgb("", &image, Depth::Float).into(),
+        attached: vec![],
+    };
     let mut interlaced = vec![];
     let mut info = png::Info::with_size(SIZE.0, SIZE.1);
     (info.color_type, info.interlaced) = (png::ColorType::Rgb, true);

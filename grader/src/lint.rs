@@ -1,5 +1,6 @@
 //! Finds problems in a set of cases and its answers, beyond those that keep it from being read.
 
+mod apart;
 mod sharpness;
 
 use std::collections::BTreeSet;
@@ -11,6 +12,7 @@ use cases::answer::{
 use cases::stage::{Base, Case};
 use cases::{Course, effects};
 
+pub use apart::alike;
 use pages::say;
 
 use crate::blame::{self, Blame};
@@ -114,15 +116,19 @@ fn answers(exam: &Exam, problems: &mut Vec<String>) {
 fn sharpness(exam: &Exam, questions: &Questions, problems: &mut Vec<String>) {
     for case in &questions.stage.cases {
         let Some(answer) = questions.images.get(&case.id) else { continue };
-        let size = case.scene.render;
-        let bytes = load::bytes(&image_answer_path(&exam.folder, &case.id)).unwrap_or_default();
-        match Wrong::decode_all(&bytes, size.width, size.height) {
+        match layers(exam, case) {
             Ok(wrong) => problems.extend(sharpness::problems(case, answer, &wrong, &exam.mistakes)),
-            Err(why) => {
-                problems.push(format!("{}: the stored mistakes cannot be read: {why}", case.id))
-            }
+            Err(why) => problems.push(why),
         }
     }
+}
+
+/// Returns the pictures of mistakes that are stored with a case.
+fn layers(exam: &Exam, case: &Case) -> Result<Vec<Wrong>, String> {
+    let size = case.scene.render;
+    let bytes = load::bytes(&image_answer_path(&exam.folder, &case.id)).unwrap_or_default();
+    Wrong::decode_all(&bytes, size.width, size.height)
+        .map_err(|why| format!("{}: the stored mistakes cannot be read: {why}", case.id))
 }
 
 /// Checks that stored answers agree with those on paper, and can be judged.
@@ -184,5 +190,19 @@ fn summary(exam: &Exam) -> Vec<String> {
     };
     let mut lines: Vec<String> = exam.stages.iter().map(line).collect();
     lines.push(format!("{} points in all", points(all)));
+    lines.extend(mistakes(exam));
     lines
+}
+
+/// Returns a line on the known mistakes, with those that no case and no check distinguishes; `None`
+/// where the stored mistakes cannot be read.
+fn mistakes(exam: &Exam) -> Option<String> {
+    let alike: Vec<String> = alike(exam).ok()?.iter().map(|pair| pair.join(" = ")).collect();
+    let n = exam.mistakes.len();
+    Some(match alike.as_slice() {
+        [] => format!("{n} known mistakes, any two of which differ in some case or check"),
+        alike => {
+            format!("{n} known mistakes; no case and no check distinguishes {}", alike.join(", "))
+        }
+    })
 }

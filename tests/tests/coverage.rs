@@ -10,8 +10,9 @@ use cases::film::Image;
 use cases::probe::{Answer, Ask};
 use cases::stage::{self, Case, Stage};
 use cases::{Course, Effect, Effects, Scene};
-use grader::judge;
+use grader::exam::Exam;
 use grader::record::Verdict;
+use grader::{judge, lint};
 use pages::say;
 use reference::expect::variations::{Precision, Variation, variations};
 use reference::expect::{self, Set};
@@ -129,6 +130,16 @@ fn every_misconception_is_caught() {
             })
             .collect(),
     );
+}
+
+/// Two mistakes without a difference could only be named together, and the student would search for
+/// one of them in vain.
+#[test]
+fn any_two_misconceptions_differ_in_some_case_or_check() {
+    let exam = Exam::load(&folder()).unwrap_or_else(|problems| panic!("{problems}"));
+    assert_eq!(exam.mistakes.len(), misconceptions::of(&Rules::LECTURE).len());
+    let alike = lint::alike(&exam).unwrap_or_else(|why| panic!("{why}"));
+    none(alike.iter().map(|[one, other]| format!("{one} looks like {other}")).collect());
 }
 
 fn fails_a_question(rules: &Rules) -> bool {

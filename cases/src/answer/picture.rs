@@ -1,10 +1,10 @@
-//! The stored answer to an image case: the expected picture, its envelope, and the pictures of
-//! known mistakes.
+//! The stored answer to an image case: the expected picture and its envelope.
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use super::{Digest, Wrong};
+use super::Digest;
+use super::wrong::{self, Wrong};
 use crate::film::exr::{self, Depth, Part, Plane, plane_name};
 use crate::film::{Image, PictureError, byte, level};
 
@@ -60,9 +60,8 @@ struct Notes {
 const CONTESTED: u8 = 4;
 /// Number of stored units in a sample of 1. A 256th is exact in half precision, unlike a 255th, and
 /// half the size when packed.
-pub(super) const UNIT: f32 = 256.0;
+const UNIT: f32 = 256.0;
 const ANSWER: &str = "answer";
-pub(super) const MISTAKES: &str = "mistakes";
 const WEIGHT: &str = "weight.Y";
 
 impl ImageAnswer {
@@ -152,14 +151,8 @@ impl ImageAnswer {
         planes.extend(layer("lo", &self.lo));
         planes.extend(layer("hi", &self.hi));
         planes.push(byte_plane(WEIGHT.to_owned(), self.weight.iter().copied()));
-        let mut parts = vec![Part { name: ANSWER.to_owned(), planes }];
-        if !wrong.is_empty() {
-            let planes = wrong
-                .iter()
-                .flat_map(|wrong| layer(&wrong.id, &wrong.stored(expected.len())))
-                .collect();
-            parts.push(Part { name: MISTAKES.to_owned(), planes });
-        }
+        let mut parts = vec![Part { name: ANSWER.to_owned(), planes, attached: Vec::new() }];
+        parts.extend(wrong::part(wrong, expected.len())?);
         exr::encode((self.expected.width(), self.expected.height()), &parts, &notes)
     }
 
@@ -210,18 +203,19 @@ fn levels(light: DVec3, round: fn(f64) -> f64) -> Levels {
     light.to_array().map(|channel| round(level(channel)) as u8)
 }
 
-pub(super) fn layer(name: &str, levels: &[Levels]) -> [Plane; 3] {
+fn layer(name: &str, levels: &[Levels]) -> [Plane; 3] {
     let plane = |channel: &str, at: usize| {
         byte_plane(plane_name(name, channel), levels.iter().map(|pixel| pixel[at]))
     };
     [plane("R", 0), plane("G", 1), plane("B", 2)]
 }
 
-fn byte_plane(name: String, bytes: impl Iterator<Item = u8>) -> Plane {
+/// Returns a plane of whole numbers, which are stored as multiples of 1/256.
+pub(super) fn byte_plane(name: String, bytes: impl Iterator<Item = u8>) -> Plane {
     Plane { name, samples: bytes.map(|byte| f32::from(byte) / UNIT).collect(), depth: Depth::Half }
 }
 
-pub(super) fn to_byte(share: f32) -> u8 {
+fn to_byte(share: f32) -> u8 {
     // Adding a half and cutting is rounding, for a share of at least 0.
     (share * UNIT + 0.5) as u8
 }
@@ -248,25 +242,18 @@ mod tests {
         answer
     }
 
-    /// Every eighth level in the first row, nothing in the second.
-    fn change(n: u32) -> Option<Levels> {
-        (n < 256).then_some([n as u8 & 0xf8, 8, 248])
-    }
-
     #[test]
-    fn an_answer_and_its_mistakes_come_back() {
-        let wrong = Wrong::new("no_shadows", (0..512).map(change));
+    fn an_answer_comes_back_with_and_without_mistakes() {
+        let changes = (0..512).map(|n| (n < 256).then_some([8, 0, 248]));
+        let wrong = Wrong::new("no_shadows", changes);
         let made_from = Digest::of_mistakes(&Course::default());
-        let bytes = answer().encode(&made_from, std::slice::from_ref(&wrong)).unwrap();
-        assert_eq!(ImageAnswer::made_from(&bytes).unwrap(), Some(made_from.clone()));
-        assert_eq!(ImageAnswer::decode(&bytes, 256, 2).unwrap(), answer());
-        assert_eq!(Wrong::ids(&bytes, 256, 2).unwrap(), ["no_shadows"]);
-        assert_eq!(Wrong::decode_all(&bytes, 256, 2).unwrap(), [wrong]);
-        assert_eq!(
-            Wrong::decode_all(&answer().encode(&made_from, &[]).unwrap(), 256, 2).unwrap(),
-            []
-        );
-        assert!(ImageAnswer::decode(&bytes, 2, 256).is_err());
+        for wrong in [vec![], vec![wrong]] {
+            let bytes = answer().encode(&made_from, &wrong).unwrap();
+            assert_eq!(ImageAnswer::made_from(&bytes).unwrap(), Some(made_from.clone()));
+            assert_eq!(ImageAnswer::decode(&bytes, 256, 2).unwrap(), answer());
+            assert_eq!(Wrong::decode_all(&bytes, 256, 2).unwrap(), wrong);
+            assert!(ImageAnswer::decode(&bytes, 2, 256).is_err());
+        }
     }
 
     #[test]

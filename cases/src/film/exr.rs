@@ -20,10 +20,6 @@ use glam::DVec3;
 
 use super::{Image, PictureError};
 
-mod sparse;
-
-pub use sparse::{Sparse, decode_sparse};
-
 /// Largest number of parts of a file, and of planes. A file with more is refused before anything is
 /// decoded.
 const MOST: usize = 1024;
@@ -32,6 +28,9 @@ const MOST: usize = 1024;
 const MOST_RATIO: usize = 2048;
 /// The attribute of the first part that carries the notes.
 const NOTES: &str = "notes";
+/// The attribute of another part that carries bytes, and its type.
+const ATTACHED: &str = "attached";
+const BYTES: &str = "deflated";
 
 /// A named set of planes, compressed together: planes that resemble each other cost little.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,6 +39,9 @@ pub struct Part {
     pub name: String,
     /// The planes, in any order. In a decoded part they are ordered by name.
     pub planes: Vec<Plane>,
+    /// Bytes of any meaning, stored as an attribute of the part. The first part has none: two
+    /// attributes of one part would change their order from run to run.
+    pub attached: Vec<u8>,
 }
 
 /// One number per pixel, row by row from the top.
@@ -133,9 +135,15 @@ fn exr_part(part: &Part, size: (usize, usize)) -> ExrPart<AnyChannels<FlatSample
         };
         AnyChannel::new(plane.name.as_str(), samples)
     };
+    let mut attributes = LayerAttributes::named(part.name.as_str());
+    if !part.attached.is_empty() {
+        let bytes = part.attached.as_slice().into();
+        let value = AttributeValue::Custom { kind: Text::from(BYTES), bytes };
+        attributes.other.insert(Text::from(ATTACHED), value);
+    }
     ExrPart::new(
         size,
-        LayerAttributes::named(part.name.as_str()),
+        attributes,
         Encoding { compression: Compression::ZIP16, ..Encoding::FAST_LOSSLESS },
         AnyChannels::sort(part.planes.iter().map(channel).collect()),
     )
@@ -258,22 +266,15 @@ pub fn decode(bytes: &[u8], width: u32, height: u32) -> Result<(Vec<Part>, Strin
     Ok((file.layer_data.into_iter().map(our_part).collect(), notes))
 }
 
-/// Returns the names of all parts, each with the names of its planes. Nothing is decoded.
+/// Returns the bytes attached to the part `part`; none if there is no such part. Nothing is
+/// decoded.
 ///
 /// # Errors
-/// See [`decode_first`].
-pub fn plane_names(
-    bytes: &[u8],
-    width: u32,
-    height: u32,
-) -> Result<Vec<(String, Vec<String>)>, PictureError> {
-    let planes = |header: &Header| {
-        header.channels.list.iter().map(|channel| channel.name.to_string()).collect()
-    };
-    Ok(demand(bytes, (width, height))?
-        .iter()
-        .map(|header| (name(header), planes(header)))
-        .collect())
+/// The file is broken.
+pub fn attached(bytes: &[u8], part: &str) -> Result<Vec<u8>, PictureError> {
+    let headers = headers(bytes)?;
+    let header = headers.iter().find(|header| name(header) == part);
+    Ok(header.map(|header| attached_in(&header.own_attributes)).unwrap_or_default())
 }
 
 /// Returns the notes, or an empty text if there are none. Nothing is decoded.
@@ -322,6 +323,13 @@ fn notes_in(attributes: &LayerAttributes) -> String {
     }
 }
 
+fn attached_in(attributes: &LayerAttributes) -> Vec<u8> {
+    match attributes.other.get(&Text::from(ATTACHED)) {
+        Some(AttributeValue::Custom { bytes, .. }) => bytes.to_vec(),
+        _ => Vec::new(),
+    }
+}
+
 fn our_part(part: ExrPart<AnyChannels<FlatSamples>>) -> Part {
     let plane = |channel: AnyChannel<FlatSamples>| Plane {
         name: channel.name.to_string(),
@@ -333,7 +341,8 @@ fn our_part(part: ExrPart<AnyChannels<FlatSamples>>) -> Part {
         samples: channel.sample_data.values_as_f32().collect(),
     };
     let name = part.attributes.layer_name.as_ref().map(Text::to_string).unwrap_or_default();
-    Part { name, planes: part.channel_data.list.into_iter().map(plane).collect() }
+    let attached = attached_in(&part.attributes);
+    Part { name, planes: part.channel_data.list.into_iter().map(plane).collect(), attached }
 }
 
 /// Calls the decoder. A panic of the decoder becomes an error of the file.

@@ -18,7 +18,11 @@ impl Form {
     /// Returns the content of the file of a picture.
     pub(crate) fn bytes(self, image: &Image) -> Vec<u8> {
         let exr = |depth| {
-            let part = Part { name: "colour".to_owned(), planes: rgb("", image, depth).into() };
+            let part = Part {
+                name: "colour".to_owned(),
+                planes: rgb("", image, depth).into(),
+                attached: vec![],
+            };
             exr::encode((image.width(), image.height()), &[part], "").unwrap()
         };
         match self {

@@ -285,8 +285,11 @@ impl Format {
         let bytes = match self {
             Self::Film(kind) => film::encode_by(quantiser, kind, image),
             Self::Exr => {
-                let part =
-                    Part { name: "colour".to_owned(), planes: rgb("", image, Depth::Float).into() };
+                let part = Part {
+                    name: "colour".to_owned(),
+                    planes: rgb("", image, Depth::Float).into(),
+                    attached: Vec::new(),
+                };
                 film::exr::encode((image.width(), image.height()), &[part], "")
             }
         };

@@ -2,7 +2,7 @@
 
 use crate::numbers::real::Real;
 use crate::numbers::vec3::Vec3;
-use crate::rules::{Attenuation, RuleSource};
+use crate::rules::{Attenuation, LightVector, RuleSource};
 use crate::watch::work::{Tally, Work};
 
 /// A light source.
@@ -68,12 +68,14 @@ impl<T: Real> Light<T> {
             Place::Point { position, .. } => {
                 let way = position - point;
                 let r = way.length();
-                (r > T::ZERO).then(|| (way * (T::ONE / r), r))
+                (r > T::ZERO).then(|| match rules.get().light_vector {
+                    LightVector::Unit => (way * (T::ONE / r), r),
+                    LightVector::NotUnit => (way, r),
+                    LightVector::Reversed => (way * (-T::ONE / r), r),
+                })
             }
-            Place::Far { direction } if rules.get().towards_light => {
-                Some((-direction, T::INFINITY))
-            }
-            Place::Far { direction } => Some((direction, T::INFINITY)),
+            Place::Far { direction } if rules.get().towards_light => Some((-direction, sun(rules))),
+            Place::Far { direction } => Some((direction, sun(rules))),
         }
     }
 
@@ -90,7 +92,11 @@ impl<T: Real> Light<T> {
         let is_steady = match rules.get().attenuation {
             Attenuation::Clamped => clamped,
             Attenuation::Unclamped | Attenuation::Absent | Attenuation::NotSquared => unclamped,
-            Attenuation::Swapped => false,
+            Attenuation::WithoutLinear | Attenuation::LinearSquared => unclamped,
+            Attenuation::Swapped
+            | Attenuation::WithoutConstant
+            | Attenuation::OnePlus
+            | Attenuation::InverseSquare => false,
         };
         if is_steady {
             return T::ONE;
@@ -98,14 +104,26 @@ impl<T: Real> Light<T> {
         tally.did(Work::Attenuation);
         let weakened =
             |a: T, r_squared: T, c: T| T::ONE / distance_sum([a, linear, c], [r_squared, r]);
+        let cut = |sum: [T; 3]| (T::ONE / distance_sum(sum, [r * r, r])).least(T::ONE);
         match rules.get().attenuation {
             Attenuation::Clamped => weakened(quadratic, r * r, constant).least(T::ONE),
             Attenuation::Unclamped => weakened(quadratic, r * r, constant),
             Attenuation::Absent => T::ONE,
             Attenuation::Swapped => weakened(constant, r * r, quadratic).least(T::ONE),
             Attenuation::NotSquared => weakened(quadratic, r, constant).least(T::ONE),
+            Attenuation::WithoutLinear => cut([quadratic, T::ZERO, constant]),
+            Attenuation::WithoutConstant => cut([quadratic, linear, T::ZERO]),
+            Attenuation::LinearSquared => cut([quadratic + linear, T::ZERO, constant]),
+            Attenuation::OnePlus => cut([quadratic, linear, constant + T::ONE]),
+            Attenuation::InverseSquare => cut([T::ONE, T::ZERO, T::ZERO]),
         }
     }
+}
+
+/// Returns t_light of a directional light. [rule 5]
+#[inline(always)]
+fn sun<T: Real, R: RuleSource>(rules: R) -> T {
+    if rules.get().endless_sun { T::INFINITY } else { T::ONE }
 }
 
 /// Returns a r² + b r + c. A coefficient of 0 adds 0 even if its power of r overflows.

@@ -6,7 +6,8 @@ use crate::light::snell::transmitted;
 use crate::numbers::real::Real;
 use crate::numbers::vec3::Vec3;
 use crate::rules::{
-    Bend, Leaving, Mirror, ReflectBy, RefractBy, Robustness, RuleSource, Snell, TotalReflection,
+    Bend, Index, Leaving, Mirror, ReflectBy, RefractBy, Robustness, RuleSource, Snell,
+    TotalReflection,
 };
 
 /// Returns the reflected direction R = d − 2 (d·N) N. [rule 7]
@@ -32,6 +33,7 @@ pub fn reflect<T: Real, R: RuleSource>(rules: R, d: Vec3<T>, n: Vec3<T>) -> Vec3
         Mirror::Lecture => d - along * T::TWO,
         Mirror::Backwards => along * T::TWO - d,
         Mirror::Tangential => d - along,
+        Mirror::Plus => d + along * T::TWO,
     }
 }
 
@@ -40,6 +42,7 @@ pub fn reflect<T: Real, R: RuleSource>(rules: R, d: Vec3<T>, n: Vec3<T>) -> Vec3
 #[inline(always)]
 pub fn indices<T: Real, R: RuleSource>(rules: R, is_inside: bool, index: T) -> (T, T) {
     let air = T::of(rules.get().air);
+    let index = if rules.get().index == Index::Glass { T::of(1.5) } else { index };
     match rules.get().leaving {
         Leaving::Swapped if is_inside => (index, air),
         _ => (air, index),
@@ -70,12 +73,15 @@ pub fn refract<T: Real, R: RuleSource>(
     eta_t: T,
 ) -> Option<Vec3<T>> {
     let (eta_i, eta_t) = match rules.get().bend {
-        Bend::Snell => (eta_i, eta_t),
+        Bend::Snell | Bend::CosineReversed | Bend::RatioNotSquared | Bend::PlusRoot => {
+            (eta_i, eta_t)
+        }
         Bend::Inverted => (eta_t, eta_i),
         Bend::Straight => return Some(d),
     };
-    let style = &rules.get().style;
-    if style.robustness == Robustness::Certified && style.snell == Snell::Factored {
+    let (style, bend) = (&rules.get().style, rules.get().bend);
+    let is_law = matches!(bend, Bend::Snell | Bend::Inverted);
+    if is_law && style.robustness == Robustness::Certified && style.snell == Snell::Factored {
         let t = transmitted(d, n, eta_i, eta_t);
         if t.is_some() || rules.get().total_reflection == TotalReflection::ReflectOnly {
             return t;
@@ -85,17 +91,25 @@ pub fn refract<T: Real, R: RuleSource>(
     let eta = eta_i / eta_t;
     // cos²θ_t, times the square of `scale`
     let (square, scale) = match style.snell {
+        _ if bend == Bend::RatioNotSquared => (T::ONE - eta * (T::ONE - cos_i * cos_i), T::ONE),
         Snell::Factored => {
             ((eta_t - eta_i) * (eta_t + eta_i) + (eta_i * cos_i) * (eta_i * cos_i), eta_t)
         }
         Snell::Textbook => (T::ONE - eta * eta * (T::ONE - cos_i * cos_i), T::ONE),
     };
-    let leave = |root: T| d * eta + n * (eta * cos_i - root / scale);
+    let leave = |root: T| match bend {
+        Bend::CosineReversed => d * eta - n * (eta * cos_i + root / scale),
+        Bend::PlusRoot => d * eta + n * (eta * cos_i + root / scale),
+        _ => d * eta + n * (eta * cos_i - root / scale),
+    };
     if square >= T::ZERO {
         return Some(leave(square.sqrt()));
     }
     match rules.get().total_reflection {
-        TotalReflection::ReflectOnly | TotalReflection::Black => None,
+        TotalReflection::ReflectOnly
+        | TotalReflection::Black
+        | TotalReflection::MirroredByKt
+        | TotalReflection::Background => None,
         TotalReflection::Straight => Some(d),
         TotalReflection::Grazing => Some(leave(T::ZERO).normalised()),
     }

@@ -5,7 +5,8 @@ use crate::light::material::Material;
 use crate::numbers::real::Real;
 use crate::numbers::vec3::Vec3;
 use crate::rules::{
-    Ambient, Diffuse, Emission, Facing, Highlight, InsideBy, Power, RuleSource, Turning,
+    Ambient, Diffuse, Emission, Facing, Highlight, HighlightColour, InsideAmbient, InsideBy, Power,
+    RuleSource, Turning, Viewer,
 };
 use crate::watch::work::{Tally, Work};
 
@@ -26,7 +27,12 @@ pub fn facing_normal<T: Real, R: RuleSource>(
 /// Returns whether the ray is inside the object with the outward normal `outwards`. [rule 11]
 #[inline(always)]
 pub fn is_inside<T: Real, R: RuleSource>(rules: R, d: Vec3<T>, outwards: Vec3<T>) -> bool {
-    rules.get().inside_by != InsideBy::Never && d.dot(outwards) > T::ZERO
+    let along = d.dot(outwards);
+    match rules.get().inside_by {
+        InsideBy::Geometric | InsideBy::Interpolated => along > T::ZERO,
+        InsideBy::Never => false,
+        InsideBy::Reversed => along < T::ZERO,
+    }
 }
 
 /// Returns whether normals are negated: they are inside an object. [rule 11]
@@ -59,14 +65,23 @@ pub fn ambient<T: Real, R: RuleSource>(
     j: usize,
     is_inside: bool,
 ) -> Vec3<T> {
-    let light = match rules.get().ambient {
-        Ambient::PerLight | Ambient::Shadowed => light.ambient,
-        Ambient::FirstLight if j == 0 => light.ambient,
+    let outside = match rules.get().ambient {
+        Ambient::PerLight | Ambient::Shadowed | Ambient::Weakened | Ambient::InShadow => {
+            material.ka * light.ambient
+        }
+        Ambient::FirstLight if j == 0 => material.ka * light.ambient,
         Ambient::FirstLight | Ambient::Absent => Vec3::ZERO,
-        Ambient::LightColour => light.colour,
+        Ambient::LightColour => material.ka * light.colour,
+        Ambient::Kd => material.kd * light.ambient,
+        Ambient::WithoutKa => light.ambient,
+        Ambient::KaTwice => material.ka * material.ka * light.ambient,
     };
-    let outside = material.ka * light;
-    if is_inside && rules.get().ambient_inside { outside * material.kt } else { outside }
+    match rules.get().ambient_inside {
+        InsideAmbient::TimesKt if is_inside => outside * material.kt,
+        InsideAmbient::Absent if is_inside => Vec3::ZERO,
+        InsideAmbient::OneMinusKt if is_inside => outside * (Vec3::ONE - material.kt),
+        _ => outside,
+    }
 }
 
 /// Returns B_j: whether a light in the direction `to_light` adds anything to a surface of this
@@ -89,10 +104,13 @@ pub fn is_lit<T: Real, R: RuleSource>(
 /// Returns whether kd (N·L) + ks (N·H)₊^ns is finite, so that its product with 0 is 0.
 ///
 /// The result is false for other highlights than the lecture's, whose value may be infinite or NaN
-/// even when multiplied by 0.
+/// even when multiplied by 0, and where light counts that does not arrive.
 #[inline(always)]
 pub fn is_bounded<R: RuleSource>(rules: R) -> bool {
-    rules.get().highlight == Highlight::Blinn
+    let rules = rules.get();
+    rules.highlight == Highlight::Blinn
+        && rules.highlight_colour == HighlightColour::Ks
+        && rules.coloured_lights
 }
 
 /// Returns S_j A_j I_j B_j [kd (N·L_j) + ks (N·H_j)₊^ns]. [rule 3]
@@ -125,18 +143,30 @@ pub fn light_term<T: Real, R: RuleSource>(
         return Vec3::ZERO;
     }
     let cosine = normal.dot(to_light);
-    let spread = match (rules.get().facing, rules.get().diffuse) {
-        (_, Diffuse::Flat) => T::ONE,
-        (Facing::OnlyFront | Facing::Unclamped, Diffuse::Cosine) => cosine,
-        (Facing::SpecularFromBehind, Diffuse::Cosine) => cosine.greatest(T::ZERO),
-        (Facing::BothSides | Facing::BothSidesOfTransmissive, Diffuse::Cosine) => cosine.abs(),
+    let cosine = match rules.get().facing {
+        Facing::OnlyFront | Facing::Unclamped => cosine,
+        Facing::SpecularFromBehind => cosine.greatest(T::ZERO),
+        Facing::BothSides | Facing::BothSidesOfTransmissive => cosine.abs(),
     };
+    let spread = match rules.get().diffuse {
+        Diffuse::Cosine => cosine,
+        Diffuse::Flat => T::ONE,
+        Diffuse::Absent => T::ZERO,
+        Diffuse::Squared => cosine * cosine,
+        Diffuse::Wrapped => (cosine + T::ONE) * T::HALF,
+        Diffuse::OverPi => cosine * T::of(std::f64::consts::FRAC_1_PI),
+    };
+    let to_viewer = if rules.get().viewer == Viewer::Reversed { -to_viewer } else { to_viewer };
     let shine = if is_bounded(rules) && material.ks == Vec3::ZERO {
         T::ZERO
     } else {
         highlight(rules, material.ns, normal, to_viewer, to_light, tally)
     };
-    arriving * (material.kd * spread + material.ks * shine)
+    match rules.get().highlight_colour {
+        HighlightColour::Ks => arriving * (material.kd * spread + material.ks * shine),
+        HighlightColour::Kd => arriving * (material.kd * spread + material.kd * shine),
+        HighlightColour::Unlit => arriving * (material.kd * spread) + material.ks * shine,
+    }
 }
 
 /// Returns (N·H)₊^ns. [rule 3]
@@ -154,12 +184,21 @@ fn highlight<T: Real, R: RuleSource>(
         return T::ZERO;
     }
     let cosine = n.dot(sum.normalised());
+    let ns = match rules.get().highlight {
+        Highlight::FourTimesExponent => ns * T::of(4.0),
+        Highlight::Times128 => ns * T::of(128.0),
+        _ => ns,
+    };
     let mut power = |x: T| power(rules, x, ns, tally);
     match rules.get().highlight {
-        Highlight::Blinn => power(cosine.greatest(T::ZERO)),
+        Highlight::Blinn | Highlight::FourTimesExponent | Highlight::Times128 => {
+            power(cosine.greatest(T::ZERO))
+        }
         Highlight::Phong => power((n * (T::TWO * n.dot(l)) - l).dot(v).greatest(T::ZERO)),
         Highlight::Unclamped => power(cosine),
         Highlight::HalfNotUnit => power(n.dot(sum).greatest(T::ZERO)),
+        Highlight::HalfHalved => power((n.dot(sum) * T::HALF).greatest(T::ZERO)),
+        Highlight::Absolute => power(cosine.abs()),
         Highlight::NoExponent => cosine.greatest(T::ZERO),
         Highlight::TimesCosine => n.dot(l) * power(cosine.greatest(T::ZERO)),
         Highlight::Absent => T::ZERO,

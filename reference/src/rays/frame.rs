@@ -109,6 +109,11 @@ impl<T: Real> Frame<T> {
                 Ray { direction: object_from_world.point(ray.direction), ..moved }
             }
             ObjectRay::OriginNotMoved => Ray { origin: ray.origin, ..moved },
+            ObjectRay::DirectionNotMoved => Ray { direction: ray.direction, ..moved },
+            ObjectRay::OriginAsVector => {
+                Ray { origin: object_from_world.vector(ray.origin), ..moved }
+            }
+            ObjectRay::EndLost => Ray { t_max: T::INFINITY, ..moved },
         }
     }
 
@@ -138,6 +143,13 @@ impl<T: Real> Frame<T> {
             WorldNormal::ByInverse => self.object_from_world.vector(normal).normalised(),
             WorldNormal::NotUnit => self.object_from_world.transposed(normal),
             WorldNormal::Untransformed => normal,
+            WorldNormal::ByTranspose => self.world_from_object.transposed(normal).normalised(),
+            WorldNormal::AsPoint => self.world_from_object.point(normal).normalised(),
+            WorldNormal::TurnedByMirror => {
+                let [a, b, c] = self.object_from_world.rows;
+                let mapped = self.object_from_world.transposed(normal).normalised();
+                if a.dot(b.cross(c)) < T::ZERO { -mapped } else { mapped }
+            }
         }
     }
 

@@ -8,8 +8,8 @@ use cases::course::{
 use cases::film::Quantiser;
 
 use super::{
-    Attenuation, Cutoff, Depth, Epsilon, Facing, Fov, Highlight, InsideBy, ReflectBy, RefractBy,
-    Rules, Tint,
+    Attenuation, Cutoff, Depth, Epsilon, Facing, Fov, Highlight, InsideAmbient, InsideBy,
+    ReflectBy, RefractBy, Rules, Tint,
 };
 
 impl Rules {
@@ -71,7 +71,10 @@ impl Rules {
                 Air::Air => 1.0003,
                 Air::Vacuum => 1.0,
             },
-            ambient_inside: ambient_inside == AmbientInside::TimesKt,
+            ambient_inside: match ambient_inside {
+                AmbientInside::TimesKt => InsideAmbient::TimesKt,
+                AmbientInside::AsOutside => InsideAmbient::AsOutside,
+            },
             depth: match depth {
                 DepthTest::Less => Depth::Less,
                 DepthTest::LessOrEqual => Depth::OneMore,

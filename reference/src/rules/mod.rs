@@ -15,6 +15,7 @@ pub use choices::*;
 pub use formula::Formula;
 pub use style::*;
 
+use cases::Effect;
 use cases::film::Quantiser;
 
 use crate::numbers::real::Real;
@@ -96,21 +97,43 @@ pub struct Rules {
     pub rows_from_top: bool,
     /// Whether row 0 is the picture's top row instead of its bottom row. [rule 1]
     pub picture_from_top: bool,
-    /// Whether the aspect ratio of the picture widens the view, so that pixels are square. [rule 1]
-    pub square_pixels: bool,
+    pub aspect: Aspect,
+    pub span: Span,
     /// Whether the direction of an eye ray is normalised. [rule 1]
     pub unit_direction: bool,
+    /// Whether an eye ray starts at the eye instead of on the view plane. [rule 1]
+    pub starts_at_eye: bool,
+    /// Whether the camera's up is perpendicular to the view instead of the y axis. [rule 1]
+    pub level_up: bool,
     pub fov: Fov,
+    pub half_angle: HalfAngle,
     pub nearest: Nearest,
+    pub searched: Searched,
+    pub background: Background,
+    /// The effect that is simulated even where the scene does not list it, if any. [rule 5]
+    /// [rule 6] [rule 7] [rule 8] [rule 18]
+    pub unlisted: Option<Effect>,
     pub highlight: Highlight,
+    pub highlight_colour: HighlightColour,
+    pub viewer: Viewer,
     pub diffuse: Diffuse,
     pub facing: Facing,
+    pub light_sum: LightSum,
+    /// Whether lights have their colours instead of white. [rule 3]
+    pub coloured_lights: bool,
     pub emission: Emission,
     pub ambient: Ambient,
     pub attenuation: Attenuation,
+    /// Whether the attenuation is a factor twice. [rule 4]
+    pub attenuates_twice: bool,
     /// Whether shadow rays are cast. [rule 5]
     pub casts_shadows: bool,
     pub shadow_reach: ShadowReach,
+    /// Whether each light has a shadow of its own instead of the first light's. [rule 5]
+    pub own_shadows: bool,
+    pub light_vector: LightVector,
+    /// Whether t_light of a directional light is infinite instead of 1. [rule 5]
+    pub endless_sun: bool,
     /// Whether L points towards a directional light instead of along its direction of travel.
     /// [rule 5]
     pub towards_light: bool,
@@ -118,28 +141,41 @@ pub struct Rules {
     pub mirror: Mirror,
     pub mirror_weight: MirrorWeight,
     pub transmit_weight: TransmitWeight,
+    pub mixing: Mixing,
+    pub cut: Cut,
     pub bend: Bend,
     /// The index of refraction of air. [rule 9]
     pub air: f64,
+    pub index: Index,
+    pub outside: Outside,
     pub leaving: Leaving,
     pub total_reflection: TotalReflection,
     pub turning: Turning,
-    /// Whether kt scales the ambient term inside an object. [rule 12]
-    pub ambient_inside: bool,
+    pub ambient_inside: InsideAmbient,
     pub depth: Depth,
+    /// The number of levels by which a spawned ray is deeper. [rule 13]
+    pub depth_step: u32,
     pub cutoff: Cutoff,
     /// Whether a ray whose weight is below the threshold is still cast, and only spawns no more.
     /// [rule 13]
     pub casts_faint_rays: bool,
     pub sphere_roots: SphereRoots,
+    pub squared_radius: SquaredRadius,
     pub sphere_normal: SphereNormal,
     pub plane: PlaneSide,
     pub square: SquareSize,
+    /// Whether the normal of the square is +z instead of −z. [rule 15]
+    pub square_faces_z: bool,
     pub box_roots: BoxRoots,
+    pub box_normal: BoxNormal,
+    pub lids: Lids,
+    pub round_side: RoundSide,
+    pub cone_normal: ConeNormal,
     pub triangle: TriangleTest,
     pub triangle_normal: TriangleNormal,
     pub weights: Weights,
     pub interpolation: Interpolation,
+    pub interpolated_in: InterpolatedIn,
     pub reflect_by: ReflectBy,
     pub refract_by: RefractBy,
     pub inside_by: InsideBy,
@@ -159,41 +195,68 @@ impl Rules {
         pixel_centre: true,
         rows_from_top: true,
         picture_from_top: true,
-        square_pixels: true,
+        aspect: Aspect::Widens,
+        span: Span::Pixels,
         unit_direction: true,
+        starts_at_eye: true,
+        level_up: true,
         fov: Fov::Vertical,
+        half_angle: HalfAngle::Half,
         nearest: Nearest::LeastT,
+        searched: Searched::All,
+        background: Background::Scene,
+        unlisted: None,
         highlight: Highlight::Blinn,
+        highlight_colour: HighlightColour::Ks,
+        viewer: Viewer::AgainstRay,
         diffuse: Diffuse::Cosine,
         facing: Facing::OnlyFront,
+        light_sum: LightSum::All,
+        coloured_lights: true,
         emission: Emission::Once,
         ambient: Ambient::PerLight,
         attenuation: Attenuation::Clamped,
+        attenuates_twice: false,
         casts_shadows: true,
         shadow_reach: ShadowReach::Light,
+        own_shadows: true,
+        light_vector: LightVector::Unit,
+        endless_sun: true,
         towards_light: true,
         tint: Tint::PerCrossing,
         mirror: Mirror::Lecture,
         mirror_weight: MirrorWeight::Kr,
         transmit_weight: TransmitWeight::Kt,
+        mixing: Mixing::Sum,
+        cut: Cut::Never,
         bend: Bend::Snell,
         air: 1.0003,
+        index: Index::Material,
+        outside: Outside::Air,
         leaving: Leaving::Swapped,
         total_reflection: TotalReflection::ReflectOnly,
         turning: Turning::Everywhere,
-        ambient_inside: true,
+        ambient_inside: InsideAmbient::TimesKt,
         depth: Depth::Less,
+        depth_step: 1,
         cutoff: Cutoff::AllChannels,
         casts_faint_rays: true,
         sphere_roots: SphereRoots::NearThenFar,
+        squared_radius: SquaredRadius::Given,
         sphere_normal: SphereNormal::FromCentre,
         plane: PlaneSide::Both,
         square: SquareSize::Half,
+        square_faces_z: true,
         box_roots: BoxRoots::NearThenFar,
+        box_normal: BoxNormal::Outwards,
+        lids: Lids::AsGiven,
+        round_side: RoundSide::Full,
+        cone_normal: ConeNormal::OfSide,
         triangle: TriangleTest::Full,
         triangle_normal: TriangleNormal::Right,
         weights: Weights::Lecture,
         interpolation: Interpolation::Unit,
+        interpolated_in: InterpolatedIn::ObjectSpace,
         reflect_by: ReflectBy::WithFallback,
         refract_by: RefractBy::WithFallback,
         inside_by: InsideBy::Geometric,
@@ -218,6 +281,19 @@ impl Rules {
         Self { style: Style::PLAIN, ..self }
     }
 
+    /// Returns whether the quadratic of a sphere is that of rule 14, whichever root counts.
+    #[inline(always)]
+    pub fn has_right_spheres(&self) -> bool {
+        !matches!(self.sphere_roots, SphereRoots::UnitDirection | SphereRoots::FourMissing)
+            && self.squared_radius == SquaredRadius::Given
+    }
+
+    /// Returns whether cylinders and cones have the lids and sides of rule 15.
+    #[inline(always)]
+    pub fn has_right_rounds(&self) -> bool {
+        self.lids == Lids::AsGiven && self.round_side == RoundSide::Full
+    }
+
     /// Returns whether hits are moved back onto their surfaces, with a bound on the remaining
     /// error.
     ///
@@ -227,8 +303,10 @@ impl Rules {
     pub fn places_hits(&self) -> bool {
         self.style.robustness == Robustness::Certified
             && self.object_ray == ObjectRay::AsIs
-            && self.sphere_roots != SphereRoots::UnitDirection
-            && self.plane != PlaneSide::NegatedK
+            && self.has_right_spheres()
+            && !matches!(self.plane, PlaneSide::NegatedK | PlaneSide::ThroughOrigin)
+            && self.square != SquareSize::FromZero
+            && self.round_side == RoundSide::Full
     }
 }
 

@@ -5,7 +5,7 @@ use super::settle;
 use crate::numbers::real::Real;
 use crate::numbers::vec3::Vec3;
 use crate::rays::ray::Ray;
-use crate::rules::{BoxRoots, Robustness, RuleSource};
+use crate::rules::{BoxNormal, BoxRoots, Robustness, RuleSource};
 
 /// The surface of the box min ≤ X ≤ max.
 #[derive(Clone, Copy, Debug)]
@@ -37,11 +37,14 @@ impl<T: Real> Cuboid<T> {
         ray: &Ray<T>,
         ends: [(T, u32); 2],
     ) -> Option<ShapeHit<T>> {
-        let [enter, leave] = ends;
+        let [enter, leave] = match rules.get().box_roots {
+            BoxRoots::NearThenFar | BoxRoots::NearOnly => ends,
+            BoxRoots::FarFirst => [ends[1], ends[0]],
+        };
         if ray.contains(enter.0) {
             return Some(ShapeHit::with(enter.0, enter.1));
         }
-        (rules.get().box_roots == BoxRoots::NearThenFar && ray.contains(leave.0))
+        (rules.get().box_roots != BoxRoots::NearOnly && ray.contains(leave.0))
             .then(|| ShapeHit::with(leave.0, leave.1))
     }
 
@@ -135,6 +138,20 @@ impl<T: Real> Cuboid<T> {
             return settle::cuboid(&self.min, &self.max, ray);
         }
         (enter.0 <= leave.0).then_some([enter, leave])
+    }
+
+    /// Returns the normal at `point` of a face. [rule 15]
+    #[inline(always)]
+    pub(super) fn normal_at<R: RuleSource>(rules: R, point: Vec3<T>, part: u32) -> Vec3<T> {
+        match rules.get().box_normal {
+            BoxNormal::Outwards => Self::normal(part),
+            BoxNormal::Inwards => -Self::normal(part),
+            BoxNormal::FromOrigin => {
+                let (size, most) = (point.abs(), point.abs().max_element());
+                let axis = (0..3).find(|axis| size[*axis] == most).unwrap_or(0);
+                if point[axis] < T::ZERO { -Vec3::axis(axis) } else { Vec3::axis(axis) }
+            }
+        }
     }
 
     /// Returns the outward unit normal of a face: `part` is twice the axis, plus 1 for the greater

@@ -112,9 +112,9 @@ impl<T: Real> Solid<T> {
         match self {
             Self::Sphere(sphere) => sphere.normal(rules, point),
             Self::Plane(plane) => plane.normal,
-            Self::Square(_) => Vec3::axis(2),
-            Self::Cuboid(_) => Cuboid::normal(part),
-            Self::Round(round) => round.normal(point, part),
+            Self::Square(_) => Square::normal(rules),
+            Self::Cuboid(_) => Cuboid::normal_at(rules, point, part),
+            Self::Round(round) => round.normal(rules, point, part),
         }
     }
 

@@ -10,9 +10,7 @@ use crate::numbers::vec3::Vec3;
 use crate::rays::frame::Frame;
 use crate::rays::moved::MovedRay;
 use crate::rays::ray::{HitPoint, Ray};
-use crate::rules::{
-    ObjectRay, PlaneSide, Quadratic, Robustness, RuleSource, SphereRoots, SquareSize,
-};
+use crate::rules::{ObjectRay, PlaneSide, Quadratic, Robustness, RuleSource, SquareSize};
 
 /// Returns whether, under these rules, hits on transformed shapes are decided for the exact ray.
 #[inline(always)]
@@ -149,7 +147,7 @@ impl<T: Real> Sphere<T> {
     #[inline(always)]
     fn moved_roots<R: RuleSource>(&self, rules: R, moved: &MovedRay<'_, T>) -> Option<[T; 2]> {
         let is_own = rules.get().style.quadratic == Quadratic::NearestPoint
-            && rules.get().sphere_roots != SphereRoots::UnitDirection;
+            && rules.get().has_right_spheres();
         if !is_own || self.is_clear(moved) {
             return self.roots(rules, &moved.ray);
         }
@@ -188,8 +186,7 @@ impl<T: Real> Plane<T> {
         rules: R,
         moved: &MovedRay<'_, T>,
     ) -> Option<ShapeHit<T>> {
-        let side = rules.get().plane;
-        let k = if side == PlaneSide::NegatedK { -self.k } else { self.k };
+        let (side, k) = (rules.get().plane, self.offset(rules));
         if self.is_clear(k, moved) {
             return self.intersect(rules, &moved.ray);
         }
@@ -211,7 +208,7 @@ impl Square {
         let half = match rules.get().square {
             SquareSize::Half => T::HALF,
             SquareSize::One => T::ONE,
-            SquareSize::Disc => return self.intersect(rules, &moved.ray),
+            SquareSize::Disc | SquareSize::FromZero => return self.intersect(rules, &moved.ray),
         };
         if self.is_clear(half, moved) {
             return self.intersect(rules, &moved.ray);
@@ -246,7 +243,7 @@ impl<T: Real> Round<T> {
         let style = &rules.get().style;
         let is_own =
             style.quadratic == Quadratic::NearestPoint || style.quadratic == Quadratic::Geometric;
-        if !is_own || self.is_clear(moved) {
+        if !is_own || !rules.get().has_right_rounds() || self.is_clear(moved) {
             return self.intersect(rules, &moved.ray);
         }
         self.settled(&moved.ray, moved).map(|(t, part)| ShapeHit::with(t, part))

@@ -6,7 +6,7 @@
 //! does not grow. u is half of `ULP`; γ(n) = n u / (1 − n u), and n `ULP` is twice that.
 
 use super::settle;
-use super::{Cuboid, Plane, Round, ShapeHit, Solid, Sphere};
+use super::{Cuboid, Plane, Round, ShapeHit, Solid, Sphere, Square};
 use crate::numbers::real::Real;
 use crate::numbers::vec3::Vec3;
 use crate::rays::ray::{HitPoint, Ray};
@@ -25,10 +25,10 @@ impl<T: Real> Solid<T> {
             Self::Square(_) => HitPoint {
                 point: Vec3::new(at.x, at.y, T::ZERO),
                 error: Vec3::ZERO,
-                n_geom: Vec3::axis(2),
+                n_geom: Square::normal(rules),
             },
-            Self::Cuboid(cuboid) => cuboid.place(at, hit.part),
-            Self::Round(round) => round.place(ray, hit),
+            Self::Cuboid(cuboid) => cuboid.place(rules, at, hit.part),
+            Self::Round(round) => round.place(rules, ray, hit),
         }
     }
 }
@@ -111,11 +111,11 @@ impl<T: Real> Cuboid<T> {
     /// Returns the point on the face: the coordinate of the face is exact, and the errors of the
     /// others lie within the face.
     #[inline(always)]
-    fn place(&self, at: Vec3<T>, part: u32) -> HitPoint<T> {
+    fn place<R: RuleSource>(&self, rules: R, at: Vec3<T>, part: u32) -> HitPoint<T> {
         let face = if part % 2 == 1 { self.max } else { self.min };
         let pick = |axis: u32, of: T, face: T| if part / 2 == axis { face } else { of };
         let point = Vec3::new(pick(0, at.x, face.x), pick(1, at.y, face.y), pick(2, at.z, face.z));
-        HitPoint { point, error: Vec3::ZERO, n_geom: Self::normal(part) }
+        HitPoint { point, error: Vec3::ZERO, n_geom: Self::normal_at(rules, point, part) }
     }
 }
 
@@ -126,12 +126,12 @@ impl<T: Real> Round<T> {
     /// as on the sphere, and by what r(z) itself loses, three roundings of the slope and three more
     /// of the terms of r(z).
     #[inline(always)]
-    fn place(&self, ray: &Ray<T>, hit: &ShapeHit<T>) -> HitPoint<T> {
+    fn place<R: RuleSource>(&self, rules: R, ray: &Ray<T>, hit: &ShapeHit<T>) -> HitPoint<T> {
         let part = hit.part;
         if let Some(z) = self.cap_height(part) {
             let at = ray.at(hit.t);
             let point = Vec3::new(at.x, at.y, z);
-            return HitPoint { point, error: Vec3::ZERO, n_geom: self.normal(point, part) };
+            return HitPoint { point, error: Vec3::ZERO, n_geom: self.normal(rules, point, part) };
         }
         let at = self.on_side(ray, hit.t);
         let (out, z) =
@@ -145,7 +145,7 @@ impl<T: Real> Round<T> {
         HitPoint {
             point,
             error: Vec3::new(across.x, across.y, T::ZERO),
-            n_geom: self.normal(point, part),
+            n_geom: self.normal(rules, point, part),
         }
     }
 }

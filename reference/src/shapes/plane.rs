@@ -25,12 +25,22 @@ impl<T: Real> Plane<T> {
         if rules.get().plane == PlaneSide::FrontOnly && self.normal.dot(ray.direction) > T::ZERO {
             return None;
         }
-        let k = if rules.get().plane == PlaneSide::NegatedK { -self.k } else { self.k };
+        let k = self.offset(rules);
         let t = match rules.get().style.robustness {
             Robustness::Certified => self.certified(k, ray),
             Robustness::Plain => self.plain(rules, k, ray),
         }?;
         ray.contains(t).then(|| ShapeHit::with(t, 0))
+    }
+
+    /// Returns k, or what a mistake takes for it. [rule 15]
+    #[inline(always)]
+    pub(super) fn offset<R: RuleSource>(&self, rules: R) -> T {
+        match rules.get().plane {
+            PlaneSide::Both | PlaneSide::FrontOnly => self.k,
+            PlaneSide::NegatedK => -self.k,
+            PlaneSide::ThroughOrigin => T::ZERO,
+        }
     }
 
     /// Returns t = (k − N·P) / N·d; `None` for a parallel ray, and where t certainly does not

@@ -9,7 +9,7 @@ use crate::numbers::two::Two;
 use crate::numbers::vec3::Vec3;
 use crate::rays::moved::ExactRay;
 use crate::rays::ray::Ray;
-use crate::rules::{Quadratic, Robustness, RuleSource};
+use crate::rules::{ConeNormal, Lids, Quadratic, Robustness, RoundSide, RuleSource};
 
 const SIDE: u32 = 0;
 const BOTTOM: u32 = 1;
@@ -66,11 +66,17 @@ impl<T: Real> Round<T> {
         let style = &rules.get().style;
         let is_own =
             style.quadratic == Quadratic::NearestPoint || style.quadratic == Quadratic::Geometric;
+        let is_own = is_own && rules.get().has_right_rounds();
         if style.robustness == Robustness::Certified && is_own {
             return self.certified(ray).unwrap_or_else(|Doubt| self.settled(ray, ray));
         }
         let caps = self.caps().map(|(part, z, radius)| (part, cap(ray, z, radius)));
-        self.nearest(self.side(rules, ray), caps)
+        let is_capped = match rules.get().lids {
+            Lids::AsGiven => self.is_capped,
+            Lids::Never => false,
+            Lids::Always => true,
+        };
+        Self::nearest(self.side(rules, ray), caps, is_capped)
     }
 
     /// Returns part, z and radius of both ends.
@@ -79,9 +85,9 @@ impl<T: Real> Round<T> {
     }
 
     /// Returns the nearest of the hits on the side and, if they are closed, on the ends.
-    fn nearest(&self, side: Option<T>, caps: [(u32, Option<T>); 2]) -> Option<(T, u32)> {
+    fn nearest(side: Option<T>, caps: [(u32, Option<T>); 2], is_capped: bool) -> Option<(T, u32)> {
         let mut hit = side.map(|t| (t, SIDE));
-        for (part, t) in caps.into_iter().filter(|_| self.is_capped) {
+        for (part, t) in caps.into_iter().filter(|_| is_capped) {
             let cap = t.map(|t| (t, part));
             hit = match (hit, cap) {
                 (Some(side), Some(cap)) if cap.0 < side.0 => Some(cap),
@@ -98,7 +104,7 @@ impl<T: Real> Round<T> {
         let cap = |(part, z, radius)| {
             Ok((part, if self.is_capped { certified_cap(ray, z, radius)? } else { None }))
         };
-        Ok(self.nearest(side, [cap(bottom)?, cap(top)?]))
+        Ok(Self::nearest(side, [cap(bottom)?, cap(top)?], self.is_capped))
     }
 
     /// Returns the first hit in the interval of `ray`, computed in two words from `exact`. On a
@@ -195,9 +201,11 @@ impl<T: Real> Round<T> {
         };
         let is_on = |t: &T| {
             let z = o.z + *t * d.z;
-            self.z_min <= z && z <= self.z_max && ray.contains(*t)
+            let is_between = self.z_min <= z && z <= self.z_max;
+            (is_between || rules.get().round_side == RoundSide::Endless) && ray.contains(*t)
         };
-        roots.into_iter().find(is_on)
+        let n_roots = if rules.get().round_side == RoundSide::NearOnly { 1 } else { 2 };
+        roots.into_iter().take(n_roots).find(is_on)
     }
 
     /// Returns the point of the side at the hit of the ray at `t`, however far away the origin is.
@@ -232,13 +240,17 @@ impl<T: Real> Round<T> {
 
     /// Returns the outward unit normal at `point` of a part. The tip of a cone has none: the result
     /// there is the outward direction along the axis.
-    pub fn normal(&self, point: Vec3<T>, part: u32) -> Vec3<T> {
+    pub fn normal<R: RuleSource>(&self, rules: R, point: Vec3<T>, part: u32) -> Vec3<T> {
         let up = Vec3::axis(2);
         match part {
             BOTTOM => -up,
             TOP => up,
             _ => {
-                let out = Vec3::new(point.x, point.y, -self.slope() * self.radius(point.z));
+                let rise = match rules.get().cone_normal {
+                    ConeNormal::OfSide => -self.slope() * self.radius(point.z),
+                    ConeNormal::Horizontal => T::ZERO,
+                };
+                let out = Vec3::new(point.x, point.y, rise);
                 match out.dot(out) > T::ZERO {
                     true => out.normalised(),
                     false if self.slope() > T::ZERO => -up,
@@ -301,8 +313,9 @@ mod tests {
     ) {
         let vec = |v: [f64; 3]| Vec3::new(v[0], v[1], v[2]);
         let ray = Ray::leaving(Lecture, vec(origin), vec(direction));
-        let found =
-            round.intersect(Lecture, &ray).map(|m| (m.t, round.normal(ray.at(m.t), m.part)));
+        let found = round
+            .intersect(Lecture, &ray)
+            .map(|m| (m.t, round.normal(Lecture, ray.at(m.t), m.part)));
         let (Some((t, n)), Some((wanted_t, wanted_n))) = (found, expected) else {
             assert_eq!(
                 found.is_some(),

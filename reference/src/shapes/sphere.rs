@@ -8,7 +8,7 @@ use crate::numbers::roots;
 use crate::numbers::two::DOUBT;
 use crate::numbers::vec3::Vec3;
 use crate::rays::ray::Ray;
-use crate::rules::{Quadratic, Robustness, RuleSource, SphereNormal, SphereRoots};
+use crate::rules::{Quadratic, Robustness, RuleSource, SphereNormal, SphereRoots, SquaredRadius};
 
 /// The sphere ‖X − center‖ = radius.
 #[derive(Clone, Copy, Debug)]
@@ -47,7 +47,7 @@ impl<T: Real> Sphere<T> {
         let style = &rules.get().style;
         let is_certified = style.robustness == Robustness::Certified
             && style.quadratic == Quadratic::NearestPoint
-            && rules.get().sphere_roots != SphereRoots::UnitDirection;
+            && rules.get().has_right_spheres();
         if is_certified { self.certified(ray) } else { self.plain(rules, ray) }
     }
 
@@ -55,7 +55,9 @@ impl<T: Real> Sphere<T> {
     #[inline(always)]
     pub(super) fn first<R: RuleSource>(&self, rules: R, ray: &Ray<T>, roots: [T; 2]) -> Option<T> {
         match rules.get().sphere_roots {
-            SphereRoots::NearThenFar | SphereRoots::UnitDirection => ray.first(roots),
+            SphereRoots::NearThenFar | SphereRoots::UnitDirection | SphereRoots::FourMissing => {
+                ray.first(roots)
+            }
             SphereRoots::NearOnly => ray.first([roots[0]; 2]),
             SphereRoots::FarFirst => ray.first([roots[1], roots[0]]),
         }
@@ -133,11 +135,23 @@ impl<T: Real> Sphere<T> {
             _ => ray.direction.dot(ray.direction),
         };
         let b = -from_center.dot(ray.direction);
-        let c = from_center.dot(from_center) - self.radius * self.radius;
+        let square = match rules.get().squared_radius {
+            SquaredRadius::Given => self.radius * self.radius,
+            SquaredRadius::One => T::ONE,
+            SquaredRadius::Halved => self.radius * self.radius * (T::HALF * T::HALF),
+            SquaredRadius::NotSquared => self.radius,
+        };
+        let c = from_center.dot(from_center) - square;
+        if rules.get().sphere_roots == SphereRoots::FourMissing {
+            let (twice, disc) = (b * T::TWO, b * b * T::of(4.0) - a * c);
+            let root = disc.sqrt();
+            let ends = [(twice - root) * T::HALF / a, (twice + root) * T::HALF / a];
+            return (disc >= T::ZERO).then_some(ends);
+        }
         match rules.get().style.quadratic {
             Quadratic::NearestPoint if rules.get().sphere_roots != SphereRoots::UnitDirection => {
                 let nearest = from_center + ray.direction * (b / a);
-                roots::ascending(a, b, c, a * (self.radius * self.radius - nearest.dot(nearest)))
+                roots::ascending(a, b, c, a * (square - nearest.dot(nearest)))
             }
             Quadratic::Textbook => roots::textbook(a, b, c),
             // a student's `a` without d·d goes into the usual discriminant
@@ -145,7 +159,7 @@ impl<T: Real> Sphere<T> {
             Quadratic::Geometric => {
                 let middle = b / a;
                 let from_axis = from_center.dot(from_center) - middle * middle * a; // squared
-                roots::about(middle, (self.radius * self.radius - from_axis) / a)
+                roots::about(middle, (square - from_axis) / a)
             }
         }
     }
@@ -182,6 +196,7 @@ impl<T: Real> Sphere<T> {
             SphereNormal::FromCentre => (point - self.center).normalised(),
             SphereNormal::FromOrigin => point.normalised(),
             SphereNormal::Inwards => (self.center - point).normalised(),
+            SphereNormal::NotUnit => point - self.center,
         }
     }
 

@@ -36,6 +36,7 @@ impl Square {
             SquareSize::One if is_certified => self.certified(T::ONE, ray, t, at),
             SquareSize::Half => is_within(T::HALF),
             SquareSize::One => is_within(T::ONE),
+            SquareSize::FromZero => T::ZERO <= at.x.least(at.y) && at.x.greatest(at.y) <= T::ONE,
             SquareSize::Disc => at.x * at.x + at.y * at.y <= T::HALF * T::HALF,
         };
         (is_inside && ray.contains(t)).then_some(t)
@@ -56,6 +57,12 @@ impl Square {
             return false;
         }
         (beyond_x < -doubt_x && beyond_y < -doubt_y) || settle::square(half, ray)
+    }
+
+    /// Returns the unit normal +z, in object space. [rule 15]
+    #[inline(always)]
+    pub fn normal<T: Real, R: RuleSource>(rules: R) -> Vec3<T> {
+        if rules.get().square_faces_z { Vec3::axis(2) } else { -Vec3::axis(2) }
     }
 
     /// Returns the least box around the square, in object space.

@@ -24,7 +24,7 @@ pub(crate) fn misses_certainly<R: RuleSource>(rules: R) -> bool {
     let style = &rules.get().style;
     let is_certified =
         style.triangle == TriangleFormula::Sheared && style.robustness == Robustness::Certified;
-    is_certified && rules.get().triangle != TriangleTest::TwoEdges
+    is_certified && matches!(rules.get().triangle, TriangleTest::Full | TriangleTest::FrontOnly)
 }
 
 impl<T: Real> Triangle<T> {
@@ -41,6 +41,9 @@ impl<T: Real> Triangle<T> {
         shear: &Shear<T>,
         index: u32,
     ) -> Option<ShapeHit<T>> {
+        if matches!(rules.get().triangle, TriangleTest::WithoutAb | TriangleTest::WholePlane) {
+            return self.loosely(rules, ray, index);
+        }
         let tests_bc = rules.get().triangle != TriangleTest::TwoEdges;
         let (t, weights) = match rules.get().style.triangle {
             TriangleFormula::Sheared if rules.get().style.robustness == Robustness::Certified => {
@@ -203,8 +206,11 @@ impl<T: Real> Triangle<T> {
             Robustness::Certified => self.certified_outwards().unwrap_or_else(|| self.outwards()),
             Robustness::Plain => self.outwards(),
         };
-        let n = n.normalised();
-        if rules.get().triangle_normal == TriangleNormal::Left { -n } else { n }
+        match rules.get().triangle_normal {
+            TriangleNormal::Right => n.normalised(),
+            TriangleNormal::Left => -n.normalised(),
+            TriangleNormal::NotUnit => n,
+        }
     }
 }
 

@@ -5,10 +5,11 @@
 //! that the line passes beside it, or that the triangle is seen edge on or has no area. Without
 //! `tests_bc`, the edge BC is not tested.
 
-use super::Triangle;
+use super::{ShapeHit, Triangle};
 use crate::numbers::real::Real;
 use crate::numbers::vec3::Vec3;
 use crate::rays::ray::Ray;
+use crate::rules::{RuleSource, TriangleTest};
 
 impl<T: Real> Triangle<T> {
     /// Intersects the plane in Q, then tests ((B − A) × (Q − A))·N ≥ 0 and so on round, as rule 16
@@ -55,6 +56,22 @@ impl<T: Real> Triangle<T> {
         let (beta, gamma) = (area(a, q, c) / all, area(a, b, q) / all);
         let weights = Vec3::new(T::ONE - beta - gamma, beta, gamma);
         is_inside(weights, tests_bc).then_some((t, weights))
+    }
+
+    /// Returns the hit in the ray's interval where the edge AB, or no edge, is tested.
+    pub(super) fn loosely<R: RuleSource>(
+        &self,
+        rules: R,
+        ray: &Ray<T>,
+        index: u32,
+    ) -> Option<ShapeHit<T>> {
+        let (t, q, n) = self.in_plane(ray)?;
+        let [a, b, c] = self.corners;
+        let side = |from: Vec3<T>, to: Vec3<T>| (to - from).cross(q - from).dot(n);
+        let weights = Vec3::new(side(b, c), side(c, a), side(a, b)) * (T::ONE / n.dot(n));
+        let is_inside = rules.get().triangle == TriangleTest::WholePlane
+            || weights.x.least(weights.y) >= T::ZERO;
+        (is_inside && ray.contains(t)).then_some(ShapeHit { t, part: index, weights })
     }
 
     /// Returns t, Q and N, not normalised, where the ray's line intersects the plane of the

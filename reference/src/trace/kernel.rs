@@ -1,21 +1,20 @@
 //! The kernel traces rays and computes the light that they return. [rule 2] [rule 5] to [rule 13]
 
 mod direct;
+mod mistaken;
+mod weights;
 
 use arrayvec::ArrayVec;
 use cases::ray_tree::RayKind;
 use cases::{Effect, Effects};
 
-use crate::light::material::Material;
 use crate::light::optics;
 use crate::light::shade;
 use crate::numbers::real::Real;
 use crate::numbers::vec3::Vec3;
 use crate::rays::camera::Lens;
 use crate::rays::ray::{HitPoint, Ray};
-use crate::rules::{
-    Cutoff, Depth, InsideBy, MirrorWeight, RuleSource, TotalReflection, TransmitWeight, Turning,
-};
+use crate::rules::{Cut, Cutoff, Depth, InsideBy, Mixing, RuleSource, TotalReflection, Turning};
 use crate::shapes::ShapeHit;
 use crate::trace::simulated::{AllEffects, EffectSource};
 use crate::watch::work::Work;
@@ -102,6 +101,8 @@ fn is_shallow<R: RuleSource>(rules: R, depth: u32, max_depth: u32) -> bool {
         Depth::OneMore => depth <= max_depth && max_depth > 0,
         Depth::LessOrEqual => depth <= max_depth,
         Depth::OneLess => depth + 1 < max_depth,
+        Depth::EyeOnly => depth == 0 && max_depth > 0,
+        Depth::Five => depth < 5,
     }
 }
 
@@ -109,11 +110,13 @@ fn is_shallow<R: RuleSource>(rules: R, depth: u32, max_depth: u32) -> bool {
 #[inline(always)]
 fn is_faint<T: Real, R: RuleSource>(rules: R, weight: Vec3<T>, threshold: T) -> bool {
     let greatest = match rules.get().cutoff {
-        Cutoff::AllChannels | Cutoff::LastOnly => weight.max_element(),
+        Cutoff::AllChannels | Cutoff::LastOnly | Cutoff::OrEqual => weight.max_element(),
         Cutoff::AnyChannel => weight.min_element(),
         Cutoff::Absent => T::INFINITY,
+        Cutoff::Mean => weight.dot(Vec3::ONE) / T::of(3.0),
     };
-    threshold > T::ZERO && greatest < threshold
+    let is_equal = rules.get().cutoff == Cutoff::OrEqual && greatest == threshold;
+    threshold > T::ZERO && (greatest < threshold || is_equal)
 }
 
 impl<'w, T: Real, R: RuleSource> Kernel<'w, T, R> {
@@ -193,9 +196,9 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         found: Option<(usize, ShapeHit<T>)>,
         watch: &mut impl Watch,
     ) -> Vec3<T> {
-        let Some(found) = found else { return self.world.background };
-        let hit =
-            self.world.hit(self.rules, ray, found, self.effects.has(Effect::SmoothNormals), watch);
+        let Some(found) = found else { return self.background(path.kind) };
+        let is_smooth = self.simulates(Effect::SmoothNormals);
+        let hit = self.world.hit(self.rules, ray, found, is_smooth, watch);
         self.light_at(ray, path, hit, watch)
     }
 
@@ -216,7 +219,7 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
         let hit_point = hit.hit_point(n_geom);
         let at =
             ShadingPoint { hit_point, normal, to_viewer: -d, is_inside, material: object.material };
-        let mut colour = self.shade(&at, path.weight, watch);
+        let mut colour = self.cut(Cut::Surface, self.shade(&at, path.weight, watch));
         watch.hit(|| HitRecord {
             object: &object.name,
             t: hit.t,
@@ -226,8 +229,8 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
             direct: colour,
         });
         if !self.goes_on(path) {
-            if self.effects.has(Effect::Reflection) || self.effects.has(Effect::Refraction) {
-                let sent_on = || self.weight_sent_on(material, is_inside);
+            if self.simulates(Effect::Reflection) || self.simulates(Effect::Refraction) {
+                let sent_on = || self.weight_sent_on(material, is_inside, hit.t);
                 if is_shallow(self.rules, path.depth, self.world.render.max_depth)
                     && sent_on() != Vec3::ZERO
                 {
@@ -237,28 +240,38 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
             }
             return colour;
         }
-        let eta = optics::indices(self.rules, is_inside, material.index);
+        let eta = self.indices(&hit, material, is_inside, watch);
         let way_through = || optics::smooth_refract(self.rules, d, n_geom, n_shading, eta);
         let kr = self.mirror_weight(material, is_inside);
+        let kr = self.by_angle(kr, -d.dot(n_shading));
         if kr.max_element() > T::ZERO {
             let r = optics::smooth_reflect(self.rules, d, n_geom, n_shading);
             let is_black = self.rules.get().total_reflection == TotalReflection::Black
                 && way_through().is_none();
             if !is_black {
+                colour = self.own_light(colour, Mixing::OneMinusKr, Mixing::MirrorReplaces, kr);
                 let ray = Ray::spawned(self.rules, &hit_point, r);
                 let kind = RayKind::Reflected;
                 let leaves = Leaves { outside: !is_inside, along: r.dot(n_geom) };
                 colour += kr * self.spawn(kind, &ray, path, kr, leaves, watch);
             }
         }
-        if self.effects.has(Effect::Refraction)
-            && material.kt.max_element() > T::ZERO
-            && let Some(t) = way_through()
-        {
-            let kt = self.transmit_weight(material);
-            let ray = Ray::spawned(self.rules, &hit_point, t);
-            let leaves = Leaves { outside: is_inside, along: t.dot(n_geom) };
-            colour += kt * self.spawn(RayKind::Refracted, &ray, path, kt, leaves, watch);
+        if self.simulates(Effect::Refraction) && material.kt.max_element() > T::ZERO {
+            let kt = self.transmit_weight(material, is_inside, hit.t);
+            if let Some(t) = way_through() {
+                let (own, other) = (Mixing::OneMinusKt, Mixing::GlassReplaces);
+                colour = self.own_light(colour, own, other, kt);
+                let ray = Ray::spawned(self.rules, &hit_point, t);
+                let leaves = Leaves { outside: is_inside, along: t.dot(n_geom) };
+                colour += kt * self.spawn(RayKind::Refracted, &ray, path, kt, leaves, watch);
+            } else if self.rules.get().total_reflection == TotalReflection::Background {
+                colour += kt * self.world.background;
+            } else if self.rules.get().total_reflection == TotalReflection::MirroredByKt {
+                let r = optics::smooth_reflect(self.rules, d, n_geom, n_shading);
+                let ray = Ray::spawned(self.rules, &hit_point, r);
+                let leaves = Leaves { outside: !is_inside, along: r.dot(n_geom) };
+                colour += kt * self.spawn(RayKind::Reflected, &ray, path, kt, leaves, watch);
+            }
         }
         colour
     }
@@ -288,44 +301,10 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
 
     /// Returns the threshold of adaptive depth, or 0 if no path ends because of its weight.
     fn threshold(&self) -> T {
-        if self.effects.has(Effect::AdaptiveDepth) {
+        if self.simulates(Effect::AdaptiveDepth) {
             T::of(self.world.render.threshold)
         } else {
             T::ZERO
-        }
-    }
-
-    /// Returns the weight of the reflected ray, or 0 if none is cast. [rule 7]
-    fn mirror_weight(&self, material: &Material<T>, is_inside: bool) -> Vec3<T> {
-        match self.rules.get().mirror_weight {
-            _ if !self.effects.has(Effect::Reflection) || material.kr == Vec3::ZERO => Vec3::ZERO,
-            MirrorWeight::Kr => material.kr,
-            MirrorWeight::One => Vec3::ONE,
-            MirrorWeight::OnlyOutside => {
-                if is_inside {
-                    Vec3::ZERO
-                } else {
-                    material.kr
-                }
-            }
-        }
-    }
-
-    /// Returns kr + kt of the effects that are simulated.
-    fn weight_sent_on(&self, material: &Material<T>, is_inside: bool) -> Vec3<T> {
-        let kt = if self.effects.has(Effect::Refraction) {
-            self.transmit_weight(material)
-        } else {
-            Vec3::ZERO
-        };
-        self.mirror_weight(material, is_inside) + kt
-    }
-
-    fn transmit_weight(&self, material: &Material<T>) -> Vec3<T> {
-        match self.rules.get().transmit_weight {
-            TransmitWeight::Kt => material.kt,
-            TransmitWeight::One => Vec3::ONE,
-            TransmitWeight::OneMinusKr => Vec3::ONE - material.kr,
         }
     }
 
@@ -358,11 +337,11 @@ impl<'w, T: Real, R: RuleSource, E: EffectSource> Kernel<'w, T, R, E> {
             watch.did(Work::SureMiss);
             return self.world.background;
         }
-        if !watch.allows(parent.depth + 1) {
+        let depth = parent.depth + self.rules.get().depth_step;
+        if !watch.allows(depth) {
             return Vec3::ZERO;
         }
-        let path = Path { kind, depth: parent.depth + 1, weight };
-        self.trace(ray, path, watch)
+        self.cut(Cut::Spawned, self.trace(ray, Path { kind, depth, weight }, watch))
     }
 
     /// Returns whether a ray that leaves a surface can only miss.

@@ -275,12 +275,16 @@ pub fn interpolate<T: Real, R: RuleSource>(
         Weights::Lecture => weights,
         Weights::Swapped => Vec3::new(weights.x, weights.z, weights.y),
         Weights::Rotated => Vec3::new(weights.z, weights.x, weights.y),
+        Weights::FirstSwapped => Vec3::new(weights.y, weights.x, weights.z),
+        Weights::Equal => Vec3::ONE * T::of(1.0 / 3.0),
     };
     let mixed = normals[0] * w.x + normals[1] * w.y + normals[2] * w.z;
     match rules.get().interpolation {
         Interpolation::Unit => (mixed.dot(mixed) > T::ZERO).then(|| mixed.normalised()),
         Interpolation::NotUnit => Some(mixed),
         Interpolation::Absent => None,
+        Interpolation::FirstVertex => Some(normals[0]),
+        Interpolation::Reversed => (mixed.dot(mixed) > T::ZERO).then(|| -mixed.normalised()),
         Interpolation::NearestVertex if w.x >= w.y && w.x >= w.z => Some(normals[0]),
         Interpolation::NearestVertex => Some(if w.y >= w.z { normals[1] } else { normals[2] }),
     }

@@ -20,7 +20,7 @@ use crate::numbers::real::Real;
 use crate::numbers::vec3::Vec3;
 pub use crate::rays::frame::Frame;
 use crate::rays::ray::{HitPoint, Ray};
-use crate::rules::RuleSource;
+use crate::rules::{InterpolatedIn, RuleSource};
 use crate::shapes::ShapeHit;
 use crate::watch::work::{Tally, Work};
 use clear::{Alone, GlassBall};
@@ -223,6 +223,12 @@ impl<T: Real> World<T> {
                 let mesh = &self.meshes[*mesh];
                 let normals = if is_smooth { mesh.corner_normals(&hit) } else { None };
                 let n_shading = normals.and_then(|normals| {
+                    let normals = match (rules.get().interpolated_in, frame) {
+                        (InterpolatedIn::WorldSpace, Some(frame)) => {
+                            normals.map(|n| frame.normal_to_world(rules, n))
+                        }
+                        _ => normals,
+                    };
                     tally.did(Work::SmoothNormal);
                     mesh::interpolate(rules, hit.weights, normals)
                 });
@@ -237,7 +243,12 @@ impl<T: Real> World<T> {
             None => place,
             Some(frame) => frame.hit_point_to_world(rules, &place),
         };
-        let to_world = |n| frame.map_or(n, |f| f.normal_to_world(rules, n));
+        let to_world = |n| match frame {
+            Some(frame) if rules.get().interpolated_in == InterpolatedIn::ObjectSpace => {
+                frame.normal_to_world(rules, n)
+            }
+            _ => n,
+        };
         let HitPoint { point, error, n_geom } = hit_point;
         Hit {
             t: hit.t,

@@ -62,6 +62,11 @@ impl<T: Real> Object<T> {
         of_shape + usize::from(self.frame.is_some())
     }
 
+    /// Returns whether the surface separates an inside from an outside.
+    pub(crate) fn has_inside(&self) -> bool {
+        !matches!(self.shape, ObjectShape::Solid(Solid::Square(_)))
+    }
+
     /// Returns the ray in the object's own space; `None` where that is world space.
     #[inline(always)]
     pub(crate) fn ray_in_frame<R: RuleSource>(

@@ -8,7 +8,7 @@ use arrayvec::ArrayVec;
 use crate::bvh::Visit;
 use crate::numbers::real::Real;
 use crate::rays::ray::Ray;
-use crate::rules::{Nearest, RuleSource};
+use crate::rules::{Nearest, RuleSource, Searched};
 use crate::shapes::ShapeHit;
 use crate::watch::work::{ObjectVisits, Tally, Work};
 use crate::world::{Hit, World};
@@ -215,6 +215,14 @@ impl<T: Real, R: RuleSource> Query<T> for FirstHit<R> {
         mut limit: T,
     ) -> T {
         let nearest = self.rules.get().nearest;
+        let is_searched = match self.rules.get().searched {
+            Searched::All => true,
+            Searched::NotFirst => i > 0,
+            Searched::NotLast => i + 1 < world.objects.len(),
+        };
+        if !is_searched {
+            return limit;
+        }
         let note = |hit: ShapeHit<T>| {
             let wins = match &*best {
                 None => true,
@@ -222,6 +230,8 @@ impl<T: Real, R: RuleSource> Query<T> for FirstHit<R> {
                     Nearest::LeastT => hit.t < best.t || (hit.t == best.t && i < *j),
                     Nearest::FirstListed => i < *j,
                     Nearest::LastListed => i > *j,
+                    Nearest::Farthest => hit.t > best.t,
+                    Nearest::LastOfEqual => hit.t < best.t || (hit.t == best.t && i > *j),
                 },
             };
             if wins {

@@ -106,10 +106,6 @@ pub const NUISANCES: &[Nuisance] = &[
     none("noise of 40 levels", |p, i, j, r| here(p, i, j) + (r - 0.5) * 80.0 / 255.0),
     none("blurred", |p, i, j, _| blurred(p, i, j)),
     none("grey", |p, i, j, _| DVec3::splat(here(p, i, j).element_sum() / 3.0)),
-    none("black background", |p, i, j, _| {
-        let (light, corner) = (here(p, i, j), here(p, 0, 0));
-        if light == corner { DVec3::ZERO } else { light }
-    }),
     none("shuffled", |p, _, _, r| p.pixels()[(r * p.pixels().len() as f64) as usize]),
     none("clamped light of each channel", |p, i, j, _| here(p, i, j).min(DVec3::splat(0.7))),
     none("a border", |p, i, j, _| if i < 3 || j < 3 { DVec3::ONE } else { here(p, i, j) }),

@@ -7,7 +7,6 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use cases::answer::{CheckAnswer, ImageAnswer, Wrong, check_answers_from_str, mistakes_from_str};
-use cases::film::exr::plane_names;
 use cases::film::{Rows, most_bytes, read_exact};
 use cases::problem::Problems;
 use cases::{Course, Effect, Effects, Scene, course, front, scene, stage};
@@ -207,8 +206,7 @@ fn exr(bytes: &[u8], _folder: &Path) -> Read {
         let _ = (answer.share(&answer.out(&answer.expected)), answer.contested_share());
     });
     let others = [
-        plane_names(bytes, width, height).map(drop),
-        Wrong::ids(bytes, width, height).map(drop),
+        Wrong::ids(bytes).map(drop),
         Wrong::decode_all(bytes, width, height).map(drop),
         ImageAnswer::made_from(bytes).map(drop),
     ];

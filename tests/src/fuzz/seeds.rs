@@ -110,7 +110,11 @@ pub fn exrs() -> Vec<Vec<u8>> {
     let digest = Digest::of_mistakes(&Course::default());
     let n = (SIZE.0 * SIZE.1) as usize;
     let wrong = Wrong::new("no_shadows", (0..n).map(|at| (at % 5 == 0).then_some([9; 3])));
-    let part = Part { name: "colour".to_owned(), planes: rgb("", &picture(), Depth::Half).into() };
+    let part = Part {
+        name: "colour".to_owned(),
+        planes: rgb("", &picture(), Depth::Half).into(),
+        attached: vec![],
+    };
     vec![
         answer.encode(&digest, &[]).expect("an answer is written"),
         answer.encode(&digest, &[wrong]).expect("an answer is written"),

@@ -13,7 +13,10 @@ fn two_parts() -> Vec<Part> {
     let first = vec![plane("R", 0.1, Depth::Float), plane("lo.R", -0.0625, Depth::Half)];
     let second = vec![plane("no_shadows.R", 0.5, Depth::Half)];
     [("answer", first), ("mistakes", second)]
-        .map(|(name, planes)| Part { name: name.to_owned(), planes })
+        .map(|(name, planes)| {
+            let attached = if name == "answer" { vec![] } else { (0..100).collect() };
+            Part { name: name.to_owned(), planes, attached }
+        })
         .into()
 }
 
@@ -25,6 +28,8 @@ fn parts_and_notes_come_back_bit_for_bit() {
         decode_first(&bytes, 7, 5).unwrap(),
         (two_parts().remove(0), "{\"slack\":1}".to_owned())
     );
+    assert_eq!(attached(&bytes, "mistakes").unwrap(), two_parts()[1].attached);
+    assert!(attached(&bytes, "unheard_of").unwrap().is_empty());
 }
 
 #[test]

@@ -53,7 +53,7 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
     pub fn shade(&self, at: &ShadingPoint<T>, weight: Vec3<T>, watch: &mut impl Watch) -> Vec3<T> {
         let may_vanish = self.world.may_vanish
             && self.is_proven
-            && self.effects.has(Effect::Shadows)
+            && self.simulates(Effect::Shadows)
             && self.effects.light_cutoff() == 0.0
             && shade::is_bounded(self.rules);
         if may_vanish && let Some(sum) = self.sum_with_vanishing_lights(at, weight, watch) {
@@ -100,7 +100,8 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
                 vanished.greatest += term;
             }
         };
-        for n in 0..n_lights {
+        let [first, end] = self.summed();
+        for n in first..end {
             let j = if self.rules.get().style.lights == LightOrder::Reversed {
                 n_lights - 1 - n
             } else {
@@ -108,7 +109,8 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
             };
             let light = &self.world.lights[j];
             let ambient = shade::ambient(self.rules, material, light, j, at.is_inside);
-            if self.rules.get().ambient == Ambient::Shadowed {
+            let ambient_rule = self.rules.get().ambient;
+            if matches!(ambient_rule, Ambient::Shadowed | Ambient::Weakened | Ambient::InShadow) {
                 for term in self.shadowed(at, light, ambient, watch) {
                     colour += term;
                 }
@@ -136,26 +138,36 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
                 vanished = Some(so_far.and(weakened, most()));
                 continue;
             }
+            let weakened =
+                if self.rules.get().attenuates_twice { weakened * weakened } else { weakened };
             let reaching = self.reaching(at, to_light, r, watch) * weakened;
             if reaching == Vec3::ZERO && shade::is_bounded(self.rules) {
                 continue;
             }
-            let arriving = reaching * light.colour;
+            let arriving = self.arriving(light, reaching);
             let term = shade::light_term(
                 self.rules,
                 material,
                 arriving,
                 at.normal,
-                at.to_viewer,
+                self.viewer_from(at),
                 to_light,
                 watch,
             );
             add(&mut colour, &mut vanished, term);
         }
-        (colour, vanished)
+        let ke = shade::emission(self.rules, material, n_lights);
+        (self.mean_of_lights(colour, ke), vanished)
     }
 
-    /// Returns the ambient and the direct term of a light for rules by which shadows darken both.
+    /// Returns S_j A_j I_j, given S_j A_j. [rule 3]
+    #[inline(always)]
+    fn arriving(&self, light: &Light<T>, reaching: Vec3<T>) -> Vec3<T> {
+        if self.rules.get().coloured_lights { reaching * light.colour } else { reaching }
+    }
+
+    /// Returns the ambient and the direct term of a light for rules by which shadow or distance
+    /// darkens both.
     fn shadowed(
         &self,
         at: &ShadingPoint<T>,
@@ -167,19 +179,24 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
         let Some((to_light, r)) = light.direction_from(self.rules, at.hit_point.point) else {
             return [Vec3::ZERO; 2];
         };
-        let reaching =
-            self.reaching(at, to_light, r, watch) * light.attenuation(self.rules, r, watch);
-        let arriving = reaching * light.colour;
+        let (shadow, weakened) =
+            (self.reaching(at, to_light, r, watch), light.attenuation(self.rules, r, watch));
+        let reaching = shadow * weakened;
+        let arriving = self.arriving(light, reaching);
         let direct = shade::light_term(
             self.rules,
             material,
             arriving,
             at.normal,
-            at.to_viewer,
+            self.viewer_from(at),
             to_light,
             watch,
         );
-        [ambient * reaching, direct]
+        match self.rules.get().ambient {
+            Ambient::Weakened => [ambient * weakened, direct],
+            Ambient::InShadow => [ambient * shadow, direct],
+            _ => [ambient * reaching, direct],
+        }
     }
 
     /// Returns whether a light can be skipped, because the most that it adds, `most`, is below the
@@ -210,13 +227,19 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
         r: T,
         watch: &mut W,
     ) -> Vec3<T> {
-        if self.effects.has(Effect::Shadows) && self.world.alone != Alone::No {
+        if self.simulates(Effect::Shadows) && self.world.alone != Alone::No {
             let along = to_light.dot(at.hit_point.n_geom);
             let leaves = Leaves { outside: (along > T::ZERO) != at.is_inside, along };
             if self.misses_surely::<W>(leaves) {
                 watch.did(Work::SureMiss);
                 return Vec3::ONE;
             }
+        }
+        if !self.rules.get().own_shadows
+            && let Some(first) = self.world.lights.first()
+            && let Some((to_first, r)) = first.direction_from(self.rules, at.hit_point.point)
+        {
+            return self.shadow(&at.hit_point, to_first, r, watch);
         }
         self.shadow(&at.hit_point, to_light, r, watch)
     }
@@ -230,14 +253,20 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
         r: T,
         watch: &mut impl Watch,
     ) -> Vec3<T> {
-        if !self.effects.has(Effect::Shadows) || !self.rules.get().casts_shadows {
+        if !self.simulates(Effect::Shadows) || !self.rules.get().casts_shadows {
             return Vec3::ONE;
         }
         watch.shadow_ray();
-        let reach =
-            if self.rules.get().shadow_reach == ShadowReach::Unbounded { T::INFINITY } else { r };
+        let reach = match self.rules.get().shadow_reach {
+            ShadowReach::Light => r,
+            ShadowReach::Unbounded => T::INFINITY,
+            ShadowReach::One => r.least(T::ONE),
+            ShadowReach::FirstHitOnly | ShadowReach::Restarts => {
+                return self.shadow_by_surfaces(hit_point, to_light, r, watch);
+            }
+        };
         let ray = Ray::to_light(self.rules, hit_point, to_light, reach);
-        if self.effects.has(Effect::TintedShadows) && self.rules.get().tint != Tint::Opaque {
+        if self.simulates(Effect::TintedShadows) && self.rules.get().tint != Tint::Opaque {
             if !self.is_proven || self.world.glass.may_be_on(&ray) {
                 return self.tint(&ray, watch);
             }
@@ -255,11 +284,15 @@ impl<T: Real, R: RuleSource, E: EffectSource> Kernel<'_, T, R, E> {
         if !self.world.crossings(self.rules, ray, blocks, &mut crossings, tally) {
             return Vec3::ZERO;
         }
+        if matches!(tint, Tint::LastCrossing | Tint::Complement | Tint::Subtracted | Tint::ByLength)
+        {
+            return self.mistaken_tint(&crossings);
+        }
         let counts = |n: usize| match tint {
             Tint::PerObject => crossings[..n].iter().all(|before| before.1 != crossings[n].1),
             Tint::FirstCrossing => n == 0,
             Tint::Clear => false,
-            Tint::PerCrossing | Tint::Opaque => true,
+            _ => true,
         };
         (0..crossings.len())
             .filter(|n| counts(*n))
