@@ -79,8 +79,8 @@ impl Sheet {
         Some(&self.layers[at])
     }
 
-    /// Returns, for each pixel of a picture of the same size, whether a mistake of `by` explains its
-    /// colour. A pixel that a mistake of `except` changes counts as not explained.
+    /// Returns, for each pixel of a picture of the same size, whether a mistake of `by` explains
+    /// its colour. A pixel that a mistake of `except` changes counts as not explained.
     pub fn explained(&self, actual: &Image, by: &[&str], except: &[&str]) -> Vec<bool> {
         let mut explained = vec![false; self.expected.len()];
         for layer in by.iter().filter_map(|id| self.layer(id)) {

@@ -1,7 +1,7 @@
 //! Names the known mistakes that explain the errors of a submission, part by part: each mistake is
 //! weighed over the pixels, cases and checks where it can show. Pure functions: they turn results
-//! and the stored effects of the mistakes into diagnoses. The crate `layers` holds what they do with
-//! pixels.
+//! and the stored effects of the mistakes into diagnoses. The crate `layers` holds what they do
+//! with pixels.
 //!
 //! | file | holds |
 //! |---|---|
