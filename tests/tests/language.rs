@@ -34,6 +34,7 @@ const WHOLE_LINES: &[&str] = &[
     "reference/tests/suite/paper.rs",
     "reference/tests/suite/vary.rs",
     "tests/src/performance/renderers.rs",
+    "tests/tests/languages.rs",
 ];
 
 /// Pages that a command writes.

@@ -10,8 +10,8 @@ use miniz_oxide::deflate::compress_to_vec_zlib;
 use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
 
 use super::picture::{Levels, byte_plane};
-use crate::film::exr::{self, Part};
 use crate::film::PictureError;
+use crate::film::exr::{self, Part};
 
 /// The pixels that a known mistake changes in the picture.
 #[derive(Clone, Debug, PartialEq, Eq)]

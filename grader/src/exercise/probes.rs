@@ -16,7 +16,7 @@ use crate::sandbox::{Finished, Limits, Outcome};
 /// Number of questions at which a function may have to be stopped before it gets no more.
 const MAX_HANGS: usize = 2;
 /// CPU time plus idle time of all processes of a stage after which no more are started.
-const MAX_TIME: Duration = Duration::from_secs(60);
+const MAX_TIME: Duration = Duration::from_secs(100);
 
 /// The results of the unit checks of a stage.
 #[derive(Debug, Default)]

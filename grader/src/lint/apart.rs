@@ -118,9 +118,8 @@ mod tests {
     fn layers_differ_where_more_pixels_differ_than_pass() {
         let image = cases::film::Image::from_fn(10, 10, |_, _| cases::glam::DVec3::ZERO);
         let answer = ImageAnswer::exact(image, 1.0, 3);
-        let wrong = |n: usize, level: u8| {
-            Wrong::new("", (0..100).map(|at| (at < n).then_some([level; 3])))
-        };
+        let wrong =
+            |n: usize, level: u8| Wrong::new("", (0..100).map(|at| (at < n).then_some([level; 3])));
         let table =
             [(10, 80, true), (13, 80, true), (14, 80, false), (10, 88, true), (10, 96, false)];
         for (n, level, expected) in table {
