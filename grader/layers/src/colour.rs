@@ -46,9 +46,9 @@ pub(crate) fn clamped(colour: Colour) -> Colour {
     colour.map(|level| level.clamp(0, 255))
 }
 
-/// Returns the colour times a factor for each channel, cut at 0 and 255.
-pub(crate) fn scaled(colour: Colour, factors: [f32; 3]) -> Colour {
-    [0, 1, 2].map(|at| (f32::from(colour[at]) * factors[at]).clamp(0.0, 255.0) as i16)
+/// Returns a channel times a factor, cut at 0 and 255.
+pub(crate) fn scaled(channel: i16, factor: f32) -> i16 {
+    (f32::from(channel) * factor).clamp(0.0, 255.0) as i16
 }
 
 #[cfg(test)]
@@ -68,6 +68,7 @@ mod tests {
         assert_eq!(sum([250, 0, 7], [10, -5, 0]), [260, -5, 7]);
         assert_eq!(difference([1, 2, 3], [2, 2, 2]), [-1, 0, 1]);
         assert_eq!(clamped([260, -5, 7]), [255, 0, 7]);
-        assert_eq!(scaled([100, 100, 0], [0.5, 3.0, 9.0]), [50, 255, 0]);
+        let all = [(100, 0.5), (100, 3.0), (0, 9.0)].map(|(one, factor)| scaled(one, factor));
+        assert_eq!(all, [50, 255, 0]);
     }
 }

@@ -54,10 +54,21 @@ impl Marks {
 
     /// Returns the distance of `seen` from the colour that the named mistakes and a further one,
     /// which alone gives `mistaken`, give pixel `n` together: their changes added, or multiplied.
-    pub fn off_with(&self, n: usize, seen: Colour, mistaken: Colour) -> i16 {
-        let added = colour::clamped(colour::sum(mistaken, self.sums[n]));
-        let multiplied = colour::scaled(mistaken, self.products[n]);
-        apart(seen, added).min(apart(seen, multiplied))
+    /// `None` if it is more than `most`.
+    pub fn off_with(&self, n: usize, seen: Colour, mistaken: Colour, most: i16) -> Option<i16> {
+        let off_in = |at: usize| {
+            let added = (mistaken[at] + self.sums[n][at]).clamp(0, 255);
+            let multiplied = colour::scaled(mistaken[at], self.products[n][at]);
+            [seen[at] - added, seen[at] - multiplied].map(i16::abs)
+        };
+        // Most pixels are far off in the first channel already.
+        let first = off_in(0);
+        if first[0].min(first[1]) > most {
+            return None;
+        }
+        let (second, third) = (off_in(1), off_in(2));
+        let greatest = |way: usize| first[way].max(second[way]).max(third[way]);
+        Some(greatest(0).min(greatest(1))).filter(|off| *off <= most)
     }
 }
 
@@ -71,13 +82,15 @@ mod tests {
         let sheet = sheet("a", 2, &[100, 100], &[("half", &[50, 0]), ("darker", &[80, 80])]);
         let seen = [[30; 3], [80; 3]];
         let mut marks = Marks::none(&[70, 20]);
-        assert_eq!(marks.off_with(0, [80; 3], [80; 3]), 0);
+        assert_eq!(marks.off_with(0, [80; 3], [80; 3], 9), Some(0));
         marks.add(&sheet, &seen, sheet.layer("half").unwrap(), &[]);
         assert_eq!((marks.touched.clone(), &marks.off), (vec![true, false], &vec![20, 20]));
         // Added: 100 − 50 − 20. Multiplied: 100 · 0.5 · 0.8.
-        assert_eq!(marks.off_with(0, [30; 3], [80; 3]), 0);
-        assert_eq!(marks.off_with(0, [40; 3], [80; 3]), 0);
-        assert_eq!(marks.off_with(0, [50; 3], [80; 3]), 10);
+        assert_eq!(marks.off_with(0, [30; 3], [80; 3], 9), Some(0));
+        assert_eq!(marks.off_with(0, [40; 3], [80; 3], 9), Some(0));
+        assert_eq!(marks.off_with(0, [50; 3], [80; 3], 10), Some(10));
+        assert_eq!(marks.off_with(0, [50; 3], [80; 3], 9), None);
+        assert_eq!(marks.off_with(0, [40, 40, 70], [80; 3], 9), None);
         marks.add(&sheet, &seen, sheet.layer("darker").unwrap(), &[1]);
         assert_eq!((marks.explained, marks.off), (vec![false, true], vec![0, 0]));
     }

@@ -88,8 +88,8 @@ impl<'a> Shot<'a> {
         if !self.marks.touched[n] {
             return false;
         }
-        let both = self.marks.off_with(n, self.seen[n], mistaken);
-        both <= LIKE_BOTH && is_nearer(both, self.marks.off[n])
+        let both = self.marks.off_with(n, self.seen[n], mistaken, LIKE_BOTH);
+        both.is_some_and(|both| is_nearer(both, self.marks.off[n]))
     }
 }
 
