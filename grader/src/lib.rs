@@ -5,6 +5,7 @@ pub mod batch;
 pub mod blame;
 pub mod build;
 pub mod cli;
+pub mod collect;
 pub mod diagnose;
 pub mod exam;
 pub mod exercise;
