@@ -56,15 +56,23 @@ impl Home {
 
 const PICTURE: &str = "pictures/01_ray_casting/dark.png";
 /// Each report begins with this text.
-const REPORTS: [(&str, &str); 3] =
-    [("--json", "{"), ("--html", "<!DOCTYPE html>"), ("--junit", "<?xml")];
+const REPORTS: [(&str, &str); 5] = [
+    ("--json", "{"),
+    ("--html", "<!DOCTYPE html>"),
+    ("--junit", "<?xml"),
+    ("--gradescope", "{"),
+    ("--prairielearn", "{"),
+];
 
 #[test]
 fn reports_go_to_files_and_streams_alike() {
     let home = Home::new();
-    let printed = home.check("$images --json a.json --html a.html --junit a.xml", 0, "");
+    let files = ["a.json", "a.html", "a.xml", "gradescope.json", "prairielearn.json"];
+    let named: Vec<String> =
+        REPORTS.iter().zip(files).map(|((report, _), file)| format!("{report} {file}")).collect();
+    let printed = home.check(&format!("$images {}", named.join(" ")), 0, "");
     assert!(!printed.is_empty(), "nothing was printed for people");
-    for ((report, begin), file) in REPORTS.into_iter().zip(["a.json", "a.html", "a.xml"]) {
+    for ((report, begin), file) in REPORTS.into_iter().zip(files) {
         let stored = home.text(file);
         assert!(stored.trim_start().starts_with(begin), "{report}");
         for name in ["-", "stdout"] {
@@ -98,11 +106,8 @@ fn a_name_that_cannot_be_written_is_said_before_anything_is_judged() {
         ),
         ("--html folder", "cannot write folder: it is a folder"),
         ("--junit stages/", "it is a folder"),
-        ("--json - --html -", "only one of --json, --html and --junit can go to standard output"),
-        (
-            "--json stdout --junit -",
-            "only one of --json, --html and --junit can go to standard output",
-        ),
+        ("--json - --html -", "only one report can go to standard output"),
+        ("--json stdout --junit -", "only one report can go to standard output"),
         ("--json a.txt --junit a.txt", "two reports cannot be the same file"),
         ("--json a.txt --html stages/../a.txt", "two reports cannot be the same file"),
         ("--html - --open", "--open shows a file"),

@@ -76,7 +76,7 @@ pub fn man(mut program: Command, what: Option<&Path>) -> Result<Man, String> {
         ));
     }
     let named = |command: &Command| Ok((format!("{}.1", full_name(command)), page(command)?));
-    let pages = all(&program).map(named).collect::<Result<_, String>>()?;
+    let pages = all(&program).into_iter().map(named).collect::<Result<_, String>>()?;
     Ok(Man::Folder(what.to_owned(), pages))
 }
 
@@ -92,7 +92,7 @@ fn markdown(mut program: Command) -> String {
         let _ = writeln!(
             text,
             "{level} {}\n\n```text\n{}\n```\n",
-            full_name(command).replacen('-', " ", 1),
+            command.get_bin_name().unwrap_or(command.get_name()),
             help.join("\n").trim_end()
         );
     }
@@ -113,10 +113,10 @@ pub fn in_page(page: &str, program: Command) -> String {
     }
 }
 
-/// Returns the program and its commands, without `help`.
-fn all(program: &Command) -> impl Iterator<Item = &Command> {
+/// Returns the program, its commands and their commands, without `help`.
+fn all(program: &Command) -> Vec<&Command> {
     let commands = program.get_subcommands().filter(|command| command.get_name() != "help");
-    std::iter::once(program).chain(commands)
+    std::iter::once(program).chain(commands.flat_map(all)).collect()
 }
 
 /// Returns the name of a command with that of its program, such as `grader-grade`.
@@ -138,7 +138,8 @@ mod tests {
 
     fn program() -> Command {
         let bake = Command::new("bake").about("Bake bread").arg(Arg::new("flour").help("Of wheat"));
-        Command::new("oven").version("1").about("An oven").subcommand(bake)
+        let clean = Command::new("clean").about("Clean").subcommand(Command::new("door"));
+        Command::new("oven").version("1").about("An oven").subcommands([bake, clean])
     }
 
     /// Checks the page that is printed, the names of the pages to be written, or the error.
@@ -164,19 +165,29 @@ mod tests {
     fn man_prints_a_page_or_writes_all_into_a_folder() {
         check(None, Ok("An oven"));
         check(Some("bake"), Ok("Bake bread"));
-        check(Some("."), Ok(".: oven.1 oven-bake.1"));
-        check(Some("new/"), Ok("new/: oven.1 oven-bake.1"));
-        check(Some("./new"), Ok("./new: oven.1 oven-bake.1"));
+        check(Some("."), Ok(".: oven.1 oven-bake.1 oven-clean.1 oven-clean-door.1"));
+        check(Some("new/"), Ok("new/: oven.1 oven-bake.1 oven-clean.1 oven-clean-door.1"));
+        check(Some("./new"), Ok("./new: oven.1 oven-bake.1 oven-clean.1 oven-clean-door.1"));
         check(Some("back"), Err("there is no command `back`"));
     }
 
     #[test]
     fn the_page_of_the_command_line_holds_every_help() {
         let text = markdown(program());
-        for part in ["## oven\n", "### oven bake\n", "An oven", "Of wheat", "Usage: oven bake"] {
+        for part in [
+            "## oven\n",
+            "### oven bake\n",
+            "### oven clean door\n",
+            "An oven",
+            "Of wheat",
+            "Usage: oven bake",
+        ] {
             assert!(text.contains(part), "no {part:?} in\n{text}");
         }
-        assert!(!text.contains("### oven help"), "{text}");
+        assert!(
+            !text.lines().any(|line| line.starts_with('#') && line.ends_with("help")),
+            "{text}"
+        );
         let page = in_page("a\n<!-- oven -->\nold\n<!-- end of oven -->\nb\n", program());
         assert_eq!(page, format!("a\n<!-- oven -->\n\n{text}\n<!-- end of oven -->\nb\n"));
         assert_eq!(in_page(&page, program()), page);

@@ -4,6 +4,7 @@ use std::io;
 use std::path::PathBuf;
 
 use cases::files::is_usage;
+use cases::problem::Problems;
 
 /// The reason why a run as a whole failed.
 #[derive(Debug, thiserror::Error)]
@@ -20,6 +21,9 @@ pub enum BatchError {
     #[error("there is no submission in {}: each is a folder or an archive (.zip, .tar.gz, .tgz, \
         .tar) in it", .0.display())]
     Empty(PathBuf),
+    /// The export cannot be used.
+    #[error(transparent)]
+    Export(#[from] Problems),
     /// The results cannot be written.
     #[error(
         "cannot write the results to {} (those of finished submissions are kept)",
@@ -37,7 +41,7 @@ impl BatchError {
     /// Returns whether the arguments are to blame, rather than the machine.
     pub fn is_usage(&self) -> bool {
         match self {
-            Self::Folder { .. } | Self::Empty(_) => true,
+            Self::Folder { .. } | Self::Empty(_) | Self::Export(_) => true,
             Self::Out { source, .. } => is_usage(source),
         }
     }

@@ -7,22 +7,28 @@
 //! OUT/records/ID.json, OUT/reports/ID.html     the same by the submission's id, from the last run
 //! OUT/class.csv, OUT/class.html                the table
 //! OUT/alike.csv                                submissions with nearly equal sources
+//! OUT/roll.json, OUT/decisions.csv             with a roster: the students with their points, and
+//!                                              what a person has to decide
 //! ```
 //!
 //! A result appears by one rename, so the next run continues where a killed one stopped. A
 //! submission at which the grader or the machine failed is never published, so the next run tries
 //! again.
 
+use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::alike::{self, Pair, Sketch};
+use crate::collect::class::Score;
+use crate::collect::roll::Roll;
 use crate::files;
 use crate::report::class::{self, Entry};
 use crate::workers::{Panicked, side_by_side};
 
 mod bench;
+mod collected;
 mod error;
 mod obtain;
 mod progress;
@@ -33,12 +39,14 @@ mod submissions;
 mod tests;
 
 pub use bench::OnBench;
+pub use collected::Collect;
 pub use error::BatchError;
 pub use obtain::{Grader, Read};
 pub use progress::{Listener, Shown};
 pub use seal::{Key, KeyError};
 pub use submissions::{LeftAside, Submission};
 
+use collected::{Collected, Listed};
 use obtain::{Obtained, obtain};
 use store::Store;
 
@@ -53,6 +61,8 @@ pub struct Options {
     pub jobs: usize,
     /// The key of the results.
     pub key: Key,
+    /// The roster, if hand-ins are joined to students.
+    pub collect: Option<Collect>,
 }
 
 /// The result of a run.
@@ -67,6 +77,8 @@ pub struct Summary {
     pub n_left: usize,
     /// Number of pairs of submissions with nearly equal sources.
     pub n_alike: usize,
+    /// Number of questions that a person has to decide.
+    pub n_decisions: usize,
     /// Names of the submissions at which the grader or the machine failed, with the reasons.
     pub failed: Vec<(String, String)>,
     /// Files and folders beside the submissions that are none.
@@ -95,8 +107,8 @@ pub fn run(
     listener: &dyn Listener,
 ) -> Result<Summary, BatchError> {
     let unwritable = |source| BatchError::Out { out: options.out.clone(), source };
-    let (submissions, left_aside) = submissions::list(&options.folder, &options.out)
-        .map_err(|source| BatchError::Folder { folder: options.folder.clone(), source })?;
+    let Listed { submissions, left_aside, collected } =
+        collected::list(&options.folder, &options.out, options.collect.as_ref())?;
     if submissions.is_empty() {
         return Err(BatchError::Empty(options.folder.clone()));
     }
@@ -112,7 +124,10 @@ pub fn run(
         let ids = submissions.iter().map(|one| &*one.id);
         let alike = alike::pairs(&ids.zip(&sketches).collect::<Vec<_>>());
         summary.n_alike = alike.len();
-        write_table(&options.out, submissions, obtained, &alike).map_err(unwritable)?;
+        let entries = entries(submissions, obtained);
+        let roll = collected.map(|collected| roll(&collected, &entries));
+        summary.n_decisions = roll.as_ref().map_or(0, |roll| roll.decisions.len());
+        write_table(&options.out, &entries, &alike, roll.as_ref()).map_err(unwritable)?;
     }
     Ok(summary)
 }
@@ -170,12 +185,7 @@ fn summarise(
     summary
 }
 
-fn write_table(
-    out: &Path,
-    submissions: Vec<Submission>,
-    obtained: Vec<Obtained>,
-    alike: &[Pair],
-) -> io::Result<()> {
+fn entries(submissions: Vec<Submission>, obtained: Vec<Obtained>) -> Vec<Entry> {
     let record = |obtained| match obtained {
         Obtained::Taken(record) | Obtained::Graded(record) => Some(record),
         Obtained::Failed(_) | Obtained::Left => None,
@@ -185,8 +195,43 @@ fn write_table(
         name: one.name,
         record: record(obtained),
     };
-    let entries: Vec<Entry> = submissions.into_iter().zip(obtained).map(entry).collect();
-    files::write(&out.join("class.csv"), class::csv(&entries).as_bytes())?;
-    files::write(&out.join("class.html"), class::page(&entries, alike).as_bytes())?;
-    files::write(&out.join("alike.csv"), class::alike_csv(&entries, alike).as_bytes())
+    submissions.into_iter().zip(obtained).map(entry).collect()
+}
+
+fn roll(collected: &Collected, entries: &[Entry]) -> Roll {
+    let score = |entry: &Entry| {
+        let score = entry.record.as_ref()?.score;
+        Some(Score { earned: score.earned, possible: score.possible })
+    };
+    let scores: BTreeMap<&str, Score> =
+        entries.iter().filter_map(|entry| Some((&*entry.id, score(entry)?))).collect();
+    collected.roll(&scores)
+}
+
+/// The file with the students and their points.
+pub const ROLL: &str = "roll.json";
+
+fn write_table(
+    out: &Path,
+    entries: &[Entry],
+    alike: &[Pair],
+    roll: Option<&Roll>,
+) -> io::Result<()> {
+    files::write(&out.join("class.csv"), class::csv(entries, roll).as_bytes())?;
+    files::write(&out.join("class.html"), class::page(entries, alike, roll).as_bytes())?;
+    files::write(&out.join("alike.csv"), class::alike_csv(entries, alike).as_bytes())?;
+    let (stored, decisions) = (out.join(ROLL), out.join("decisions.csv"));
+    let Some(roll) = roll else {
+        // Those of an earlier run with a roster would no longer match the table.
+        for path in [stored, decisions] {
+            if path.exists() {
+                std::fs::remove_file(path)?;
+            }
+        }
+        return Ok(());
+    };
+    files::write(&decisions, class::decisions_csv(roll).as_bytes())?;
+    let mut text = serde_json::to_string_pretty(roll).map_err(io::Error::other)?;
+    text.push('\n');
+    files::write(&stored, text.as_bytes())
 }

@@ -116,8 +116,13 @@ impl Class {
 
     fn run(&self, grader: &Fake, jobs: usize) -> Summary {
         let key = Key::open(&self.place.path().join("key")).unwrap();
-        let options =
-            Options { folder: self.place.path().join("in"), out: self.out(""), jobs, key };
+        let options = Options {
+            folder: self.place.path().join("in"),
+            out: self.out(""),
+            jobs,
+            key,
+            collect: None,
+        };
         run(grader, &options, &Silent).unwrap()
     }
 
@@ -368,6 +373,7 @@ fn an_empty_or_missing_folder_is_an_error() {
         out: place.path().join("out"),
         jobs: 1,
         key: Key::open(&place.path().join("key")).unwrap(),
+        collect: None,
     };
     fs::create_dir(place.path().join("in")).unwrap();
     assert!(matches!(run(&Fake::new("1", ALL), &at("in"), &Silent), Err(BatchError::Empty(_))));

@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::cli::collecting::Collecting;
+use crate::cli::gradebook::Gradebook;
 use crate::cli::limit::Limit;
 use crate::cli::progress::Talk;
 use crate::grade::{GradeError, Options};
@@ -97,6 +99,7 @@ impl Color {
 pub(crate) enum Command {
     Grade(Grade),
     Batch(Batch),
+    Gradebook(Gradebook),
     Images(Images),
     Compare(Compare),
     Explain(Explain),
@@ -169,6 +172,12 @@ pub(crate) struct Reports {
     /// Write JUnit XML; - is standard output
     #[arg(long, value_name = "FILE")]
     pub(crate) junit: Option<PathBuf>,
+    /// Write results.json as an autograder of Gradescope does; - is standard output
+    #[arg(long, value_name = "FILE")]
+    pub(crate) gradescope: Option<PathBuf>,
+    /// Write results.json as an external grader of PrairieLearn does; - is standard output
+    #[arg(long, value_name = "FILE")]
+    pub(crate) prairielearn: Option<PathBuf>,
     /// Show the page in a browser
     #[arg(long, requires = "html")]
     pub(crate) open: bool,
@@ -215,6 +224,7 @@ pub(crate) struct Grade {
 Examples:
   grader batch handins -o results
   grader batch handins -o results --stage 02 --jobs 4
+  grader batch assignment_7_export -o results --roster roster.csv --policy late.toml
 
 Exit codes: 0 all are graded (with any score), 2 usage or no submissions, 3 some could not be
 graded, 130 interrupted")]
@@ -225,6 +235,8 @@ pub(crate) struct Batch {
     /// Folder of the results
     #[arg(short, long, value_name = "OUT")]
     pub(crate) out: PathBuf,
+    #[command(flatten)]
+    pub(crate) collecting: Collecting,
     #[command(flatten)]
     pub(crate) limit: Limit,
     /// Whether the program `reference` beside the grader confirms diagnoses

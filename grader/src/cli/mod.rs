@@ -1,8 +1,10 @@
 //! The command line: arguments, commands and exit codes. Each command is a module of `commands`.
 
 mod arguments;
+mod collecting;
 mod commands;
 mod exit;
+mod gradebook;
 mod limit;
 mod progress;
 
@@ -35,6 +37,7 @@ fn dispatch(arguments: &Arguments) -> exit::Outcome {
         Command::Grade(options) => commands::grade::run(options, &talk),
         Command::Images(options) => commands::images::run(options, &talk),
         Command::Batch(options) => commands::batch::run(options, &talk),
+        Command::Gradebook(options) => commands::gradebook::run(options, &talk),
         Command::Compare(options) => commands::compare::run(options),
         Command::Explain(options) => commands::explain::run(options, &talk),
         Command::Lint(options) => commands::lint::run(options, &talk),

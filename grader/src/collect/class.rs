@@ -159,7 +159,7 @@ impl Class {
             let results: Vec<Member> = own
                 .iter()
                 .map(|n| {
-                    // A moment in the roster is that of the only hand-in, or of the one that counts.
+                    // The moment in the roster is that of one hand-in: the one that counts.
                     let moment = student.handed_in.filter(|_| own.len() == 1);
                     let moment = self.hand_ins[*n].handed_in.or(moment);
                     self.member(student, (*n, moment), scores[*n], &submissions[*n])

@@ -236,7 +236,9 @@ mod tests {
 
     proptest! {
         #[test]
-        fn what_is_shown_is_read(unix_s in -60_000_000_000_i64..200_000_000_000, quarter in -56_i64..=56) {
+        fn what_is_shown_is_read(
+            unix_s in -60_000_000_000_i64..200_000_000_000, quarter in -56_i64..=56,
+        ) {
             let clock = Clock { moment: Moment { unix_s }, offset_s: quarter * 900 };
             prop_assert_eq!(Clock::parse(&clock.to_string()), Some(clock));
         }

@@ -8,7 +8,8 @@ use proptest::sample::select;
 use serde_json::{Map, Value, json};
 
 use super::class::{self, Entry};
-use super::{html, junit, sample, terminal};
+use super::{gradebook, gradescope, html, junit, prairielearn, sample, terminal};
+use crate::collect::roll::{Decision, Member, Roll};
 use crate::graded::Graded;
 use crate::plain::is_hidden;
 use crate::record::{self, Record};
@@ -212,6 +213,22 @@ fn read_xml(xml: &str) -> Result<(String, usize), quick_xml::Error> {
     }
 }
 
+/// Returns a roll with `text` wherever a student or an export can put text.
+fn hostile_roll(text: &str) -> Roll {
+    let student = || Member {
+        id: text.to_owned(),
+        name: text.to_owned(),
+        email: text.to_owned(),
+        section: text.to_owned(),
+        group: text.to_owned(),
+        ..Member::default()
+    };
+    let graded = Member { submission: Some("a".to_owned()), ..student() };
+    let texts = || vec![text.to_owned()];
+    let decision = Decision { hand_ins: texts(), students: texts(), why: text.to_owned() };
+    Roll { members: vec![student(), graded], decisions: vec![decision], ..Roll::default() }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 200, ..ProptestConfig::default() })]
 
@@ -241,16 +258,26 @@ proptest! {
         prop_assert_eq!(page.matches("<script").count(), 1);
         prop_assert!(is_harmless(&page));
 
+        for text in [gradescope::to_string(&record), prairielearn::to_string(&record)] {
+            prop_assert!(is_harmless(&text), "{text}");
+            prop_assert!(serde_json::from_str::<Value>(&text).is_ok(), "{text}");
+        }
+
         let name = name.as_str().unwrap_or_default().to_owned();
+        let roll = hostile_roll(&name);
         let entries = [
             Entry { id: "a".to_owned(), name: name.clone(), record: Some(record) },
             Entry { id: name.clone(), name, record: None },
         ];
-        let (table, page) = (class::csv(&entries), class::page(&entries, &[]));
-        prop_assert_eq!(page.matches("<script").count(), 1);
-        prop_assert!(is_harmless(&table) && is_harmless(&page), "{table}");
-        let mut rows = csv::ReaderBuilder::new().has_headers(true).from_reader(table.as_bytes());
-        prop_assert_eq!(rows.records().filter_map(Result::ok).count(), 2);
+        for (roll, n_rows) in [(None, 2), (Some(&roll), 3)] {
+            let (table, page) = (class::csv(&entries, roll), class::page(&entries, &[], roll));
+            prop_assert_eq!(page.matches("<script").count(), 1);
+            prop_assert!(is_harmless(&table) && is_harmless(&page), "{table}");
+            let mut rows = csv::Reader::from_reader(table.as_bytes());
+            prop_assert_eq!(rows.records().filter_map(Result::ok).count(), n_rows);
+        }
+        prop_assert!(is_harmless(&class::decisions_csv(&roll)));
+        prop_assert!(is_harmless(&gradebook::plain(&roll)));
     }
 }
 

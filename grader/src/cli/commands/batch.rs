@@ -2,7 +2,7 @@
 
 use pages::{lines, say};
 
-use crate::batch::{self, Key, OnBench, Options, Shown, Summary};
+use crate::batch::{self, Collect, Key, OnBench, Options, Shown, Summary};
 use crate::cli::arguments::{Batch, stages};
 use crate::cli::commands::grade::say_lowered;
 use crate::cli::exit::{self, Done, Outcome};
@@ -11,6 +11,8 @@ use crate::grade::{Bench, Options as One};
 use crate::sandbox::{self, Layers, Level};
 
 pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
+    let collect = arguments.collecting.collect()?;
+    say_unused(collect.as_ref(), talk);
     sandbox::clear_leftovers();
     let allowance = arguments.limit.allowance();
     say_lowered(&allowance, talk);
@@ -28,7 +30,7 @@ pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
     let jobs = arguments.jobs.map_or_else(|| One::new(&arguments.folder).jobs, usize::from);
     let key = Key::open(&arguments.key_file()?)?;
     let (folder, out) = (arguments.folder.clone(), arguments.out.clone());
-    let options = Options { folder, out, jobs, key };
+    let options = Options { folder, out, jobs, key, collect };
     let summary = batch::run(&grader, &options, &Shown::new(talk.is_quiet))?;
     if !talk.is_quiet {
         for aside in &summary.left_aside {
@@ -37,6 +39,14 @@ pub(crate) fn run(arguments: &Batch, talk: &Talk) -> Outcome {
         exit::print(&closing(&summary, &options, bench.workshop.layers))?;
     }
     Ok(if summary.failed.is_empty() { Done::Passed } else { Done::Ours })
+}
+
+/// Names the columns of the roster that are not used, one of which may be misspelt.
+fn say_unused(collect: Option<&Collect>, talk: &Talk) {
+    let unused = collect.map_or(&[][..], |collect| &collect.roster.unused);
+    if !unused.is_empty() && !talk.is_quiet {
+        say::err(&format!("not used of the roster: {}", unused.join(", ")));
+    }
 }
 
 /// Returns the last lines: how many records there are, where the table is, what is left to do.
@@ -59,6 +69,11 @@ fn closing(summary: &Summary, options: &Options, layers: Layers) -> String {
             "{pairs} of submissions have nearly equal sources: {}\n",
             options.out.join("alike.csv").display()
         );
+    }
+    if summary.n_decisions > 0 {
+        let decisions = lines::count(summary.n_decisions, "question");
+        let path = options.out.join("decisions.csv");
+        text += &format!("{decisions} for you to decide: {}\n", path.display());
     }
     text += &format!("protection: {layers}\n");
     if !failed.is_empty() {

@@ -5,6 +5,7 @@ pub(crate) mod compare;
 pub(crate) mod doctor;
 pub(crate) mod explain;
 pub(crate) mod grade;
+pub(crate) mod gradebook;
 pub(crate) mod images;
 pub(crate) mod lint;
 pub(crate) mod publish;

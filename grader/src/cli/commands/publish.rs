@@ -12,7 +12,7 @@ use crate::cli::progress::Talk;
 use crate::grade::GradeError;
 use crate::graded::Graded;
 use crate::record::{FindingKind, Record, Verdict};
-use crate::report::{html, junit, terminal};
+use crate::report::{gradescope, html, junit, prairielearn, terminal};
 
 /// Checks that the reports can be written. This comes before any program runs, since grading takes
 /// minutes.
@@ -21,14 +21,14 @@ use crate::report::{html, junit, terminal};
 /// Fails if a name cannot be written, if two reports would be the same file, or if `--open` names a
 /// stream.
 pub(crate) fn check(reports: &Reports) -> Result<(), GradeError> {
-    let Reports { json, html, junit, open } = reports;
-    let named: Vec<&PathBuf> = [json, html, junit].into_iter().flatten().collect();
+    let Reports { html, open, .. } = reports;
+    let named: Vec<&PathBuf> = files_of(reports).into_iter().flatten().collect();
     named.iter().try_for_each(|path| files::check(path))?;
     let places: Vec<Option<PathBuf>> = named.iter().map(|path| place(path)).collect();
     let is_twice =
         |(n, _): (usize, &&PathBuf)| places[n].is_some() && places[..n].contains(&places[n]);
     if named.iter().filter(|path| is_stdout(path)).count() > 1 {
-        let text = "only one of --json, --html and --junit can go to standard output";
+        let text = "only one report can go to standard output";
         return Err(GradeError::Usage(text.to_owned()));
     }
     if let Some((_, path)) = named.iter().enumerate().find(|named| is_twice(*named)) {
@@ -39,6 +39,12 @@ pub(crate) fn check(reports: &Reports) -> Result<(), GradeError> {
         return Err(GradeError::Usage("--open shows a file: name one with --html".to_owned()));
     }
     Ok(())
+}
+
+/// Returns the files of all reports.
+fn files_of(reports: &Reports) -> [&Option<PathBuf>; 5] {
+    let Reports { json, html, junit, gradescope, prairielearn, open: _ } = reports;
+    [json, html, junit, gradescope, prairielearn]
 }
 
 /// Returns the same path for all names of a regular file, such as `a` and `./a`; `None` for
@@ -56,7 +62,7 @@ fn place(name: &Path) -> Option<PathBuf> {
 /// Fails if a report cannot be written. The error is that of the first one; the others are written.
 pub(crate) fn publish(graded: &Graded, reports: &Reports, talk: &Talk) -> Outcome {
     let record = &graded.record;
-    let Reports { json, html, junit, open: is_shown } = reports;
+    let Reports { json, html, junit, gradescope, prairielearn, open: is_shown } = reports;
     let mut written: Result<(), GradeError> = Ok(());
     let write =
         |path: &Path, text: &str| files::write(path, text.as_bytes()).map_err(GradeError::from);
@@ -67,10 +73,16 @@ pub(crate) fn publish(graded: &Graded, reports: &Reports, talk: &Talk) -> Outcom
         let text = junit::to_string(record).map_err(GradeError::from);
         written = written.and(text.and_then(|text| write(path, &text)));
     }
+    if let Some(path) = gradescope {
+        written = written.and(write(path, &gradescope::to_string(record)));
+    }
+    if let Some(path) = prairielearn {
+        written = written.and(write(path, &prairielearn::to_string(record)));
+    }
     if let Some(path) = html {
         written = written.and(write(path, &html::render(graded)));
     }
-    let is_taken = [json, html, junit].into_iter().flatten().any(|path| is_stdout(path));
+    let is_taken = files_of(reports).into_iter().flatten().any(|path| is_stdout(path));
     if !is_taken && !talk.is_quiet {
         let look = terminal::Look { is_verbose: talk.is_verbose, columns: lines::columns() };
         written = written.and(exit::print(&terminal::render(record, look)));

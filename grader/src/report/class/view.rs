@@ -1,12 +1,13 @@
 //! Turns the table into the values that the template shows.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
 
 use super::histogram::{self, Histogram};
 use super::{Entry, entry, rows};
 use crate::alike::Pair;
+use crate::collect::roll::{Member as Student, Roll};
 use crate::plain::shown;
 use crate::record::{CheckRecord, Confidence, FindingKind, Verdict};
 use crate::report::words;
@@ -24,6 +25,19 @@ pub(super) struct Class {
     checks: Vec<Check>,
     flagged: Vec<Flagged>,
     alike: Vec<Alike>,
+    /// Whether the rows are those of a roster.
+    has_roll: bool,
+    deadline: Option<String>,
+    decisions: Vec<Decision>,
+    not_counted: Vec<Decision>,
+}
+
+/// A question for a person, or a hand-in that does not count.
+#[derive(Serialize)]
+struct Decision {
+    hand_ins: String,
+    students: String,
+    why: String,
 }
 
 #[derive(Serialize)]
@@ -38,11 +52,25 @@ struct Row {
     id: String,
     name: String,
     is_graded: bool,
+    /// The student of the row, if there is a roster.
+    member: Option<Member>,
     /// The total in thousandths, to sort by, and as text.
     total: Number,
     stages: Vec<Number>,
     build: &'static str,
     findings: String,
+}
+
+/// What the roster and the policy say about a row.
+#[derive(Serialize)]
+struct Member {
+    id: String,
+    section: String,
+    handed_in: String,
+    late: Number,
+    deduction: Number,
+    total: Number,
+    standing: &'static str,
 }
 
 #[derive(Serialize)]
@@ -92,8 +120,8 @@ struct Mistake {
 /// The kinds of finding that a person should look at.
 const FLAGS: [FindingKind; 2] = [FindingKind::Contested, FindingKind::Nondeterministic];
 
-pub(super) fn class(entries: &[Entry], alike: &[Pair]) -> Class {
-    let (stages, rows) = rows::of(entries);
+pub(super) fn class(entries: &[Entry], alike: &[Pair], roll: Option<&Roll>) -> Class {
+    let (stages, rows) = rows::of(entries, roll);
     let totals = rows.iter().filter_map(|row| row.earned.zip(row.possible));
     let of_stage = |n: usize, stage: &rows::Stage| {
         let scores = rows.iter().filter_map(move |row| row.stages[n]);
@@ -106,12 +134,8 @@ pub(super) fn class(entries: &[Entry], alike: &[Pair]) -> Class {
     epochs.sort();
     epochs.dedup();
     Class {
-        n_graded: rows.iter().filter(|row| row.earned.is_some()).count(),
-        missing: rows
-            .iter()
-            .filter(|row| row.earned.is_none())
-            .map(|row| shown(row.name))
-            .collect(),
+        n_graded: entries.iter().filter(|entry| entry.record.is_some()).count(),
+        missing: rows.iter().filter(|row| row.is_failed).map(|row| shown(row.name)).collect(),
         epochs,
         median: median(rows.iter().filter_map(|row| row.earned).collect()).map(words::points),
         histograms,
@@ -119,8 +143,12 @@ pub(super) fn class(entries: &[Entry], alike: &[Pair]) -> Class {
         rows: rows.iter().map(row).collect(),
         mistakes: mistakes(entries),
         checks: checks(entries),
-        flagged: rows.iter().flat_map(|row| flagged(entries, row)).collect(),
+        flagged: flagged(entries, &rows),
         alike: alike.iter().map(|pair| self::alike(entries, pair)).collect(),
+        has_roll: roll.is_some(),
+        deadline: roll.and_then(|roll| roll.deadline.clone()),
+        decisions: roll.map(decisions).unwrap_or_default(),
+        not_counted: roll.map(not_counted).unwrap_or_default(),
     }
 }
 
@@ -138,17 +166,50 @@ fn stage(stage: &rows::Stage) -> Stage {
     }
 }
 
-fn row(row: &rows::Row) -> Row {
-    let number = |value: &Option<u64>| Number {
-        value: value.unwrap_or(0),
-        text: value.map_or_else(|| "–".to_owned(), words::points),
+fn decisions(roll: &Roll) -> Vec<Decision> {
+    let decision = |one: &crate::collect::roll::Decision| Decision {
+        hand_ins: shown(&one.hand_ins.join(", ")),
+        students: shown(&one.students.join(", ")),
+        why: shown(&one.why),
     };
+    roll.decisions.iter().map(decision).collect()
+}
+
+fn not_counted(roll: &Roll) -> Vec<Decision> {
+    let decision = |one: &crate::collect::roll::NotCounted| Decision {
+        hand_ins: shown(&one.hand_in),
+        students: shown(&one.students.join(", ")),
+        why: shown(&one.why),
+    };
+    roll.not_counted.iter().map(decision).collect()
+}
+
+fn number(value: &Option<u64>) -> Number {
+    Number {
+        value: value.unwrap_or(0), text: value.map_or_else(|| "–".to_owned(), words::points)
+    }
+}
+
+fn member(member: &Student) -> Member {
+    Member {
+        id: shown(&member.id),
+        section: shown(&member.section),
+        handed_in: shown(member.handed_in.as_deref().unwrap_or("–")),
+        late: Number { value: member.late_s.unwrap_or(0), text: rows::late(member) },
+        deduction: number(&member.deduction),
+        total: number(&member.total),
+        standing: member.standing.words(),
+    }
+}
+
+fn row(row: &rows::Row) -> Row {
     let findings =
         row.findings.iter().map(|(kind, count)| format!("{count} × {}", words::finding(*kind)));
     Row {
         id: shown(row.id),
         name: shown(row.name),
         is_graded: row.earned.is_some(),
+        member: row.member.map(member),
         total: number(&row.earned),
         stages: row.stages.iter().map(number).collect(),
         build: row.build,
@@ -165,8 +226,15 @@ fn alike(entries: &[Entry], Pair { ids, share }: &Pair) -> Alike {
     }
 }
 
-/// Returns the pictures of a submission that a person should look at.
-fn flagged(entries: &[Entry], row: &rows::Row) -> Vec<Flagged> {
+/// Returns the pictures that a person should look at. Those of a submission of several students are
+/// listed once.
+fn flagged(entries: &[Entry], rows: &[rows::Row]) -> Vec<Flagged> {
+    let mut seen = BTreeSet::new();
+    let first = rows.iter().filter(|row| seen.insert(row.id));
+    first.flat_map(|row| flagged_in(entries, row)).collect()
+}
+
+fn flagged_in(entries: &[Entry], row: &rows::Row) -> Vec<Flagged> {
     let record =
         entries.iter().find(|entry| entry.id == row.id).and_then(|entry| entry.record.as_ref());
     let checks =
