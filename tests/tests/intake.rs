@@ -271,7 +271,7 @@ fn every_hand_in_of_a_class_has_a_row() {
         fs::write(at("in").join(name), text).unwrap();
     }
     let key = batch::Key::open(&at("key")).expect("a key");
-    let options = batch::Options { folder: at("in"), out: at("out"), jobs: 2, key };
+    let options = batch::Options { folder: at("in"), out: at("out"), jobs: 2, key, collect: None };
     let grader = OnBench::new(&FINAL, &[]).unwrap_or_else(|why| panic!("{}", say::chain(&why)));
     let summary = batch::run(&grader, &options, &Shown::new(true)).unwrap();
     assert_eq!((summary.n_done, summary.failed), (12, vec![]));

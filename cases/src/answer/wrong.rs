@@ -202,7 +202,7 @@ mod tests {
     #[test]
     fn a_list_that_ends_early_is_broken() {
         let wrong = Wrong::new("x", [None, Some([9; 3])]);
-        let part = part(&[wrong.clone()], 2).unwrap().unwrap();
+        let part = part(std::slice::from_ref(&wrong), 2).unwrap().unwrap();
         assert_eq!(layers(&part.attached).unwrap().len(), 1);
         for end in 1..part.attached.len() {
             assert!(layers(&part.attached[..end]).is_err(), "cut at {end}");

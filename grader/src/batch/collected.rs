@@ -9,7 +9,7 @@ use cases::problem::Problems;
 use super::error::BatchError;
 use super::submissions::{self, LeftAside, Submission};
 use crate::collect::class::{Class, Count, Score};
-use crate::collect::export::{Entry, Export, Exported, hand_ins};
+use crate::collect::export::{Entry, Export, Exported, hand_ins, missing};
 use crate::collect::gradescope;
 use crate::collect::policy::Policy;
 use crate::collect::roll::Roll;
@@ -72,7 +72,8 @@ pub(super) fn list(
     let shown = name(&top.canonicalize().unwrap_or_else(|_| top.clone()));
     let exported = Exported { folder: &shown, entries: &entries, metadata: metadata.as_ref() };
     let hand_ins = hand_ins(collect.export, exported)?;
-    let class = Class::new(collect.roster.clone(), hand_ins, collect.policy, collect.count);
+    let mut class = Class::new(collect.roster.clone(), hand_ins, collect.policy, collect.count);
+    class.note_missing(&missing(exported));
     let ids = found.iter().map(|one| one.id.clone()).collect();
     let mut is_graded = class.is_graded().into_iter();
     found.retain(|_| is_graded.next().unwrap_or(true));

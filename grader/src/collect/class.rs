@@ -63,6 +63,22 @@ impl Class {
         class
     }
 
+    /// Lists hand-ins that the export names and does not hold, so that nobody seems to have handed
+    /// in nothing.
+    pub fn note_missing(&mut self, missing: &[HandIn]) {
+        let index = Index::new(&self.roster);
+        for one in missing {
+            let found = one.claims.iter().filter_map(|claim| index.find(claim, &self.roster).ok());
+            let owners: BTreeSet<usize> = found.flatten().collect();
+            let why = "the export names this hand-in, but its folder is missing: unpack it again";
+            self.decisions.push(Decision {
+                hand_ins: vec![one.name.clone()],
+                students: ids(&self.roster, owners.iter()),
+                why: why.to_owned(),
+            });
+        }
+    }
+
     /// Returns which hand-ins are to be graded: all except those that do not count anyway.
     pub fn is_graded(&self) -> Vec<bool> {
         (0..self.hand_ins.len()).map(|n| !self.not_counted.contains_key(&n)).collect()

@@ -1,6 +1,6 @@
 //! Reads the names of files and folders as platforms write them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use cases::problem::Problems;
 use clap::ValueEnum;
@@ -85,6 +85,20 @@ pub fn hand_ins(export: Export, exported: Exported<'_>) -> Result<Vec<HandIn>, P
         }
         Export::Folders | Export::Auto => Ok(entries.map(of_folder).collect()),
     }
+}
+
+/// Returns the hand-ins that the metadata of Gradescope name and that the folder lacks.
+pub fn missing(exported: Exported<'_>) -> Vec<HandIn> {
+    let entries = exported.entries.iter();
+    let names: BTreeSet<String> = entries
+        .flat_map(|entry| [entry.name.clone(), plain(entry, vec![], &entry.name).stem])
+        .collect();
+    let absent = exported.metadata.into_iter().flatten().filter(|(key, _)| !names.contains(*key));
+    let hand_in = |(key, one): (&String, &Submission)| {
+        let entry = Entry { name: key.clone(), is_folder: true };
+        HandIn { handed_in: one.created_at, ..plain(&entry, one.submitters.clone(), key) }
+    };
+    absent.map(hand_in).collect()
 }
 
 /// Returns a hand-in without anything that a platform says.

@@ -291,8 +291,8 @@ fn record(bytes: &[u8], _folder: &Path) -> Read {
     assert!(!shown.is_empty());
     let entry = Entry { id: "a".to_owned(), name: "a".to_owned(), record: Some(record.clone()) };
     assert!(
-        !class::csv(std::slice::from_ref(&entry)).is_empty()
-            && !class::page(&[entry], &[]).is_empty()
+        !class::csv(std::slice::from_ref(&entry), None).is_empty()
+            && !class::page(&[entry], &[], None).is_empty()
     );
     assert!(!html::render(&Graded { record, pictures: BTreeMap::new() }).is_empty());
     Read::Accepted

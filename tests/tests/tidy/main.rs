@@ -3,6 +3,7 @@
 mod bans;
 
 use std::collections::BTreeSet;
+use std::path::Path;
 
 use bans::BANS;
 use tests::{code_lines, files, name, tracked, workspace};

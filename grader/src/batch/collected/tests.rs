@@ -140,6 +140,15 @@ fn an_export_of_gradescope_becomes_a_table_of_students() {
 }
 
 #[test]
+fn a_folder_that_is_missing_is_noticed() {
+    let place = Place::new(&[("submission_metadata.yml", METADATA), ("submission_2/points", "5")]);
+    let (summary, _) = place.run(collect(None, Export::Auto)).unwrap();
+    assert_eq!(summary.n_decisions, 2);
+    let decisions = place.text("decisions.csv");
+    assert!(decisions.contains("to be decided,submission_1,1,\"the export names"), "{decisions}");
+}
+
+#[test]
 fn an_attempt_that_does_not_count_is_not_graded() {
     let place = Place::new(&[
         ("dayb_11_1_hw.zip", "1"),

@@ -32,9 +32,12 @@ fn results(class: &Class) -> BTreeMap<String, PathBuf> {
     folders.map(|folder| (name(&folder), folder)).collect()
 }
 
+/// Changes the folders of results, which have the names of their submissions.
+type Change = fn(&BTreeMap<String, PathBuf>);
+
 #[test]
 fn a_result_that_the_grader_did_not_write_is_refused() {
-    let change: [(&str, fn(&BTreeMap<String, PathBuf>)); 5] = [
+    let changes: [(&str, Change); 5] = [
         ("a record", |results| {
             let path = results["alice"].join("record.json");
             let text = fs::read_to_string(&path).unwrap();
@@ -52,7 +55,7 @@ fn a_result_that_the_grader_did_not_write_is_refused() {
             fs::rename(&results["bob"], &results["alice"]).unwrap();
         }),
     ];
-    for (what, change) in change {
+    for (what, change) in changes {
         let class = Class::new(&THREE);
         class.run(&Fake::new("1", ALL), 1);
         let before = class.shown();
