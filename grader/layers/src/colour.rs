@@ -4,13 +4,13 @@ use cases::answer::Levels;
 use cases::film::{Image, byte};
 use cases::glam::DVec3;
 
-/// Red, green and blue in levels, 0 to 255; [`NONE`] for a pixel that is no colour.
+/// Red, green and blue in levels, 0 to 255; `NONE` for a pixel that is no colour.
 pub type Colour = [i16; 3];
 
 /// A pixel that is not finite. No colour is near it.
 pub(crate) const NONE: Colour = [-1000; 3];
 
-/// Returns light in levels, or [`NONE`] if a channel is not finite.
+/// Returns light in levels, or `NONE` if a channel is not finite.
 pub(crate) fn of_light(light: DVec3) -> Colour {
     if light.is_finite() { signed(light.to_array().map(byte)) } else { NONE }
 }

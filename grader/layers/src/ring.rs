@@ -34,7 +34,7 @@ pub fn wrong_share(shot: &Shot, layer: &Layer, hits: &[u32]) -> f64 {
     if n_ring < FEW { 0.0 } else { wrong / n_ring as f64 }
 }
 
-/// Returns, for each of `n` pixels in rows of `width`, whether it lies at most [`WIDTH`] columns
+/// Returns, for each of `n` pixels in rows of `width`, whether it lies at most `WIDTH` columns
 /// and rows from a hit.
 pub fn around(hits: &[u32], width: usize, n: usize) -> Vec<bool> {
     let mut mask = vec![false; n];
@@ -49,7 +49,7 @@ pub fn around(hits: &[u32], width: usize, n: usize) -> Vec<bool> {
     mask
 }
 
-/// Widens what is set in a line of `n` pixels, `step` apart, by [`WIDTH`] at both ends.
+/// Widens what is set in a line of `n` pixels, `step` apart, by `WIDTH` at both ends.
 fn widen(line: &mut [bool], step: usize, n: usize) {
     let set: Vec<bool> = (0..n).map(|at| line[at * step]).collect();
     for at in 0..n {
