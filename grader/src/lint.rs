@@ -1,18 +1,19 @@
 //! Finds problems in a set of cases and its answers, beyond those that keep it from being read.
 
 mod apart;
+mod layers;
 mod sharpness;
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use cases::answer::{
-    Wrong, check_answers_path, expected_png_path, image_answer_path, load, mistakes_path,
-};
+use cases::answer::{check_answers_path, expected_png_path, image_answer_path, mistakes_path};
 use cases::stage::{Base, Case};
 use cases::{Course, effects};
 
 pub use apart::alike;
+pub use layers::LayersError;
+use layers::layers;
 use pages::say;
 
 use crate::blame::{self, Blame};
@@ -118,17 +119,9 @@ fn sharpness(exam: &Exam, questions: &Questions, problems: &mut Vec<String>) {
         let Some(answer) = questions.images.get(&case.id) else { continue };
         match layers(exam, case) {
             Ok(wrong) => problems.extend(sharpness::problems(case, answer, &wrong, &exam.mistakes)),
-            Err(why) => problems.push(why),
+            Err(why) => problems.push(say::chain(&why)),
         }
     }
-}
-
-/// Returns the pictures of mistakes that are stored with a case.
-fn layers(exam: &Exam, case: &Case) -> Result<Vec<Wrong>, String> {
-    let size = case.scene.render;
-    let bytes = load::bytes(&image_answer_path(&exam.folder, &case.id)).unwrap_or_default();
-    Wrong::decode_all(&bytes, size.width, size.height)
-        .map_err(|why| format!("{}: the stored mistakes cannot be read: {why}", case.id))
 }
 
 /// Checks that stored answers agree with those on paper, and can be judged.

@@ -3,6 +3,7 @@
 mod check;
 mod cluster;
 mod digest;
+mod levels;
 pub mod load;
 mod mistake;
 mod picture;
@@ -13,9 +14,10 @@ use std::path::{Path, PathBuf};
 pub use check::{CheckAnswer, check_answers_from_str, check_answers_to_string};
 pub use cluster::{Clusters, largest_cluster, neighbours};
 pub use digest::{Digest, RULES_VERSION};
+pub use levels::Levels;
 pub use load::AnswerError;
 pub use mistake::{Mistake, mistakes_from_str, mistakes_to_string};
-pub use picture::{ImageAnswer, Levels, Limits, full_light};
+pub use picture::{ImageAnswer, Limits, full_light};
 pub use wrong::Wrong;
 
 /// Returns the path of the answer to the case `id` below `stages`.

@@ -4,12 +4,10 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use super::Digest;
+use super::levels::{Levels, UNIT, byte_plane};
 use super::wrong::{self, Wrong};
-use crate::film::exr::{self, Depth, Part, Plane, plane_name};
+use crate::film::exr::{self, Part, Plane, plane_name};
 use crate::film::{Image, PictureError, byte, level};
-
-/// Red, green and blue in whole 8-bit levels.
-pub type Levels = [u8; 3];
 
 /// The answer to an image case, stored as `CASE.answer.exr` beside it. All lists are row by row
 /// from the top.
@@ -58,9 +56,6 @@ struct Notes {
 /// Width in levels beyond which the envelope of a pixel makes it contested: correct tracers do not
 /// agree on it.
 const CONTESTED: u8 = 4;
-/// Number of stored units in a sample of 1. A 256th is exact in half precision, unlike a 255th, and
-/// half the size when packed.
-const UNIT: f32 = 256.0;
 const ANSWER: &str = "answer";
 const WEIGHT: &str = "weight.Y";
 
@@ -208,11 +203,6 @@ fn layer(name: &str, levels: &[Levels]) -> [Plane; 3] {
         byte_plane(plane_name(name, channel), levels.iter().map(|pixel| pixel[at]))
     };
     [plane("R", 0), plane("G", 1), plane("B", 2)]
-}
-
-/// Returns a plane of whole numbers, which are stored as multiples of 1/256.
-pub(super) fn byte_plane(name: String, bytes: impl Iterator<Item = u8>) -> Plane {
-    Plane { name, samples: bytes.map(|byte| f32::from(byte) / UNIT).collect(), depth: Depth::Half }
 }
 
 fn to_byte(share: f32) -> u8 {

@@ -9,7 +9,7 @@
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
 
-use super::picture::{Levels, byte_plane};
+use super::levels::{Levels, byte_plane};
 use crate::film::PictureError;
 use crate::film::exr::{self, Part};
 

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use cases::answer::Mistake;
 use cases::stage::Case;
 
-use super::perform::Answers;
+use super::answers::{Answers, Credit, Done};
 use super::plan::{Part, Plan};
 use crate::diagnose::{Explanation, Sheet};
 use crate::exam::Exam;
@@ -17,19 +17,6 @@ use crate::score;
 
 /// The share of the points of a stage's pictures below which the stage gets no credit.
 const SHOWN: f64 = 0.25;
-
-/// A wrong picture that earns more because of known mistakes.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Credit {
-    /// The id of the case.
-    pub(super) id: String,
-    /// The thousandths of its points that the picture earns with the credit.
-    share: u32,
-    /// The thousandths that it earns without.
-    pub(super) before: u32,
-    /// Ids of the mistakes.
-    pub(super) mistakes: Vec<String>,
-}
 
 /// Returns the credits of the wrong pictures among `answers`. `sheets` are the sheets of the cases.
 ///
@@ -158,5 +145,5 @@ fn explains(diagnosis: &Diagnosis, id: &str) -> bool {
 
 /// Returns whether a check loses points because its answer is wrong.
 fn is_lost(answers: &Answers, id: &str) -> bool {
-    answers.done.get(id).is_some_and(super::diagnosis::is_wrong)
+    answers.done.get(id).is_some_and(Done::is_wrong)
 }

@@ -7,32 +7,31 @@ use cases::answer::{Mistake, Wrong, image_answer_path, load};
 use cases::stage::{Case, Check};
 use rayon::prelude::*;
 
+use super::answers::{Answers, Done, State};
 use super::credit;
-use super::perform::{Answers, Done};
 use super::plan::{Part, Plan};
 use crate::diagnose::{self, Explanation, Reply, Sheet};
 use crate::exam::Exam;
-use crate::grade::Bench;
-use crate::record::{Diagnosis, FindingKind, Verdict};
+use crate::record::{Diagnosis, FindingKind};
 use crate::submission::Language;
+use crate::tracer::Tracer;
 
 /// Returns the known mistakes that explain the errors in `answers`, and what they leave
 /// unexplained. Also writes the ids of the mistakes to the findings that they explain most of, and
 /// raises the shares of pictures that earn more because of them. The layers of the mistakes are
 /// unpacked only if an answer is wrong.
 ///
-/// If the bench has a tracer, it confirms the mistakes. Points do not depend on it, so that a
+/// If there is a tracer, it confirms the mistakes. Points do not depend on it, so that a
 /// student's own run gives the same ones.
 ///
 /// The place to look at names a file only if the program is made from a `template`.
 pub(super) fn diagnose(
-    bench: &Bench,
+    (exam, tracer): (&Exam, Option<&Tracer>),
     plan: &Plan,
     answers: &mut Answers,
     template: Option<Language>,
 ) -> Explanation {
-    let exam = &bench.exam;
-    if !answers.done.values().any(|done| state(done) == State::Wrong) {
+    if !answers.done.values().any(|done| done.state() == State::Wrong) {
         return Explanation::default();
     }
     let cases: Vec<(&Part, &Case)> = plan
@@ -43,7 +42,7 @@ pub(super) fn diagnose(
     let sheets: Vec<(Sheet, &Case)> = cases
         .par_iter()
         .filter_map(|(part, case)| {
-            answers.done.get(&case.id).filter(|done| state(done) != State::Undecided)?;
+            answers.done.get(&case.id).filter(|done| done.state() != State::Undecided)?;
             Some((sheet(exam, part, case)?, *case))
         })
         .collect();
@@ -63,7 +62,7 @@ pub(super) fn diagnose(
     let explanation = diagnose::diagnose(&pictures, replies.collect(), &known);
     let all: Vec<&Sheet> = sheets.iter().map(|(sheet, _)| sheet).collect();
     let credits = credit::credits(exam, plan, answers, &all, &explanation);
-    let explanation = match &bench.tracer {
+    let explanation = match tracer {
         None => explanation,
         Some(tracer) => {
             let end = tracer.end();
@@ -111,30 +110,6 @@ fn label(answers: &mut Answers, diagnoses: &[Diagnosis]) {
     }
 }
 
-/// The meaning of a judgement for a diagnosis.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum State {
-    Right,
-    Wrong,
-    /// The result could not be judged, or only a person can judge it. Code that is still to be
-    /// written belongs here: it is no mistake.
-    Undecided,
-}
-
-/// Returns whether an answer is wrong, so that a mistake may explain it.
-pub(super) fn is_wrong(done: &Done) -> bool {
-    state(done) == State::Wrong
-}
-
-fn state(done: &Done) -> State {
-    let kind = done.judgement.finding.as_ref().map(|finding| finding.kind);
-    match (done.judgement.verdict, kind) {
-        (Verdict::Pass, None | Some(FindingKind::Remark)) => State::Right,
-        (Verdict::Partial | Verdict::Fail, Some(FindingKind::Wrong)) => State::Wrong,
-        _ => State::Undecided,
-    }
-}
-
 fn sheet(exam: &Exam, part: &Part, case: &Case) -> Option<Sheet> {
     let (width, height) = (case.scene.render.width, case.scene.render.height);
     let bytes = load::bytes(&image_answer_path(&exam.folder, &case.id)).ok()?;
@@ -144,7 +119,7 @@ fn sheet(exam: &Exam, part: &Part, case: &Case) -> Option<Sheet> {
 
 fn reply(part: &Part, check: &Check, done: &Done) -> Option<Reply> {
     let right = part.questions.units.get(&check.id)?;
-    let state = state(done);
+    let state = done.state();
     let is_right = state == State::Right;
     (state != State::Undecided).then_some(Reply::new(
         &check.id,
@@ -211,7 +186,7 @@ mod tests {
             ["x", "y", "z", "p"].map(named),
             [Some("b".into()), Some("a".into()), None, None]
         );
-        let states = ["x", "z", "p"].map(|id| state(&answers.done[id]));
+        let states = ["x", "z", "p"].map(|id| answers.done[id].state());
         assert!(states == [State::Wrong, State::Undecided, State::Right]);
     }
 }

@@ -1,5 +1,6 @@
 //! Grades one submission, from its folder to its record.
 
+mod answers;
 mod bounds;
 mod credit;
 mod diagnosis;
@@ -141,8 +142,10 @@ pub fn grade(
         Err(build) => (perform::nothing(&plan, build.finding.as_ref()), build),
     };
     // A diagnosis is only a hint, so a panic of the grader in it must not cost a check.
-    let explanation =
-        guarded(|| diagnosis::diagnose(bench, &plan, &mut answers, template)).unwrap_or_default();
+    let explanation = guarded(|| {
+        diagnosis::diagnose((&bench.exam, bench.tracer.as_ref()), &plan, &mut answers, template)
+    })
+    .unwrap_or_default();
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest };
     let mut record = write_up::record(epoch, submission, build, stages, explanation);
@@ -236,7 +239,8 @@ fn rejected(verdict: Verdict, finding: Finding, ignored: Vec<String>) -> Build {
 pub fn images(bench: &Bench, folder: &Path, options: &Options) -> Result<Graded, GradeError> {
     let plan = trusted(bench, planned(bench, options)?.pictures_only())?;
     let mut answers = perform::review(&plan, folder);
-    let explanation = diagnosis::diagnose(bench, &plan, &mut answers, None);
+    let explanation =
+        diagnosis::diagnose((&bench.exam, bench.tracer.as_ref()), &plan, &mut answers, None);
     let (stages, pictures) = write_up::stages(&plan, answers, &bench.exam);
     let submission = Submission { path: options.name.clone(), digest: String::new() };
     let build = Build {

@@ -5,11 +5,10 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
-use cases::film::Image;
-use cases::probe::{Answer, Question};
+use cases::probe::Question;
 use cases::stage::{Case, Check};
 
-use super::credit::Credit;
+use super::answers::{Answers, Done};
 use super::pictures;
 use super::plan::{Part, Plan};
 use super::progress::Progress;
@@ -20,37 +19,6 @@ use crate::judge::Judgement;
 use crate::record::{Finding, FindingKind};
 use crate::sandbox::{Finished, Limits, Outcome};
 use crate::workers::{guarded, side_by_side};
-
-/// The result of a check.
-pub(super) struct Done {
-    /// The judgement on the check.
-    pub(super) judgement: Judgement,
-    /// The picture, if one of the right size could be read.
-    pub(super) picture: Option<Image>,
-    /// The answer to a unit check, if one could be read.
-    pub(super) answer: Option<Answer>,
-    pub(super) time_s: f64,
-    /// CPU time; `None` where nothing was run.
-    pub(super) cpu_s: Option<f64>,
-    pub(super) peak_bytes: u64,
-}
-
-/// The results of a plan.
-#[derive(Default)]
-pub(super) struct Answers {
-    /// Results by the id of the check.
-    pub(super) done: BTreeMap<String, Done>,
-    /// Remarks by the id of the stage.
-    pub(super) remarks: BTreeMap<String, Vec<String>>,
-    /// Pictures that earn more because of known mistakes.
-    pub(super) credits: Vec<Credit>,
-}
-
-impl Done {
-    pub(super) fn unmeasured(judgement: Judgement, picture: Option<Image>) -> Self {
-        Self { judgement, picture, answer: None, time_s: 0.0, cpu_s: None, peak_bytes: 0 }
-    }
-}
 
 /// A unit of work: a picture, or the unit checks of a stage.
 #[derive(Clone, Copy)]

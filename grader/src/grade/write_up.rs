@@ -4,9 +4,8 @@ use std::collections::BTreeMap;
 
 use cases::front::FrontPoint;
 
+use super::answers::{self, Answers, Done};
 use super::bounds;
-use super::credit;
-use super::perform::{Answers, Done};
 use super::plan::{Part, Plan};
 use crate::diagnose::Explanation;
 use crate::exam::Exam;
@@ -139,7 +138,7 @@ fn stage(
 }
 
 /// Returns the part of the points that a picture earns only because of its credit.
-fn credited(credit: &credit::Credit, earned: u64, points: u64) -> Credit {
+fn credited(credit: &answers::Credit, earned: u64, points: u64) -> Credit {
     let before = score::score(Verdict::Partial, credit.before, points).earned;
     Credit { points: earned.saturating_sub(before), mistakes: credit.mistakes.clone() }
 }

@@ -12,6 +12,8 @@ use crate::exam::{Exam, Questions};
 use crate::judge;
 use crate::record::Verdict;
 
+use super::layers::{LayersError, layers};
+
 /// The greatest difference in levels between two colours of stored layers that counts as equal: the
 /// step to which they are rounded.
 const STEP: u8 = 8;
@@ -40,7 +42,7 @@ impl Pairs {
 ///
 /// # Errors
 /// The stored mistakes of a case cannot be read.
-pub fn alike(exam: &Exam) -> Result<Vec<[&str; 2]>, String> {
+pub fn alike(exam: &Exam) -> Result<Vec<[&str; 2]>, LayersError> {
     let mistakes = &exam.mistakes;
     let mut pairs = Pairs::all(mistakes.len());
     for (function, right) in exam.stages.iter().flat_map(checks) {
@@ -51,7 +53,7 @@ pub fn alike(exam: &Exam) -> Result<Vec<[&str; 2]>, String> {
         if pairs.0.is_empty() {
             break;
         }
-        let layers = super::layers(exam, case)?;
+        let layers = layers(exam, case)?;
         let of_id = |id: &str| layers.iter().find(|layer| layer.id == id);
         let stored: Vec<_> = mistakes.iter().map(|one| of_id(&one.id)).collect();
         pairs.keep(&stored, |one, other| layers_alike(answer, one, other));

@@ -169,8 +169,8 @@ pub(super) struct RenderArgs {
     /// `robust` is the reference's own
     #[arg(long, value_name = "FORMULAS", default_value = "robust", value_parser = formula)]
     pub formulas: Formula,
-    /// Known mistakes to make, such as `no_shadows,flat_shading`: the picture of a student's program
-    /// with all of them, by plain formulas and without a search tree
+    /// Known mistakes to make, such as `no_shadows,flat_shading`: the picture of a student's
+    /// program with all of them, by plain formulas and without a search tree
     #[arg(
         long,
         value_name = "IDS",

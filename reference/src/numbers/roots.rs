@@ -85,6 +85,15 @@ pub fn textbook<T: Real>(a: T, b: T, c: T) -> Option<[T; 2]> {
     is_real.then_some(if one <= other { [one, other] } else { [other, one] })
 }
 
+/// Returns what a·t² − 2b·t + c gives by the usual formula without the factor 4 of its
+/// discriminant: a mistake of students. `None` where that discriminant is negative or NaN.
+pub fn four_missing<T: Real>(a: T, b: T, c: T) -> Option<[T; 2]> {
+    let (twice, disc) = (b * T::TWO, b * b * T::of(4.0) - a * c);
+    let root = disc.sqrt();
+    let ends = [(twice - root) * T::HALF / a, (twice + root) * T::HALF / a];
+    (disc >= T::ZERO).then_some(ends)
+}
+
 /// Returns `middle` − √`square` and `middle` + √`square`; `None` where `square` is negative or NaN.
 pub fn about<T: Real>(middle: T, square: T) -> Option<[T; 2]> {
     let is_real = square >= T::ZERO; // false for NaN

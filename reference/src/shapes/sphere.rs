@@ -143,10 +143,7 @@ impl<T: Real> Sphere<T> {
         };
         let c = from_center.dot(from_center) - square;
         if rules.get().sphere_roots == SphereRoots::FourMissing {
-            let (twice, disc) = (b * T::TWO, b * b * T::of(4.0) - a * c);
-            let root = disc.sqrt();
-            let ends = [(twice - root) * T::HALF / a, (twice + root) * T::HALF / a];
-            return (disc >= T::ZERO).then_some(ends);
+            return roots::four_missing(a, b, c);
         }
         match rules.get().style.quadratic {
             Quadratic::NearestPoint if rules.get().sphere_roots != SphereRoots::UnitDirection => {

@@ -7,7 +7,8 @@ use std::time::Duration;
 
 use grader::record::Record;
 
-use super::{edited_solution, usage};
+use super::copies::{copy, edited_solution};
+use super::usage;
 use crate::workspace;
 
 /// The processor time of a batch for each submission.
@@ -35,9 +36,9 @@ impl Cost {
 /// Fails if the batch does, or if a copy does not earn all points.
 pub fn of_solutions(grader: &Path, n: usize) -> Result<Cost, String> {
     let place = tempfile::tempdir().map_err(|why| why.to_string())?;
-    for copy in 0..n {
-        let folder = place.path().join(format!("in/copy{copy}"));
-        edited_solution(copy, &folder).map_err(|why| why.to_string())?;
+    for at in 0..n {
+        let folder = place.path().join(format!("in/copy{at}"));
+        edited_solution(at, &folder).map_err(|why| why.to_string())?;
     }
     let stages = workspace().join("cases/stages");
     let before = usage::of_machine()?;
@@ -55,10 +56,9 @@ pub fn of_solutions(grader: &Path, n: usize) -> Result<Cost, String> {
 /// Fails if the batch does.
 pub fn memory(grader: &Path, n: usize) -> Result<u64, String> {
     let place = tempfile::tempdir().map_err(|why| why.to_string())?;
-    for copy in 0..n {
-        let folder = place.path().join(format!("in/copy{copy}"));
-        super::copy(&workspace().join("tests/runtimes/python"), &folder)
-            .map_err(|why| why.to_string())?;
+    for at in 0..n {
+        let folder = place.path().join(format!("in/copy{at}"));
+        copy(&workspace().join("tests/runtimes/python"), &folder).map_err(|why| why.to_string())?;
     }
     let (_, peak) = watch(start(grader, place.path(), &workspace().join("tests/exam"))?)?;
     Ok(peak)

@@ -20,11 +20,13 @@ pub fn page(load: &Load) -> String {
 fn head(load: &Load) -> String {
     format!(
         "# What grading costs a machine\n\n\
-         This page is written by `cargo run --release -p tests --bin load -- --out docs/load.md`, \
-         which needs an\nidle machine, ImageMagick, and some ten minutes. It was measured on {}.\n\n\
-         Processor time is that of the whole machine, so that no process is left out. Each of the \
-         {} submissions\nis an edited copy of the solution, which is compiled, run on all {} image \
-         cases twice and on all unit\nchecks, and graded under all layers of protection.\n\n",
+         This page is written by `cargo run --release -p tests --bin load -- --out \
+         docs/load.md`, which needs an\nidle machine, ImageMagick, and some ten minutes. It was \
+         measured on {}.\n\n\
+         Processor time is that of the whole machine, so that no process is left out. Each of \
+         the {} submissions\nis an edited copy of the solution, which is compiled, run on all {} \
+         image cases twice and on all unit\nchecks, and graded under all layers of \
+         protection.\n\n",
         load.machine, load.n_graded, load.n_cases
     )
 }
@@ -37,7 +39,8 @@ fn shares(load: &Load) -> String {
     };
     let is_reached = share(cost.grader) <= GRADER_AT_MOST;
     format!(
-        "## One submission of a batch\n\n| part | processor time | share |\n|---|---:|---:|\n{}{}{}{}\n\
+        "## One submission of a batch\n\n| part | processor time | share |\n|---|---:|---:|\n\
+         {}{}{}{}\n\
          The grader itself should take at most {:.0} % of the time: {}.\n\n",
         row("compiler, linker, starts of programs", cost.compilers()),
         row("the student's program", cost.programs),

@@ -8,7 +8,8 @@ use std::time::Duration;
 use cases::scene;
 use cases::stage::{Stage, load_all};
 
-use super::{edited_solution, run, usage};
+use super::copies::{edited_solution, run};
+use super::usage;
 use crate::workspace;
 
 /// The processor time for each submission.

@@ -80,8 +80,10 @@ pub(super) const BANS: &[Ban] = &[
             "grader/src/cli/commands/doctor.rs",
             "grader/src/sandbox",
             "grader/src/submission/error.rs",
+            "grader/src/tracer.rs",
         ],
-        because: "only the sandbox reads the clock, and only what finds folders the environment",
+        because: "only what runs programs reads the clock, and only what finds folders the \
+            environment",
     },
     Ban {
         folder: "grader/src",
@@ -129,6 +131,7 @@ pub(super) const BANS: &[Ban] = &[
             "grader/src/lint",
             "grader/src/record.rs",
             "grader/src/report",
+            "grader/src/tracer.rs",
         ],
         because: "scores, batches, builds and the sandbox never see pixels",
     },

@@ -1,6 +1,6 @@
 //! Mistakes in eye rays and in the search for hits. [rule 1] to [rule 2]
 
-use super::Misconception;
+use super::kind::Misconception;
 use crate::rules::{Aspect, Background, Epsilon, Fov, HalfAngle, Nearest, Searched, Span};
 
 misconceptions! {

@@ -1,6 +1,6 @@
 //! Mistakes in the light at a point. [rule 3]
 
-use super::Misconception;
+use super::kind::Misconception;
 use crate::rules::{
     Ambient, Diffuse, Emission, Facing, Highlight, HighlightColour, LightSum, Viewer,
 };

@@ -2,7 +2,7 @@
 
 use cases::Effect;
 
-use super::Misconception;
+use super::kind::Misconception;
 use crate::rules::{Attenuation, LightVector, ShadowReach, Tint};
 
 misconceptions! {

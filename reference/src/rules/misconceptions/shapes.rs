@@ -1,6 +1,6 @@
 //! Mistakes in shapes. [rule 14] to [rule 17]
 
-use super::Misconception;
+use super::kind::Misconception;
 use crate::rules::{
     BoxNormal, BoxRoots, ConeNormal, Lids, PlaneSide, RoundSide, SphereNormal, SphereRoots,
     SquareSize, SquaredRadius, TriangleNormal, TriangleTest, Weights,

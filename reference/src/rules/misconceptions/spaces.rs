@@ -2,7 +2,7 @@
 
 use cases::Effect;
 
-use super::Misconception;
+use super::kind::Misconception;
 use crate::rules::{
     Epsilon, InsideBy, InterpolatedIn, Interpolation, ObjectRay, ReflectBy, RefractBy, WorldNormal,
 };

@@ -2,11 +2,17 @@
 
 use cases::Effect;
 
-use super::Misconception;
+use super::kind::Misconception;
 use crate::rules::{
     Background, Bend, Cut, Cutoff, Depth, Index, InsideAmbient, InsideBy, Leaving, Mirror,
     MirrorWeight, Mixing, Outside, TotalReflection, TransmitWeight, Turning,
 };
+
+/// Returns the depth test with one bounce more than `right`. If the course already allows one more
+/// than the lecture, that is `right` itself, so that the mistake is left out.
+fn one_more(right: Depth) -> Depth {
+    if right == Depth::OneMore { right } else { Depth::LessOrEqual }
+}
 
 misconceptions! {
     SPAWNED_RAYS:
@@ -112,7 +118,7 @@ misconceptions! {
         "from inside there is no ambient term";
     ambient_inside_by_rest, 12, "shade.rs ambient", ambient_inside = InsideAmbient::OneMinusKt,
         "from inside the ambient term is multiplied by 1 − kt, not by kt";
-    one_bounce_too_many, 13, "reflection.rs goes_on", |rules| depth = super::one_more(rules.depth),
+    one_bounce_too_many, 13, "reflection.rs goes_on", |rules| depth = one_more(rules.depth),
         "a ray of depth max_depth still spawns rays";
     last_bounce_missing, 13, "reflection.rs goes_on", depth = Depth::Less,
         "a ray of depth max_depth spawns no more";
