@@ -34,14 +34,14 @@ fn known_mistakes_are_made_together() {
     let scene = stage::load_scene(&path, &Course::default()).unwrap();
     let mut rules = Rules::LECTURE;
     for wrong in misconceptions::of(&Rules::LECTURE) {
-        if ["no_ambient", "upside_down"].contains(&wrong.id) {
+        if ["horizontal_fov", "pixel_corner"].contains(&wrong.id) {
             (wrong.apply)(&mut rules);
         }
     }
-    let both = picture(&["--mistakes", "no_ambient,upside_down"]);
+    let both = picture(&["--mistakes", "horizontal_fov,pixel_corner"]);
     let expected = students_picture(&scene, &rules.plain());
     assert_eq!(both, film::encode(film::Kind::Pfm, &expected).unwrap());
-    assert_ne!(both, picture(&["--mistakes", "no_ambient"]));
+    assert_ne!(both, picture(&["--mistakes", "horizontal_fov"]));
     let refused = |mistakes: &str, says: &str| {
         let args = ["render", "scene.toml", "a.pfm", "--mistakes", mistakes];
         expect(&run(folder.path(), &args, ""), 2, says);
