@@ -37,8 +37,8 @@ fn known() -> Vec<&'static Misconception> {
     misconceptions::of(&Rules::LECTURE)
 }
 
-/// The share of mistakes that must be named alone. Beside others, a few share their evidence: what
-/// tells them from another one is a single check or a faint difference.
+/// The share of mistakes that must be named alone. A few are named together with another one, from
+/// which a single check or a faint difference distinguishes them.
 const ALONE: f64 = 0.95;
 
 /// Fails if a mistake that a program does not make is named by itself, or if fewer than [`ALONE`]
