@@ -54,6 +54,7 @@ const CALLS: &[(&str, i32, &str)] = &[
     ("grade empty --cases EXAM", 2, "no submission"),
     ("grade broken.zip --cases EXAM", 2, "archive"),
     ("grade missing --cases EXAM", 2, "missing"),
+    ("gradebook export empty --format csv -o -", 2, "run `grader batch` with --roster first"),
     ("grade - --cases EXAM", 2, "none is read from standard input"),
     ("grade right --cases missing", 2, "missing"),
     ("grade right --cases empty", 2, "no stages"),
@@ -133,7 +134,7 @@ fn every_command_and_every_code_of_its_help_is_in_the_table() {
     let place = tempfile::tempdir().unwrap();
     // The calls above cannot cause these: an interrupt (below), a machine without a compiler, a
     // case without its answer (`lint` of a whole set), a submission that explains itself, a disk
-    // that cannot be read (`compare`).
+    // that cannot be read (`compare`), a batch with a roster (`gradebook`).
     let excused = [
         ("explain", 0),
         ("explain", 3),
@@ -143,6 +144,8 @@ fn every_command_and_every_code_of_its_help_is_in_the_table() {
         ("compare", 3),
         ("doctor", 0),
         ("lint", 0),
+        ("gradebook", 0),
+        ("gradebook", 3),
     ];
     let help =
         String::from_utf8(grader(place.path(), &["--help"]).output().unwrap().stdout).unwrap();

@@ -113,8 +113,14 @@ fn five_bugs_take_a_few_lines_that_name_the_functions() {
     let report = anstream::adapter::strip_str(&report).to_string();
     assert!(report.lines().count() < 80, "{} lines:\n{report}", report.lines().count());
     assert!(report.lines().all(|line| line.chars().count() <= 100), "{report}");
-    for check in ["shade/term_", "tinted/", "goes_on/", "normal_", "interpolate/"] {
-        assert!(report.contains(check), "no {check} in\n{report}");
+    for place in [
+        "shade.rs, function light_term",
+        "shadow.rs, function shadow_attenuation",
+        "reflection.rs, function goes_on",
+        "transform.rs, function normal_to_world",
+        "smooth.rs, function interpolate_normal",
+    ] {
+        assert!(report.contains(place), "no {place} in\n{report}");
     }
 }
 

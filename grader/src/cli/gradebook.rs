@@ -8,6 +8,11 @@ use crate::report::gradebook::Format;
 
 /// Give the points of a class back to its platform
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Example:
+  grader gradebook export results --format csv -o points.csv
+
+Exit codes: 0 written, 2 usage, no roll, or a file that cannot be filled, 3 the machine failed")]
 pub(crate) struct Gradebook {
     #[command(subcommand)]
     pub(crate) action: Action,

@@ -1,6 +1,8 @@
 //! Bounds the text of a program in a record as a whole: a program could otherwise write out the
 //! scenes of a hidden set, a little at each check.
 
+use std::collections::BTreeSet;
+
 use crate::record::{CheckRecord, Finding, FindingKind, StageRecord};
 
 /// Bytes of a program's text in a record.
@@ -13,13 +15,17 @@ const LEAST: usize = 60;
 /// Cuts the text that the program wrote at the checks of `stages`, in order, so that there are at
 /// most [`MOST`] bytes of it, and a few words for each check beyond.
 ///
-/// Text that an earlier check shows already is replaced by a reference to that check.
+/// Text that an earlier check shows already is replaced by a reference to that check. A message of
+/// an earlier check is repeated, since it reveals nothing more.
 pub(super) fn apply(stages: &mut [StageRecord]) {
     let mut left = MOST;
     let mut shown: Vec<(String, String)> = vec![];
+    let mut messages = BTreeSet::new();
     for CheckRecord { id, finding, .. } in stages.iter_mut().flat_map(|stage| &mut stage.checks) {
         let Some(finding) = finding else { continue };
-        bound_message(finding, &mut left);
+        if messages.insert(finding.message.clone()) {
+            bound_message(finding, &mut left);
+        }
         let Some(text) = &mut finding.stderr else { continue };
         if let Some((first, _)) = shown.iter().find(|(_, other)| other == text) {
             *text = format!("[the same as at {first}]");
@@ -92,13 +98,20 @@ mod tests {
 
     #[test]
     fn a_program_that_prints_at_each_check_is_cut_and_words_of_the_grader_stay() {
-        let long = |n: usize| crash(&"m".repeat(100), &format!("{n:04000}"));
+        let long = |n: usize| crash(&format!("{}{n:03}", "m".repeat(97)), &format!("{n:04000}"));
         let found = after((0..700).map(long).collect());
         let bytes: usize = found.iter().map(|(message, text)| message.len() + text.len()).sum();
         assert!(bytes < MOST + 700 * 150, "{bytes}");
-        assert_eq!(found[0], ("m".repeat(100), format!("{:04000}", 0)));
+        assert_eq!(found[0], (format!("{}000", "m".repeat(97)), format!("{:04000}", 0)));
         assert!(found[699].1.starts_with("[left out"), "{:?}", found[699]);
         assert_eq!(found[699].0, format!("{} […]", "m".repeat(LEAST)));
+    }
+
+    #[test]
+    fn a_message_that_is_repeated_is_never_cut() {
+        let todo = "still to be written: `shadow_attenuation` in tracer/shadow.py, says the grader";
+        let found = after(vec![Finding::new(FindingKind::Todo, todo); 1000]);
+        assert!(found.iter().all(|(message, _)| message == todo));
     }
 
     #[test]
