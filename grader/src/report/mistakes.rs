@@ -128,7 +128,7 @@ pub fn credits(record: &Record) -> Vec<String> {
     for credit in checks.filter_map(|check| check.credit.as_ref()) {
         let ids = credit.mistakes.iter().map(String::as_str).collect();
         let (points, n) = sums.entry(ids).or_default();
-        *points += credit.points;
+        *points = points.saturating_add(credit.points);
         *n += 1;
     }
     let sentence = |(ids, (points, n)): (Vec<&str>, (u64, usize))| {
