@@ -21,11 +21,11 @@ fn head(load: &Load) -> String {
     format!(
         "# What grading costs a machine\n\n\
          This page is written by `cargo run --release -p tests --bin load -- --out \
-         docs/load.md`, which needs an\nidle machine, ImageMagick, and some ten minutes. It was \
+         docs/load.md`, which\nneeds an idle machine, ImageMagick, and some ten minutes. It was \
          measured on {}.\n\n\
          Processor time is that of the whole machine, so that no process is left out. Each of \
-         the {} submissions\nis an edited copy of the solution, which is compiled, run on all {} \
-         image cases twice and on all unit\nchecks, and graded under all layers of \
+         the {}\nsubmissions is an edited copy of the solution, which is compiled, run on all {} \
+         image cases twice\nand on all unit checks, and graded under all layers of \
          protection.\n\n",
         load.machine, load.n_graded, load.n_cases
     )
@@ -67,8 +67,8 @@ fn beside_scripts(load: &Load) -> String {
     format!(
         "## Beside the script of a course\n\n\
          The script clones the repository, runs `cargo build --release`, renders each case once, \
-         and compares the\npictures with `compare -metric RMSE` of ImageMagick. It checks no \
-         function, protects nothing and names no\nmistake.\n\n\
+         and\ncompares the pictures with `compare -metric RMSE` of ImageMagick. It checks no \
+         function, protects\nnothing and names no mistake.\n\n\
          | script | clone and build | pictures | all | times this grader | bar | |\n\
          |---|---:|---:|---:|---:|---:|---|\n{}{}\n",
         row("a target folder for each submission", &load.fresh, FRESH_AT_LEAST),
